@@ -84,3 +84,14 @@ def test_vanishing_signals_give_null_and_no_warning() -> None:
 def test_bad_input(reference: np.ndarray, compared: np.ndarray, time: np.ndarray, message: str) -> None:
     with pytest.raises(FitError, match=message):
         compare(reference, compared, time, place="trial 1")
+
+
+@pytest.mark.parametrize(("late", "is_refused"), [(0.0045, False), (0.0055, True)])
+def test_steps_may_differ_by_one_percent(late: float, is_refused: bool) -> None:
+    time = np.arange(40.0)
+    time[20] += late  # one step longer and one shorter by this much
+    if is_refused:
+        with pytest.raises(FitError, match="constant steps"):
+            compare(np.sin(time), np.sin(time), time)
+    else:
+        assert compare(np.sin(time), np.sin(time), time).samples == 40

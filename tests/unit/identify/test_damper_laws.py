@@ -10,7 +10,10 @@ import pytest
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 from jounce.identify.damper import (
+    _check_velocity,
+    _cycles,
     _force_step,
+    _moving_part,
     damper_advice,
     damper_curve,
     damper_law,
@@ -390,3 +393,53 @@ def test_a_jump_of_the_force_is_told_where_it_is_two_percent_and_explains_a_fift
     if told:
         assert found == pytest.approx(step, rel=0.1 if noise else 1e-6)
     assert _force_step(replace(motion, force=-jumped)) is None
+
+
+@pytest.mark.parametrize(
+    ("gain", "late", "source", "told"),
+    [
+        (1.049, 0.0, "recorded", None),
+        (0.951, 0.0, "recorded", None),
+        (1.051, 0.0, "recorded", "problem"),
+        (0.949, 0.0, "displacement", "problem"),
+        (1.0, 0.19, "recorded", None),
+        (1.0, 0.21, "recorded", "warning"),
+        (1.0, -0.21, "recorded", "warning"),
+        (1.0, 0.21, "displacement", None),
+    ],
+)
+def test_a_recorded_velocity_may_be_five_percent_and_a_fifth_of_a_sample_off(gain, late, source, told):
+    findings = []
+    slope = np.gradient(V, TIME)
+    velocity = gain * V - 0.005 * late * (slope - V * (slope @ V) / (V @ V))
+    assert _check_velocity(velocity, V, TIME, source, "a.csv", findings) == 0.0
+    assert [one.severity for one in findings] == [told] * (told is not None)
+    for one in findings:
+        assert one.value == pytest.approx(gain if told == "problem" else 0.005 * late, rel=0.02)
+
+
+@pytest.mark.parametrize(("step", "told"), [(0.9e-3, 0), (1.1e-3, 1)])
+def test_steps_of_a_velocity_are_told_from_a_thousandth_of_its_peak_on(step, told):
+    wave = np.round(np.sin(np.arange(20_000) * 2e-3) / step) * step
+    time, findings = np.arange(20_000) * 1e-3, []
+    assert _check_velocity(wave, wave, time, "recorded", "a.csv", findings) == pytest.approx(step)
+    assert [(one.severity, one.value) for one in findings] == [("note", pytest.approx(step))] * told
+
+
+@pytest.mark.parametrize(("before", "after", "left_out"), [(5, 0, 0), (6, 0, 6), (0, 5, 0), (0, 6, 6), (9, 12, 21)])
+def test_rests_of_more_than_five_samples_are_left_out(before, after, left_out):
+    ramp = np.concatenate([np.zeros(before), np.arange(101.0), np.full(after, 100.0)])
+    findings = []
+    first, last = _moving_part(ramp, "a.csv", findings)
+    assert first + len(ramp) - last == left_out
+    assert [one.value for one in findings] == [left_out] * (left_out > 0)
+
+
+def test_cycles_are_counted_by_crossings_or_by_the_path():
+    phase = np.linspace(0.0, 3.0, 3001)  # in cycles
+    assert _cycles(np.sin(2.0 * np.pi * phase)) == pytest.approx(3.0, abs=0.02)
+    assert _cycles(5.0 - 0.01 * np.cos(2.0 * np.pi * phase)) == pytest.approx(3.0, abs=0.02)
+    assert _cycles(np.arange(101.0)) == 0.5
+    drifting = np.sin(2.0 * np.pi * phase) + 2.0 * phase  # it crosses its middle once
+    turns = np.abs(np.diff(drifting)).sum() / (2.0 * np.ptp(drifting))
+    assert _cycles(drifting) == pytest.approx(turns, rel=1e-3)

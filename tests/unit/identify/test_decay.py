@@ -10,7 +10,10 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 from jounce.identify.decay import (
     DecayParameters,
+    Peaks,
     _advice,
+    _at_rest,
+    _estimates,
     _naive_decrement,
     _next_start,
     _part,
@@ -19,7 +22,7 @@ from jounce.identify.decay import (
     decay_slopes,
     fit_decay,
 )
-from jounce.identify.estimate import Estimate, Uncertainty, combine
+from jounce.identify.estimate import Estimate, Uncertainty, central_differences, combine
 
 MASS, STIFFNESS = 16.0, 18362.0
 TIME = np.arange(0.0, 2.0, 1e-3)
@@ -352,3 +355,37 @@ def test_a_misfit_of_the_first_half_swing_is_told_from_one_behind_it():
         part = _part(TIME, record() + ripple * disturbed, 201, 0.0, "displacement", "decay.csv")
         assert low < part.early_misfit < high
         assert part.r2 > 0.99
+
+
+def test_what_a_decay_gives_knows_what_its_parameters_know():
+    """Damping, friction, drag and stiffness are products of the fitted numbers, and their errors those of products."""
+    p = replace(truth(), quadratic_drag=3.0)
+    at = np.array(list(vars(p).values()))
+    root = np.random.default_rng(5).normal(size=(7, 7)) * np.maximum(np.abs(at), 1e-3)[:, None]
+    found = _estimates(p, Uncertainty(root @ root.T, 10.0, 1.0), MASS)
+
+    def derived(values):
+        omega, ratio, friction, offset, _, _, drag = values
+        return np.array([
+            ratio, 2.0 * ratio * omega * MASS, friction * MASS * omega**2, omega / (2.0 * math.pi), drag * MASS, offset,
+            MASS * omega**2,
+        ])  # fmt: skip
+
+    errors = np.linalg.norm(central_differences(derived, at, 1e-4 * np.maximum(np.abs(at), 1e-3)) @ root, axis=1)
+    names = ("damping_ratio", "damping_coefficient", "coulomb_force", "natural_frequency_hz", "quadratic_drag",
+             "equilibrium", "stiffness")  # fmt: skip
+    assert set(found) == set(names)
+    for name, value, error in zip(names, derived(at), errors, strict=True):
+        assert (found[name].value, found[name].standard_error) == pytest.approx((value, error), rel=1e-6), name
+
+
+def test_a_rest_is_half_a_period_of_nothing_at_the_end():
+    t = np.arange(400) * 1e-2
+    peaks = Peaks(np.arange(5.0) * 0.5, 0.5 ** np.arange(5.0) * (-1.0) ** np.arange(5))  # half a period: 0.5 s
+    for moves, rests in ((349, False), (347, True)):
+        signal = np.where(np.arange(400) < moves, np.cos(2.0 * np.pi * t), 0.3)
+        assert _at_rest(t, signal, peaks).tolist() == [bool(rests and i >= moves) for i in range(400)]
+    assert not _at_rest(t, np.cos(2.0 * np.pi * t), peaks).any()
+    for off, begin in ((1.9e-3, 200), (2.1e-3, 300)):  # a thousandth of the range of 2
+        signal = np.where(np.arange(400) < 200, np.cos(2.0 * np.pi * t), 0.3 + off * (np.arange(400) < 300))
+        assert int(np.argmax(_at_rest(t, signal, peaks))) == begin

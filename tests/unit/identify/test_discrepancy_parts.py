@@ -14,10 +14,20 @@ from jounce.identify.discrepancy import (
     _Calibration,
     _contradictions,
     _findings,
+    _freed,
+    _groups,
     _law_estimate,
     _length,
+    _mean_squares,
+    _next,
+    _Run,
+    _share_of_rest,
+    _shares,
     _State,
     _Stray,
+    _System,
+    _unwhitened,
+    noise_variance,
 )
 from jounce.identify.estimate import Estimate
 from jounce.identify.laws import Laws, States
@@ -160,3 +170,185 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
 def test_the_length_of_a_channel_is_the_mean_of_its_own_blocks() -> None:
     rows = [(name, None, np.zeros(count), None) for name, count in (("a", 10), ("b", 50), ("a", 20))]
     assert [_length(SimpleNamespace(rows=rows), name) for name in "ab"] == [15.0, 50.0]
+
+
+def system(samples: int = 400) -> _System:
+    """Two channels in two trials: a parameter, something that is doubted, and one unknown of each trial."""
+    draw = np.random.default_rng(8)
+    rows = []
+    for trial in range(2):
+        for name, noise in (("a", 0.1), ("b", 0.4)):
+            columns = np.cumsum(draw.normal(size=(samples, 3)), axis=0) / samples**0.5
+            lacking = np.sin(0.02 * np.arange(samples) * (1.0 + trial))
+            residual = columns @ [0.5, -0.2, 0.3] + 0.3 * lacking + noise * draw.normal(size=samples)
+            rows.append((name, columns, residual, np.array([0, 1, 2 + trial])))
+    return _System(["a", "b"], rows, np.array([0.0, 1.0, 1.0, 1.0]), np.array([0.0, 0.4, 0.1, -0.2]))
+
+
+def test_a_step_weighs_noise_and_a_third_of_the_energy_of_the_rest() -> None:
+    """Normal equations by hand, with the weights that the step itself leaves."""
+    one = system()
+    found = one.solved()
+    step = found.step
+    left = [(name, residual - columns @ step[index]) for name, columns, residual, index in one.rows]
+    for name in "ab":
+        own = [each for channel, each in left if channel == name]
+        noise = np.mean([noise_variance(each) for each in own])
+        energy = np.mean([len(each) * (np.mean(each**2) - noise_variance(each)) for each in own])
+        assert found.noise[name] == pytest.approx(noise, rel=1e-3)
+        assert found.energy[name] == pytest.approx(energy, rel=1e-3)
+        assert found.square[name] == pytest.approx(np.mean([np.mean(each**2) for each in own]), rel=1e-3)
+
+    def information(share: float) -> np.ndarray:
+        total = np.diag(one.prior)
+        for name, columns, _, index in one.rows:
+            place = np.eye(4)[index]
+            total = total + place.T @ columns.T @ columns @ place / (found.noise[name] + share * found.energy[name])
+        return total
+
+    np.testing.assert_allclose(found.covariance, np.linalg.inv(information(1.0 / 3.0)), rtol=1e-3)
+    score = -one.prior * one.away
+    for name, columns, residual, index in one.rows:
+        score = score + np.eye(4)[index].T @ columns.T @ residual / (found.noise[name] + found.energy[name] / 3.0)
+    np.testing.assert_allclose(step, found.covariance @ score, rtol=1e-3)
+    doubted = np.array([False, True, False, False])
+    for rest, share in ((True, 1.0 / 3.0), (False, 0.0)):
+        kept = np.linalg.inv(np.delete(np.delete(information(share), 1, 0), 1, 1))
+        known = one.known(doubted, found, rest=rest)
+        np.testing.assert_allclose(np.delete(np.delete(known, 1, 0), 1, 1), kept, rtol=1e-9)
+        assert not known[1].any()
+
+
+def test_shares_of_what_a_parameter_owes_to_doubts_and_to_the_rest() -> None:
+    one = system()
+    found = one.solved()
+    free = [SimpleNamespace(path="k")]
+    nuisances = [SimpleNamespace(name="gravel", group="height", mean=0.0, deviation=1.0)]
+    calibration = SimpleNamespace(free=free, nuisances=nuisances, runs=[0, 1], own=[("speed", 0.1)], align=True)
+    masks = _groups(calibration, 4)
+    assert {name: mask.tolist() for name, mask in masks.items()} == {
+        "height": [False, True, False, False], "speed": [False, False, True, True]
+    }  # fmt: skip
+    held = SimpleNamespace(free=free, nuisances=nuisances, runs=[0, 1], own=[("speed", 0.1)], align=False)
+    assert {name: np.flatnonzero(mask).tolist() for name, mask in _groups(held, 6).items()} == {
+        "height": [1], "speed": [2, 4], "lag": [3, 5]
+    }  # fmt: skip
+    slopes = np.array([[2.0, 0.5]])  # of the reading by parameter and doubt
+    error = np.sqrt(np.einsum("ij,jl,il->i", slopes, found.covariance[:2, :2], slopes))
+    shares = _shares(calibration, one, found, slopes, error)
+    covariances = {name: one.known(mask, found) for name, mask in masks.items()}
+    covariances["unexplained rest"] = one.known(np.zeros(4, dtype=bool), found, rest=False)
+    for name, covariance in covariances.items():
+        expected = 1.0 - float(slopes[0] @ covariance[:2, :2] @ slopes[0]) / error[0] ** 2
+        assert shares["k"][name] == pytest.approx(expected)
+        assert 0.0 < expected < 1.0
+    rest = _share_of_rest(one, found, np.stack([slopes, slopes]), np.stack([error, error]))
+    assert rest == pytest.approx(np.full((2, 1), shares["k"]["unexplained rest"]))
+
+
+def test_noise_is_the_power_above_eleven_twentieths_of_the_band() -> None:
+    count = 800  # 401 frequencies; from the 220th on, but for the last
+    time = np.arange(count)
+    for place, is_in in ((219, False), (220, True), (399, True), (400, False)):
+        wave = np.cos(2.0 * np.pi * place * time / count)
+        power = np.sum(np.abs(np.fft.rfft(wave)) ** 2) / count
+        assert noise_variance(wave) == pytest.approx(power / 180.0 * is_in, abs=1e-9)
+
+
+def test_a_step_that_cannot_be_simulated_is_halved() -> None:
+    tried: list[float] = []
+
+    def blocks(share: float) -> tuple[str, str]:
+        if share > 0.2:
+            raise jn.SimulationError("diverged")
+        return "blocks", "states"
+
+    def moved(_: object, __: object, ___: object, share: float) -> float:
+        tried.append(share)
+        return share
+
+    one = SimpleNamespace(moved=moved, blocks=blocks)
+    assert _next(one, None, None, [], 0.8) == (0.2, "blocks", "states")
+    assert tried == [0.8, 0.4, 0.2]
+    with pytest.raises(jn.SimulationError, match="diverged"):
+        _next(one, None, None, [], 100.0)
+
+
+def test_mean_squares_are_those_of_each_channel() -> None:
+    blocks = [_Block(name, 0, np.full(count, size), *[np.zeros(0)] * 3)
+              for name, count, size in (("a", 4, 1.0), ("b", 9, 3.0), ("a", 2, 2.0))]  # fmt: skip
+    assert _mean_squares(blocks) == {"a": 2.5, "b": 9.0}
+
+
+def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
+    rig = jn.load("kart-quarter-car")
+    richer = SimpleNamespace(has_laws=True, rig=rig, ridden=Ridden(0.007, 0.0015, 1.0))
+    one = SimpleNamespace(doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)])
+    assert {each.name: (each.unit, each.mean, each.deviation) for each in _Calibration._inputs(one)} == {
+        "height": ("1", 0.0, 0.015),
+        "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
+        "presliding": ("N", 0.0, 4.0),
+        "arms": ("kg", 0.0, pytest.approx(0.2)),
+    }
+    nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
+    assert _Calibration._inputs(SimpleNamespace(doubt=nothing, richer=richer, runs=one.runs)) == []
+    channels = [
+        SimpleNamespace(name=name, measured=np.array([1.0, 3.0]), sensor=sensor)
+        for name, sensor in (("a", jn.Sensor(low_pass="50 Hz")), ("b", None), ("c", jn.Sensor()))
+    ]
+    runs = [SimpleNamespace(channels=channels)]
+    assert {
+        each.name: (each.group, each.mean, each.deviation)
+        for each in _Calibration._sensors(SimpleNamespace(doubt=jn.Doubt(), runs=runs))
+    } == {"a corner": ("corner", 0.0, 0.15)} | {
+        f"{name} {group}": (group, 0.0, deviation)
+        for name in "abc"
+        for group, deviation in (("gain", 0.01), ("bias", 0.03))
+    }
+    sure = jn.Doubt(gain=0.0, bias=0.0, corner=0.0)
+    assert _Calibration._sensors(SimpleNamespace(doubt=sure, runs=runs)) == []
+
+
+def test_a_pass_at_another_speed_that_slows_down_comes_later() -> None:
+    """At 2 m/s instead of 2.5; what it slows begins at the obstacle, and what it has lost stays behind it."""
+    track = jn.mechanics.interpolated([0.0, 1.0, 2.0, 3.0, 5.0], [0.0, 0.0, 1.0, 0.0, 0.0])
+    run = SimpleNamespace(road=True, speed=2.5, passing=(1.0, 3.0))
+    moved = _Run._warped(run, track, {"speed": -0.5, "slowing": 0.1})
+    assert moved.edges[1:-1] == pytest.approx([0.0, 1.25, 2.5 + 0.05 / 2.0, 3.75 + 0.1, 6.25 + 0.1 + 0.2])
+    assert _Run._warped(SimpleNamespace(road=False), track, {"speed": -0.5}) is track
+
+
+def test_doubts_in_their_own_deviations_are_those_of_correlated_forces() -> None:
+    root = np.array([[2.0, 0.0], [1.0, 3.0]])
+    nuisances = [SimpleNamespace(deviation=deviation) for deviation in (9.0, 4.0, 5.0)]
+    one = SimpleNamespace(richer=SimpleNamespace(whitened=lambda: ((1, 2), root)), nuisances=nuisances)
+    assert _unwhitened(one, np.array([7.0, 2.0, -1.0])).tolist() == [7.0, 1.0, -0.2]
+
+
+@pytest.mark.parametrize(("reach", "named"), [(0.5, ""), (40.0, "height")])
+def test_a_group_that_would_explain_the_rest_is_named(reach: float, named: str) -> None:
+    """A rest of the shape of what a height does, which its prior does not allow."""
+    draw = np.random.default_rng(9)
+    shape = np.sin(0.05 * np.arange(500))
+    columns = np.column_stack([np.cos(0.013 * np.arange(500)), 0.1 * shape])
+    rows = [("a", columns, 0.1 * reach * shape + 0.05 * draw.normal(size=500), np.array([0, 1]))]
+    free = [SimpleNamespace(path="k")]
+    nuisances = [SimpleNamespace(name="bump", group="height", mean=0.0, deviation=1.0)]
+    one = SimpleNamespace(
+        free=free, nuisances=nuisances, runs=[0], own=[], align=True, names=["a"],
+        richer=SimpleNamespace(whitened=lambda: None),
+    )  # fmt: skip
+    equations = _System(["a"], rows, np.array([0.0, 1.0]), np.array([0.0, 0.0]))
+    found = equations.solved()
+    state = _State(np.zeros(1), np.zeros(1), np.zeros((1, 0)), np.zeros(1))
+    slopes = np.array([[[1.0, 0.02]], [[1.0, 0.0]]])
+    name, left, strays = _freed(one, state, equations, found, slopes, np.array([[0.5], [0.5]]))
+    assert name == named
+    freer = equations.solved(np.array([0.0, 1e-4]))
+    energy = (freer if named else found).energy["a"] / (500.0 * found.noise["a"])
+    assert left == pytest.approx(energy / (1.0 + energy))
+    assert set(strays) == ({"bump"} if named else set())
+    for stray in strays.values():
+        assert stray.to == pytest.approx(freer.step[1])
+        assert stray.to == pytest.approx(reach, rel=0.1)
+        assert stray.draws == pytest.approx(np.abs(slopes @ freer.step).max(axis=0) / 0.5)

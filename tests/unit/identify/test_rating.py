@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import FitError
-from jounce.identify.comparison import _rival, corridor_score, grade_of, iso18571, slope_score
+from jounce.identify.comparison import (
+    _rival,
+    _smooth_slope,
+    corridor_score,
+    grade_of,
+    iso18571,
+    magnitude_score,
+    slope_score,
+)
 
 RATE = 10e3
 TIME = np.arange(3000) / RATE
@@ -145,3 +153,17 @@ def test_a_rival_is_a_smaller_shift_behind_a_valley() -> None:
     assert _rival(coefficients, 6, 5) is None  # between neighbours there is no room for one
     for height, valley, found in ((0.991, 0.94, -1), (0.989, 0.94, None), (0.991, 0.96, None)):
         assert _rival(np.where(coefficients == 0.995, height, np.maximum(coefficients, valley)), 7, 5) == found
+
+
+def test_slopes_are_averaged_over_nine_samples_and_over_fewer_towards_the_ends() -> None:
+    values = np.random.default_rng(7).normal(size=15)
+    slope = np.gradient(values)
+    widths = [0, 1, 2, 3, *[4] * 7, 3, 2, 1, 0]
+    expected = [slope[i - w : i + w + 1].mean() for i, w in enumerate(widths)]
+    assert _smooth_slope(values) == pytest.approx(expected, rel=1e-12)
+
+
+def test_signals_are_warped_within_a_tenth_of_their_length() -> None:
+    """A spike of one sample is reached 19 samples away, and not 20, in a record of 200."""
+    for late, score in ((19, 1.0), (20, 0.0)):
+        assert magnitude_score(np.eye(200)[60], np.eye(200)[60 + late]) == score

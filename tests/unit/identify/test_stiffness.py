@@ -1,13 +1,15 @@
 """Stiffness from force-deflection trials."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.estimate import Estimate
+from jounce.identify.estimate import Estimate, uncertainty
+from jounce.identify.force_deflection import _is_free_travel
 from jounce.identify.stiffness import (
     FittedCurve,
     ForceDeflectionTrial,
@@ -16,6 +18,7 @@ from jounce.identify.stiffness import (
     _end_force,
     _increasing,
     _slope_at,
+    _tangent_gradient,
     fit_curve,
     fit_stiffness,
 )
@@ -402,3 +405,48 @@ def test_a_force_that_falls_on_the_way_is_told_from_three_percent_on(drop, is_to
     force[50] = force[49] - 100.0 * drop
     found = [one for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings if "falls by" in one.message]
     assert [one.value for one in found] == [pytest.approx(100.0 * drop)] * is_told
+
+
+def test_a_power_law_knows_its_factor_and_exponent_as_its_slopes_say():
+    x = np.linspace(0.001, 0.01, 40)
+    force = 4e5 * x**1.3 + np.random.default_rng(3).normal(0.0, 0.5, 40)
+    fit = fit_curve(x, force, law="power", degree=1, intercept="drop", where="a")
+    a, b = fit.parameters
+    expected = uncertainty(np.column_stack([x**b, a * x**b * np.log(x)]), force - a * x**b)
+    np.testing.assert_allclose(fit.uncertainty.covariance, expected.covariance, rtol=1e-4)
+    np.testing.assert_allclose(fit.residual, force - a * x**b, atol=1e-9)
+
+
+@pytest.mark.parametrize(("law", "degree"), [("linear", 1), ("polynomial", 3), ("power", 1)])
+def test_the_tangent_is_as_sure_as_the_numbers_of_its_law(law, degree):
+    x = np.linspace(0.001, 0.01, 40)
+    force = 4e5 * x**1.3 + np.random.default_rng(4).normal(0.0, 0.5, 40)
+    fit = fit_curve(x, force, law=law, degree=degree, intercept="drop", where="a")
+    count = len(fit.curve.coefficients)
+    moves = np.eye(len(fit.parameters)) * 1e-5 * np.abs(fit.parameters)
+    slopes = []
+    for move in moves:
+        ends = [replace(fit.curve, coefficients=tuple((fit.parameters + way * move)[:count])) for way in (1.0, -1.0)]
+        slopes.append((ends[0].tangent(0.004) - ends[1].tangent(0.004)) / (2.0 * np.abs(move).max()))
+    np.testing.assert_allclose(_tangent_gradient(fit, 0.004), slopes, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("flat", "rise", "is_free"),
+    [(8, 0.0, True), (7, 0.0, False), (8, 0.099, True), (8, 0.101, False)],
+)
+def test_free_travel_is_eight_points_that_hardly_rise(flat, rise, is_free):
+    """Points one apart: the force rises by ``rise`` of the mean stiffness over the first ones, and then to 1."""
+    x = np.arange(41.0)
+    steep = 40.0 * rise / 40.0
+    force = np.where(x < flat, steep * x, steep * (flat - 1.0) + 0.0)
+    force[flat:] += np.linspace(1.0, 40.0 - force[-1], 41 - flat)
+    assert _is_free_travel(x, force, flat - 1, 40) == is_free
+    assert not _is_free_travel(x, force, flat - 1, flat + 1)  # two points behind it are too few
+
+
+def test_free_travel_counts_from_three_percent_of_the_stroke_on():
+    for travel, is_free in ((0.0299, False), (0.0301, True)):
+        x = np.concatenate([np.linspace(0.0, travel, 10), np.linspace(travel + 0.01, 1.0, 40)])
+        force = np.maximum(x - travel, 0.0)
+        assert _is_free_travel(x, force, 9, 49) == is_free

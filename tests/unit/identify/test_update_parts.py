@@ -14,7 +14,7 @@ from jounce.identify import update
 from jounce.identify.datum import QuietStart, _quiet_start, start_findings
 from jounce.identify.discrepancy import _moved, _scaled
 from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
-from jounce.identify.richer import Richer, Ridden, own_doubt
+from jounce.identify.richer import ONSET_VELOCITY, Richer, Ridden, own_doubt
 from jounce.identify.update import Optimum, UpdatedParameter, bounds_and_priors, identifiability
 from jounce.simulation.compiled import compile_rig
 
@@ -282,3 +282,49 @@ def test_the_quiet_start_is_what_lies_before_the_model_moves() -> None:
     assert early.recorded == pytest.approx(-0.01)  # less than 20 ms: all that there is
     moving = _quiet_start(SimpleNamespace(measured=measured[400:], bias=0.0), time[400:], simulated[400:], -0.01)
     assert (moving.recorded, moving.doubt) == (None, 0.0)
+
+
+def test_what_is_doubted_is_as_the_doubts_say() -> None:
+    """Each doubt of a lumped rig with its group, mean and standard deviation, and what of it the numbers become."""
+    p = RIG.parameters()
+    used = compile_rig(RIG).facts.parameters
+    richer = Richer(RIG, [RATE], jn.Doubt(), Ridden(0.007, 0.0015, 1.0), used)
+    load = p[MASS] * p["gravity"]
+    knots = np.array([0.03, 0.12, 0.35, 1.0])
+    coefficient = p["strut.damper.coefficient"]
+    expected = {MASS: ("lumped", 0.0, 0.02), "unsprung.mass": ("estimated", 0.0, 0.03)}
+    expected |= {f"damper force at {side * v:+.2g} m/s": ("damper_shape", 0.0, 0.2 * coefficient * v + 2.0)
+                 for v in knots for side in (1.0, -1.0)}  # fmt: skip
+    for place in ("strut.friction", "guide.friction"):
+        expected[f"{place}.force"] = ("friction", 0.0, 0.02 * load)
+        expected[f"{place}.regularisation_velocity"] = ("friction_onset", 0.0, np.log(2.0))
+    expected |= {
+        "strut.spring curvature": ("spring_curvature", 0.0, 0.03),
+        "tyre curvature": ("tyre_curvature", 0.01, 0.02),
+        "tyre change of curvature": ("tyre_curvature", 0.0, 0.002),
+    }
+    if "strut.angle" in used:
+        expected["strut.angle"] = ("angle", 0.0, 0.0087)
+    assert {one.name: (one.group, one.mean, pytest.approx(one.deviation)) for one in richer.nuisances} == expected
+    xi = np.zeros(len(richer.nuisances))
+    names = [one.name for one in richer.nuisances]
+    for name, became in (
+        (MASS, p[MASS] * 1.06),
+        ("strut.friction.force", 0.06 * load),
+        ("guide.friction.regularisation_velocity", 8.0 * ONSET_VELOCITY),
+    ):
+        moved = xi.copy()
+        moved[names.index(name)] = 3.0
+        assert richer.plain(p, {}, moved)[name] == pytest.approx(became)
+    places, root = richer.whitened()
+    moving = np.concatenate([-knots[::-1], knots])
+    scale = 0.2 * coefficient * np.abs(moving) + 2.0
+    assert np.sqrt(np.diag(root @ root.T)) == pytest.approx(scale, rel=1e-6)
+    apart = np.sqrt(3.0) * np.abs(np.arcsinh(moving[3] / 0.1) - np.arcsinh(moving[5] / 0.1))  # Matern 3/2
+    assert (root @ root.T)[3, 5] == pytest.approx((1.0 + apart) * np.exp(-apart) * scale[3] * scale[5])
+    moved = xi.copy()
+    moved[list(places)] = np.linalg.solve(root, np.arange(1.0, 9.0))
+    force = richer.damper_force(p, moved, np.concatenate([moving, [0.0, 2.0, -2.0]]))
+    beyond = 8.0 + 1.0 / 0.65, 1.0 - 1.0 / 0.65  # straight on
+    bends = np.array([*np.arange(1.0, 9.0), 0.0, beyond[0], beyond[1]])
+    assert force == pytest.approx(coefficient * np.concatenate([moving, [0.0, 2.0, -2.0]]) + bends)
