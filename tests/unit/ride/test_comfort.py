@@ -68,7 +68,8 @@ def test_totals_and_exposure() -> None:
     # ISO 2631-1: k = 1 for comfort, 1.4 for the horizontal axes for health; directive 2002/44/EC: 0.5 and 1.15 m/s^2
     axes = {"x": 0.3, "y": 0.4, "z": 1.2}
     assert comfort.total_value(axes) == pytest.approx(1.3)
-    assert comfort.total_value({"x": 1.0}, comfort.HEALTH_FACTORS) == pytest.approx(1.4)
+    health = [comfort.total_value({axis: 1.0}, comfort.HEALTH_FACTORS) for axis in "xyz"]
+    assert health == pytest.approx([1.4, 1.4, 1.0])
     assert comfort.daily_exposure(1.0) == 1.0
     assert comfort.daily_exposure(1.0, 2.0 * 3600.0) == pytest.approx(0.5)
     assert comfort.time_to_reach(comfort.ACTION_VALUE, 2.0) == pytest.approx(0.5 * 3600.0)
@@ -88,6 +89,28 @@ def test_totals_and_exposure() -> None:
 )
 def test_words_of_the_comfort_scale(value: float, words: str) -> None:
     assert comfort.comfort_words(value) == words
+
+
+def test_edges_of_the_comfort_scale() -> None:
+    """ISO 2631-1, C.2.3: from and to, in m/s^2."""
+    edges = {"not": (0.0, 0.315), "a little": (0.315, 0.63), "fairly": (0.5, 1.0), "very": (1.25, 2.5)}
+    edges |= {"uncomfortable": (0.8, 1.6), "extremely": (2.0, 1e6)}
+    for start, (low, high) in edges.items():
+        for value, is_felt in (
+            (low, True),
+            (high, True),
+            (0.99 * low - 1e-9, False),
+            (1.01 * high, start == "extremely"),
+        ):
+            told = [words.startswith(start) for words in comfort.comfort_words(value).split(" to ")]
+            assert any(told) is is_felt, (start, value)
+
+
+def test_short_signals_that_are_enough() -> None:
+    assert comfort.rms([2.0, 2.0], 5.0) == pytest.approx(2.0)
+    assert comfort.mtvv(SINE[:1001], RATE) == pytest.approx(np.sqrt(0.5), rel=1e-3)
+    with pytest.raises(jn.RecordingError, match="not a signal"):
+        comfort.rms(np.ones((2, 2)), RATE)
 
 
 def test_steady_vibration_needs_no_advice() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,13 +11,29 @@ from scipy.linalg import expm, expm_frechet, solve_continuous_lyapunov
 
 import jounce as jn
 from jounce.core.errors import SimulationError
-from jounce.ride.covariance import Flow, Inverse, Schur, check_stable, frequencies, relative, sources_of
-from jounce.ride.family import Matrices, _track_width, without_unreached
+from jounce.ride.covariance import (
+    Analysis,
+    Flow,
+    Group,
+    Inverse,
+    Schur,
+    Signal,
+    check_stable,
+    frequencies,
+    longest_delay,
+    relative,
+    sources_of,
+)
+from jounce.ride.family import LinearFamily, Matrices, _track_width, without_unreached
+from jounce.ride.stationary import StationaryResponse, stationary, with_spectra
+from jounce.ride.surface import surface
 
 RNG = np.random.default_rng(5)
 STABLE = RNG.normal(size=(6, 6)) - 4.0 * np.eye(6)
 DEFECTIVE = np.array([[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0], [0.0, 0.0, -1.0]])
-CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE], ids=["plain", "defective"])
+TURN = RNG.normal(size=(3, 3))
+NEAR = TURN @ np.diag([-1.0, -1.0028, -3.0]) @ np.linalg.inv(TURN)  # eigenvalues that are nearly the same
+CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE, NEAR], ids=["plain", "defective", "near"])
 
 
 @CASES
@@ -65,6 +82,7 @@ def test_wheels_are_sorted_by_what_drives_them():
     assert [group.wheels for group in left] == [(0,), (2,)]
     assert [group.wheels for group in right] == [(1,), (3,)]
     assert len(sources_of([0.0, 0.1], [0, 0], same=False)) == 1
+    assert longest_delay([(Group(0.1, (0,)), Group(0.4, (1,))), (Group(0.2, (2,)),)]) == pytest.approx(0.3)
 
 
 @pytest.mark.parametrize("part", ["B", "D"])
@@ -96,3 +114,61 @@ def test_neutral_motions_that_are_driven_stay_and_are_refused():
 
 def test_sides_are_as_far_apart_as_the_hardpoints_say() -> None:
     assert _track_width(jn.load("sedan-full-car-3d")) == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
+
+
+def test_where_wheels_stand() -> None:
+    """How far behind the first, and the width between left and right, at the numbers of the rig and at others."""
+    full = LinearFamily(jn.load("audi-a6-full-car"), ("front.distance", "front.track", "body.mass"))
+    first, slopes = full.geometry
+    assert first == pytest.approx([0.0, 0.0, 2.91, 2.91, 1.54])
+    assert slopes == pytest.approx(np.array([[0, 0, 1, 1, 0], [0, 0, 0, 0, 0.5], [0, 0, 0, 0, 0]]), abs=1e-9)
+    assert full.geometry_at(full.start + np.array([0.1, 0.2, 5.0])) == pytest.approx([0.0, 0.0, 3.01, 3.01, 1.64])
+    half = LinearFamily(jn.load("audi-a6-half-car-4dof"))
+    assert (half.wheels, list(half.geometry_at())) == (("front", "rear"), pytest.approx([0.0, 2.91, 0.0]))
+    quarter = LinearFamily(jn.load("audi-a6-quarter-car"), ("sprung.mass",))
+    assert (quarter.wheels, quarter.places) == (("",), ((0.0, 0),))
+    assert [part.tolist() for part in quarter.geometry] == [[0.0, 0.0], [[0.0, 0.0]]]
+
+
+@pytest.mark.parametrize(
+    "options", [{"cut_off": 0.011}, {"band": "iso", "weighting": {"sprung.az": "Wk", "unsprung.az": "Wd"}}]
+)
+def test_slopes_with_a_cut_off_and_of_weighted_signals(options) -> None:
+    rig = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0})
+    paths = ["sprung.mass", "tyre.stiffness", "tyre.damping_coefficient"]
+    found = stationary(rig, "C", 20.0, parameters=paths, **options)
+    for path in paths:
+        value = rig.parameters()[path]
+        above, below = (
+            stationary(rig.with_changes({path: value * (1.0 + side)}), "C", 20.0, **options) for side in (1e-4, -1e-4)
+        )
+        for kind, slopes in (("standard_deviation", found.slopes), ("weighted", found.weighted_slopes)):
+            high, low, here = (getattr(one, kind) for one in (above, below, found))
+            assert slopes[path].keys() == here.keys()
+            for name, slope in slopes[path].items():
+                difference = (high[name] - low[name]) / 2e-4
+                assert slope * value == pytest.approx(difference, rel=1e-5, abs=1e-6 * here[name]), (path, name)
+
+
+def test_spectra_hold_the_variances_and_end_with_the_band() -> None:
+    car, band = jn.load("audi-a6-full-car"), (0.02, 1.0)
+    response = with_spectra(stationary(car, "C", 20.0, band=band), car, points=2000)
+    assert response.frequency[[0, -1]] == pytest.approx([0.4, 20.0])
+    for name in ("body.az", "body.roll", "rear_left.tyre.force"):
+        variance = np.trapezoid(response.spectra[name], response.frequency)
+        assert np.sqrt(variance) == pytest.approx(response[name], rel=2e-3)
+    quarter = jn.load("audi-a6-quarter-car")
+    white = stationary(quarter, "C", 20.0)
+    assert with_spectra(white, quarter) is white
+    road = surface("C", 20.0, band=band)
+    densities = Analysis(LinearFamily(quarter), road, (Signal(0),)).densities(np.array([0.39, 0.41, 19.9, 20.1]))
+    assert (densities > 0.0).tolist() == [[False, True, True, False]]
+
+
+def test_chance_of_a_finite_run() -> None:
+    """A flat density over a band B: the variance over a time T scatters by its share of one over the root of B T."""
+    flat = SimpleNamespace(frequency=np.linspace(1.0, 5.0, 9), spectra={"a": np.full(9, 3.0), "still": np.zeros(9)})
+    assert StationaryResponse.chance(flat, "a", 25.0) == pytest.approx(0.5 * 1.959964 / 10.0, rel=1e-6)
+    assert StationaryResponse.chance(flat, "still", 25.0) is None
+    assert StationaryResponse.chance(flat, "b", 25.0) is None
+    assert StationaryResponse.chance(SimpleNamespace(frequency=None, spectra={}), "a", 25.0) is None

@@ -35,6 +35,7 @@ def test_a_tyre_that_is_too_soft_says_up_to_where() -> None:
     with pytest.raises(DescriptionError, match=rf"found '1.2 Hz'; allowed: below {most:.4g} Hz"):
         spring_and_damper(400.0, 1.2, 0.3, tyre_stiffness=20e3)
     assert spring_and_damper(400.0, 0.999 * most, 0.3, tyre_stiffness=20e3).wheel_rate > 5e6
+    assert spring_and_damper(400.0, 1.2, 0.0).damping_coefficient == 0.0
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,8 +11,8 @@ from jounce.core.serialise import to_json, to_plain
 from jounce.core.units import to_si
 from jounce.recordings import recording
 from jounce.ride import comfort
-from jounce.ride.catalogue import CATALOGUE
-from jounce.ride.metrics import ride_metrics
+from jounce.ride.catalogue import CATALOGUE, Choices, peak_use
+from jounce.ride.metrics import by_corner, gaps_of, ride_metrics
 from jounce.ride.weighting import weighted
 
 TIME = np.arange(0.0, 40.0 + 5e-4, 1e-3)
@@ -138,6 +139,11 @@ def test_corners_are_found_by_their_names() -> None:
     assert closed.value("bump_stop_hits", here) == 201.0  # once a period, and at the start
     power = 1500.0 * (0.02 * 2.0 * np.pi * 5.0) ** 2 / 2.0  # the spring's part cancels over whole periods
     assert found.value("dissipated_power", here) == pytest.approx(power, rel=1e-6)
+    assert found.value("dissipated_power") == found.value("dissipated_power", here)  # the other corner has none
+    notes = [one.place for one in found.findings if "dissipated power" in one.message]
+    assert notes == [here]
+    others = ride_metrics(corner_run(), metrics=["travel_rms"]).findings
+    assert not any("dissipated power" in one.message for one in others)
     off = (np.pi - 2.0 * np.arcsin(1.0 / 1.5)) / (2.0 * np.pi)
     assert found.value("lift_off_time", "rear_right") == pytest.approx(off, abs=6e-3)
     assert found.value("adhesion", "rear_right") == 0.0
@@ -179,6 +185,8 @@ def test_what_is_absent_says_why() -> None:
     assert found.value("travel_rms") == pytest.approx(0.02 * np.sqrt(0.5), rel=1e-9)
     with pytest.raises(jn.RecordingError, match="no channel ax or ay or az"):
         found.value("mtvv")
+    with pytest.raises(jn.RecordingError, match="no bump stop's gap is given"):
+        found.value("bump_stop_hits")
 
 
 def test_a_short_record_gives_what_it_can() -> None:
@@ -189,6 +197,8 @@ def test_a_short_record_gives_what_it_can() -> None:
     assert reason.startswith("the measurement is too short for Wk; found '2 s'; allowed: 2.5 s or more")
     with pytest.raises(jn.RecordingError, match=r"weighted_rms: the metric is not available: .* too short for Wk"):
         ride_metrics(run, metrics=["weighted_rms"])
+    just = recorded(body__az=WAVE).isel(time=slice(0, 2501))
+    assert ride_metrics(just, metrics=["weighted_rms"]).value("weighted_rms") > 0.5
 
 
 def test_metrics_may_be_chosen() -> None:
@@ -214,11 +224,18 @@ def test_gravity_in_the_signal_is_noticed() -> None:
     assert not any("offset" in finding.message for finding in quiet.findings)
     assert quiet.value("weighted_rms") == pytest.approx(1.039 * np.sqrt(0.5), rel=1e-3)
     assert loud.value("mtvv") > 2.0 * quiet.value("mtvv")
+    for metric, is_told in (("rms_acceleration", False), ("weighted_rms", True)):
+        some = ride_metrics(run, metrics=[metric]).findings
+        assert any("offset" in finding.message for finding in some) is is_told
 
 
 def test_coarse_sampling_is_noticed() -> None:
     found = ride_metrics(recorded(body__az=WAVE).isel(time=slice(None, None, 10)))
     assert any("sampled at 100 Hz: what Wk passes above 50 Hz is missing" in f.message for f in found.findings)
+    for rate, is_told in ((49.0, False), (50.0, True), (125.0, True), (127.0, False)):  # of 63.1 Hz, the upper limit
+        time = np.arange(0.0, 10.0, 1.0 / rate)
+        found = ride_metrics(recording(time, {"body.az": (np.sin(30.0 * time), "m/s^2", "")})).findings
+        assert any("sampled at" in finding.message for finding in found) is is_told, rate
     with_reason = ride_metrics(recorded(body__az=WAVE).isel(time=slice(None, None, 40)))
     assert any("sample rate is too low" in item.reason for item in with_reason.absent)
 
@@ -307,3 +324,49 @@ def test_a_ride_that_no_vehicle_gives_is_a_problem() -> None:
     problems = [found for found in wrong.findings if found.severity == "problem"]
     assert any("no suspension reaches" in found.message and "mm/s^2" in found.message for found in problems)
     assert any("% of the people cannot be" in found.message for found in problems)
+    once = usual.value("motion_sickness")
+    for share in (0.98, 1.02):
+        shaken = ride_metrics(
+            recording(time, {"sprung.az": (share / once * heave, "m/s^2", "")}), metrics=["motion_sickness"]
+        )
+        told = [found.value for found in shaken.findings if "of the people" in found.message]
+        assert told == ([pytest.approx(share)] if share > 1.0 else [])
+
+
+def test_travel_and_gaps_by_corner() -> None:
+    corners = ["front_left", "front_right", "rear_left"]
+    given = {"front": "50 mm", "front_right": ("60 mm", None)}
+    assert by_corner(given, corners, "travel") == {"front_left": (None, 0.05), "front_right": (0.06, None)}
+    assert by_corner(None, corners, "travel") == {}
+    assert by_corner(0.04, corners, "travel") == dict.fromkeys(corners, (None, 0.04))
+    gaps = {"front.rebound_stop.gap": 0.01, "front.bump_stop.gap": 0.02, "rear.bump_stop.gap": 0.04, "rear.track": 1.5}
+    car = SimpleNamespace(parameters=lambda: gaps)
+    assert gaps_of(car, ["front_left", "rear"]) == {"front_left": (0.01, 0.02), "rear": (None, 0.04)}
+    quarter = SimpleNamespace(parameters=lambda: {"strut.bump_stop.gap": 0.03})
+    assert gaps_of(quarter, [""]) == {"": (None, 0.03)}
+    assert gaps_of(None, corners) == {}
+
+
+def test_the_side_with_less_room_counts() -> None:
+    deflection = np.array([0.03, 0.0, -0.02, 0.0, 0.03]) + 0.05  # mean: 0.0525
+    assert peak_use(deflection, 0.04, 0.1) == pytest.approx((0.0525 - 0.03) / 0.04)
+    assert peak_use(deflection, 0.1, 0.04) == pytest.approx((0.08 - 0.0525) / 0.04)
+    # a bump travel alone does not say how far it may rebound: the stops do
+    found = ride_metrics(corner_run(), travel="30 mm", stop_gap=(0.01, 0.09))
+    assert found.value("travel_utilisation_peak_to_peak", "front_left") == pytest.approx(0.4)
+
+
+def test_the_last_two_samples_are_left() -> None:
+    found = ride_metrics(recorded(body__az=WAVE), settling=39.9999, metrics=["rms_acceleration"])
+    assert found.duration == pytest.approx(1e-3)
+    assert ride_metrics(recorded(body__az=WAVE), settling=1.0004, metrics=["vdv"]).duration == pytest.approx(38.999)
+
+
+def test_what_is_chosen_by_default() -> None:
+    """Nothing settles, a working day, and a tyre lifts where its load is nought."""
+    plain = Choices()
+    assert (plain.settling, plain.exposure, plain.lift_off_load) == (0.0, 8.0 * 3600.0, 0.0)
+    found = ride_metrics(recorded(tyre__force=4000.0 + 3999.5 * WAVE, body__az=WAVE))
+    assert (found.value("lift_off_time"), found.settling) == (0.0, 0.0)
+    assert found.value("daily_exposure") == pytest.approx(found.value("weighted_rms"))
+    assert found.value("minimum_wheel_load") == pytest.approx(0.5)

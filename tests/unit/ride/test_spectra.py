@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -101,6 +102,11 @@ def test_a_delayed_track_is_added_with_its_phase() -> None:
     np.testing.assert_allclose(alone, 2.0 * abs(model.frequency_response(f, "sprung.az")) ** 2)
     late = response_spectrum(model, f, np.full(3, 2.0), "sprung.az", {"road.z": 0.125})
     np.testing.assert_allclose(late, alone)
+    # gains 1 and j, the second one an eighth of a second late: they meet at 2 Hz, and not at 4 Hz
+    gains = {"front.road.z": 1.0, "rear.road.z": 1j}
+    twin = SimpleNamespace(frequency_response=lambda f, _, track: np.full(f.shape, gains[track]))
+    both = response_spectrum(twin, f[:2], np.full(2, 2.0), "body.az", {"front.road.z": 0.0, "rear.road.z": 0.125})
+    np.testing.assert_allclose(both, [2.0 * 4.0, 2.0 * 2.0])
 
 
 def test_a_channel_that_is_missing() -> None:
@@ -134,3 +140,11 @@ def test_bins_at_both_ends_count_in_full() -> None:
     assert spectrum.mean_square() == 7.0
     assert spectrum.mean_square(0.5, 1.5) == 2.0
     assert spectrum.mean_square(0.0, 0.25) == 0.5
+
+
+def test_bands_that_just_fit() -> None:
+    """As wide as the resolution at the low end, up to half the sample rate at the high one."""
+    edge = 10.0**0.05
+    frequency = np.linspace(0.0, 10.0 * edge, 401)
+    bands = third_octaves(Spectrum(frequency, np.ones(401), edge - 1.0 / edge, 1.0))
+    assert bands.centre[[0, -1]] == pytest.approx([1.0, 10.0])

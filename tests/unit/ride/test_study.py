@@ -52,14 +52,24 @@ def test_spectra_resolve_a_body_that_bounces() -> None:
 
 def test_a_linear_model_says_where_a_rig_leaves_it() -> None:
     numbers = {"front.bump_stop.gap": 0.03, "front.rebound_stop.gap": 0.045, "front.spring.rate": 3e4}
+    numbers |= {"rear.bump_stop.gap": 0.1, "strut.bump_stop.gap": 0.059, "strut.rebound_stop.gap": 0.061}
+    laws = {"front.friction.force": 30.0, "front.damper.hysteretic_force": 40.0, "rear.bump_coefficient": 50.0}
+    numbers |= laws | {"rear.friction.force": 0.0}
     sigma = {"front_left.tyre.force": 1500.0, "rear_left.tyre.force": 1000.0, "front_left.strut.deflection": 0.02}
     static = {"front_left.tyre.force": 3000.0, "rear_left.tyre.force": 4000.0, "front_left.strut.deflection": -0.01}
     sigma |= {"rear_left.strut.deflection": 0.0, "body.az": 1e4}
     static |= {"rear_left.strut.deflection": 0.0, "body.az": 9.81}
     found = linear_findings(SimpleNamespace(parameters=lambda: numbers), sigma, static)
-    assert [item.place for item in found] == ["front_left.tyre.force", *["front_left.strut.deflection"] * 2]
+    assert [item.place for item in found] == ["front_left.tyre.force", *["front_left.strut.deflection"] * 2, *laws]
+    assert [item.severity for item in found[3:]] == ["warning", "warning", "note"]
     # of a normal load 2.28 % lies below zero where that is two standard deviations away
-    assert [item.value for item in found] == pytest.approx([0.02275013, 0.04 / 0.02, 0.035 / 0.02])
+    assert [item.value for item in found] == pytest.approx([0.02275013, 0.04 / 0.02, 0.035 / 0.02, *laws.values()])
+    rig = SimpleNamespace(parameters=lambda: numbers)
+    for load in (0.0, 0.5, 2.95, 3.05):  # as far away as three standard deviations
+        told = [item.place for item in linear_findings(rig, {"tyre.force": 1.0}, {"tyre.force": load})[:-3]]
+        assert told == (["tyre.force"] if 0.0 < load < 3.0 else [])
+    quarter = linear_findings(rig, {"strut.deflection": 0.02}, {"strut.deflection": 0.0})[:-3]
+    assert [(item.place, item.value) for item in quarter] == [("strut.deflection", pytest.approx(2.95))]
     assert "static load is 2 standard deviations" in found[0].message
     assert "bump stop is 2 standard deviations" in found[1].message
 
@@ -68,7 +78,13 @@ def test_an_iso_road_is_as_long_and_as_fine_as_the_drive_needs() -> None:
     ride = jn.iso_trial(jn.load("audi-a6-half-car-4dof"), "C", "20 m/s", duration="10 s")
     assert ride.trial.duration == pytest.approx(10.0 + ride.settling, abs=1e-9)
     assert ride.trial.road.step == 0.05
-    assert ride.trial.road.end() >= 20.0 * ride.trial.duration
+    road = ride.trial.road
+    assert (road.length, road.run_in, road.seed) == (pytest.approx(20.0 * ride.trial.duration + 10.0), 10.0, 0)
+    quarter = jn.iso_trial(jn.load("audi-a6-quarter-car"), "C", 20.0, seed=3)
+    assert (quarter.settling, quarter.trial.duration, quarter.trial.road.seed) == (pytest.approx(0.5), 60.5, 3)
+    assert quarter.trial.right is None
+    full = jn.iso_trial(jn.load("audi-a6-full-car"), "C", 20.0, duration=5.0)
+    assert full.trial.road.track == pytest.approx(1.54)
 
 
 def test_a_road_is_driven_until_the_last_axle_has_left_it() -> None:
@@ -112,3 +128,77 @@ def test_a_measured_course_lies_under_both_tracks() -> None:
     narrow = course.model_copy(update={"v": 50.0})
     assert study._tracks(car, narrow) == (narrow, None)
     assert study._tracks(jn.load("audi-a6-half-car-4dof"), course) == (course, None)
+
+
+def ride_of(control: str, seconds: float = 10.0) -> Ride:
+    run = recording(TIME, {"body.az": (WAVE, "m/s^2", "")}).isel(time=slice(0, round(1e3 * seconds) + 1))
+    return Ride(control, run, jn.ride_metrics(run), {}, settling=2.0)
+
+
+def test_a_comparison_lists_what_failed_and_stops_where_nothing_is_driven(monkeypatch) -> None:
+    def drive(rig, trial, control):
+        if control is not None:
+            raise jn.SimulationError(f"{control.name} left its range")
+        return ride_of("passive")
+
+    monkeypatch.setattr(study, "drive", drive)
+    rig, told = jn.load("audi-a6-quarter-car"), []
+    trial = study.RideTrial(jn.Trial(road=jn.HalfSine(height=0.01, length=0.1), speed=5.0, duration=1.0), 0.0)
+    found = jn.compare_rides(rig, trial, ["skyhook", "passive"], progress=told.append)
+    assert told == ["driving 1 of 2: skyhook", "driving 2 of 2: passive"]
+    assert ([ride.control for ride in found.rides], found.failed) == (
+        ["passive"],
+        {"skyhook": "skyhook left its range."},
+    )
+    assert (found.stationary, found.by_chance) == (None, {})
+    assert found.ride("passive").duration == pytest.approx(8.0)
+    assert found.ride("passive").standard_deviation("body.az") == pytest.approx(np.sqrt(0.5), rel=1e-3)
+    with pytest.raises(jn.SimulationError, match="skyhook left its range"):
+        jn.compare_rides(rig, trial, ["skyhook", "groundhook"])
+    with pytest.raises(DescriptionError, match="no ride of that controller; allowed: passive"):
+        found.ride("skyhook")
+
+
+def test_chance_counts_for_the_time_of_the_passive_ride() -> None:
+    linear = SimpleNamespace(standard_deviation={"body.az": 1.0}, chance=lambda _, duration: duration)
+    rides = ride_of("skyhook"), ride_of("passive", 6.0)
+    whole = study.RideStudy(SimpleNamespace(), rides, {}, linear)
+    assert whole.by_chance == {"body.az": pytest.approx(4.0)}
+    assert study.RideStudy(SimpleNamespace(), rides[:1], {}, linear).by_chance == {}
+
+
+def test_a_linear_model_stands_beside_passive_rides_over_iso_roads() -> None:
+    rig = jn.load("audi-a6-quarter-car")
+    trial = jn.iso_trial(rig, "C", 20.0, duration=5.0)
+    assert study._stationary(rig, trial, ["skyhook"]) is None
+    bump = study.RideTrial(jn.Trial(road=jn.HalfSine(height=0.01, length=0.1), speed=5.0, duration=1.0), 0.0)
+    assert study._stationary(rig, bump, ["passive"]) is None
+    found = study._stationary(rig, trial, ["passive", "skyhook"])
+    again = jn.stationary(rig, "C", 20.0, band="iso", weighting={"sprung.az": "Wk"})
+    assert (found.standard_deviation, found.weighted) == (again.standard_deviation, again.weighted)
+    assert found.frequency.size == 800
+
+
+def test_a_drive_too_short_to_be_weighted_is_refused(monkeypatch) -> None:
+    monkeypatch.setattr(study, "simulate", lambda *_, **__: ride_of("", 2.0).run)
+    trial = SimpleNamespace(trial=None, settling=0.0)
+    with pytest.raises(jn.RecordingError, match=r"too short for Wk.*Drive for longer"):
+        study.drive(jn.load("audi-a6-quarter-car"), trial)
+    monkeypatch.setattr(study, "simulate", lambda *_, **__: ride_of("").run)
+    assert study.drive(jn.load("audi-a6-quarter-car"), trial).control == "passive"
+
+
+def test_spectra_are_those_of_the_body_and_of_every_tyre() -> None:
+    names = ("body.az", "sprung.az", "front.sprung.az", "front.tyre.force", "rear.tyre.force")
+    run = recording(TIME, {name: (WAVE, "N" if name.endswith("force") else "m/s^2", "") for name in names})
+    ride = Ride("passive", run, jn.ride_metrics(run, metrics=["rms_acceleration"]), {})
+    assert list(ride.spectra()) == ["body.az", "front.tyre.force", "rear.tyre.force"]
+    assert ride.duration == pytest.approx(10.0)
+    short = run.drop_vars("body.az")
+    assert next(iter(Ride("passive", short, ride.metrics, {}).spectra())) == "sprung.az"
+
+
+def test_the_track_of_a_mechanism_is_that_of_its_front_wheels() -> None:
+    car = jn.load("sedan-full-car-3d")
+    assert study._track(car) == pytest.approx(2.0 * abs(car.front.corner.hardpoints.wheel_centre[1]))
+    assert study._track(car) == pytest.approx(1.6, abs=0.01)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError
-from jounce.ride.surface import read_roughness, surface
+from jounce.ride.surface import Surface, read_roughness, surface
 from jounce.roads.rough import track_coherence
 
 C = 256e-6  # m^3, ISO 8608 class C
@@ -97,3 +97,5 @@ def test_a_function_that_gives_no_densities(wrong) -> None:
 def test_waviness_may_be_anything_between() -> None:
     assert surface("C", 20.0, waviness=3.99, band="iso").waviness == 3.99
     assert surface("C", 20.0, waviness=0.01, band="iso").waviness == 0.01
+    plain = Surface(C, None, 20.0)
+    assert (plain.waviness, plain.contact_length) == (2.0, 0.0)

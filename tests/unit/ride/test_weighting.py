@@ -5,7 +5,7 @@ import pytest
 from scipy import signal
 
 import jounce as jn
-from jounce.ride.weighting import WEIGHTINGS, Start, weighted, weighting_response
+from jounce.ride.weighting import WEIGHTINGS, Start, _block_length, _continuation, weighted, weighting_response
 
 
 def test_a_long_record_is_the_same_as_its_parts() -> None:
@@ -100,3 +100,26 @@ def test_bad_input_is_one_message(values, rate, name, text) -> None:
 def test_an_unknown_start_is_refused() -> None:
     with pytest.raises(jn.DescriptionError, match="unknown start of the record 'gravity'"):
         weighted([0.0, 1.0], 1000.0, "Wk", start="gravity")
+
+
+@pytest.mark.parametrize(
+    ("name", "shortest", "rate", "slowest"),
+    [  # the slowest pole: half of the corner over the quality factor, for a step always half of the corner
+        ("Wk", 2.5, 50.0, 0.4 * 0.5**0.5),
+        ("Wf", 12.5, 0.315, 0.1 * 0.5),
+        ("We", 2.5, 50.0, 0.4 * 0.5**0.5),
+    ],
+)
+def test_times_of_a_weighting(name: str, shortest: float, rate: float, slowest: float) -> None:
+    row = WEIGHTINGS[name]
+    assert (row.shortest, row.slowest_rate) == pytest.approx((shortest, rate))
+    assert row.memory == pytest.approx(26.0 / (2.0 * np.pi * slowest))  # exp(-26) is left
+
+
+def test_behind_its_end_a_record_is_mirrored_and_fades() -> None:
+    assert _continuation(np.array([0.0, 1.0, 3.0])) == pytest.approx([0.5 * (6.0 - 1.0), 0.0])
+    rising = _continuation(np.arange(2000.0))
+    assert rising.size == 512
+    assert (rising[0], rising[255]) == pytest.approx((2000.0, 0.5 * (1999.0 + 256.0)), rel=1e-4)
+    for samples, needed, block in ((1000, 5000, 8192), (400_000, 20_000, 131_072), (10**6, 5000, 65_536)):
+        assert _block_length(samples, needed) == block
