@@ -11,7 +11,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding
-from jounce.inspection.grading import difference_of, grade, grade_vehicle, worst
+from jounce.inspection.grading import _of_tyre, difference_of, grade, grade_vehicle, near_edges, worst
 from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.methods import QUANTITIES
 from jounce.inspection.quarter_car import Corner, steady_state
@@ -355,3 +355,59 @@ def test_json_is_strict_and_has_the_keys_of_a_wheel() -> None:
     )
     assert set(keys.split()) <= set(plain["wheels"][0])
     assert plain["limits"]["label"].startswith("jounce 1 (")
+
+
+@pytest.mark.parametrize(
+    ("value", "half", "near"), [(36.0, 1.0, []), (36.0, 1.01, [35.0]), (34.0, 1.0, [35.0]), (34.0, 0.99, [])]
+)
+def test_which_limits_an_interval_reaches(value: float, half: float, near: list[float]) -> None:
+    found = near_edges(load_limits().methods["egea"], value, half, "egea")
+    assert [(one.values["low"], one.values["high"], one.values["limit"]) for one in found] == [
+        (value - half, value + half, edge) for edge in near
+    ]
+
+
+def test_intervals_of_differences() -> None:
+    one, other = (wheel(side, adhesion=value, uncertainty={"adhesion": half})
+                  for side, value, half in (("left", 0.45, 0.02), ("right", 0.6, 0.01)))  # fmt: skip
+    for pair in ((one, other), (other, one)):
+        found = difference_of("adhesion", *pair, tuple(each.wheel for each in pair))
+        assert found.uncertainty == pytest.approx(math.hypot(0.02, 0.01))
+        assert found.relative_uncertainty == pytest.approx(math.hypot(0.02, 0.01 * 0.45 / 0.6) / 0.6)
+        assert found.smaller == "left"
+    assert difference_of("adhesion", one, wheel("right", adhesion=0.6), ("left", "right")).relative_uncertainty is None
+
+
+@pytest.mark.parametrize(("stiffness", "said"), [(209e3, False), (211e3, True), (191e3, False), (189e3, True)])
+def test_tyres_that_are_told_from_usual_ones(stiffness: float, said: bool) -> None:
+    light = light_wheel()
+    found = _of_tyre(replace(light, corner=replace(light.corner, tyre_stiffness=stiffness)))
+    assert [one.kind for one in found] == (["tyre"] if said else [])
+    for one in found:
+        assert (one.values["usual"], one.values["stiffness"]) == (200.0, pytest.approx(1e-3 * stiffness))
+    (plain,) = _of_tyre(replace(light, corner=None, tyre_rigidity=187.6e3))
+    assert (plain.kind, plain.values) == ("rigidity", {"rigidity": pytest.approx(187.6)})
+    assert _of_tyre(replace(light, corner=None, tyre_rigidity=None)) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "text", "up", "limit"),
+    [
+        ("adhesion", 0.3996, "40.0 %", "40.0 %", "39.96 %"),
+        ("adhesion", 0.0041, "0.4 %", "0.5 %", "0.41 %"),
+        ("phase_angle_min_deg", -0.04, "0.0°", "0.0°", "−0.04°"),
+        ("phase_angle_min_deg", -9.06, "−9.1°", "-9.0°", "−9.06°"),
+        ("tyre_rigidity", 187.6e3, "188 N/mm", "188 N/mm", "187.6 N/mm"),
+        ("theta_road", 0.12341, "0.123", "0.124", "0.12341"),
+        ("boge_amplitude", 0.01234, "12.3 mm", "12.4 mm", "12.34 mm"),
+    ],
+)
+def test_how_values_are_written(name: str, value: float, text: str, up: str, limit: str) -> None:
+    one = QUANTITIES[name]
+    assert one.text(value) == text
+    assert one.text(value, "de") == text.replace(".", ",")
+    if value > 0.0:
+        assert one.rounded_up(value) == up
+        assert one.rounded_up(value, "de") == up.replace(".", ",")
+    assert one.limit_text(value) == limit
+    assert one.text(None) == one.text(math.inf) == "–"

@@ -7,11 +7,14 @@ from typing import ClassVar, Self
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import jounce as jn
 from jounce.core.errors import JounceError
 from jounce.inspection import equivalence
 from jounce.inspection.equivalence import METHODS, Equivalence, compare_tests, usual_factors
+from jounce.inspection.simulated import _end_finding, sweep_wear
+from jounce.parts.testers import load_tester
 
 CAR = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0, "sprung.mass": 400.0})
 
@@ -133,3 +136,72 @@ def test_a_page_says_where_the_tests_disagree(study: Equivalence) -> None:
             "fair" if found.passed_worn else "plain",
         )
     assert [picture.name for picture in page.pictures()] == ["equivalence"]
+
+
+def test_what_is_varied() -> None:
+    tyre, mass, friction = usual_factors(3)
+    assert tyre.values == (140e3, 220e3, 300e3)
+    assert mass.values == (0.5, 1.0, 1.5)
+    assert friction.values == (0.0, 100.0, 200.0)
+    assert [one.scale for one in (tyre, mass, friction)] == [1e-3, 1.0, 1.0]
+    assert mass.changes(CAR, 1.5) == {"sprung.mass": 600.0}
+    assert friction.changes(CAR, 0.0) == {}
+
+
+@pytest.mark.parametrize(
+    ("fails", "values", "first"),
+    [
+        ([False, True, True], [0.6, 0.3, 0.2], 0.4 * 2.0 / 3.0),
+        ([True, True, True], [0.3, 0.2, 0.1], 0.0),
+        ([False, False, True], [0.6, 0.5, 0.4], 0.8),
+        ([False, True, True], [0.3, 0.2, 0.1], 0.4),  # no crossing of the edge before it
+        ([False, True, True], [0.5, 0.6, 0.1], 0.4),
+        ([False, False, False], [0.6, 0.5, 0.45], float("nan")),
+    ],
+)
+def test_between_two_wears(fails, values, first) -> None:
+    found = equivalence._first_rejected(np.array([0.0, 0.4, 0.8]), np.array(fails), np.array(values), 0.4)
+    assert found == pytest.approx(first, nan_ok=True)
+
+
+def test_who_is_sound_and_who_is_worn() -> None:
+    factor = usual_factors(3)[1]
+    verdict = np.full((6, 3), "advise")
+    verdict[:3, 0] = verdict[1, 2] = "fail"
+    verdict[3:, 1] = verdict[5, 2] = "pass"
+    table = {f"{method}_verdict": (("wear", "load"), verdict) for method in METHODS}
+    plane = xr.Dataset(table, {"wear": [0.0, 0.2, 0.21, 0.69, 0.7, 1.0], "load": list(factor.values)})
+    for row in equivalence._disagreements(factor, plane):
+        assert (row.sound, row.worn, row.rejected_sound, row.passed_worn) == (6, 6, 3, 3)
+        assert (row.rejected_at, row.passed_at) == ((0.5, 1.5), (1.0, 1.5))
+
+
+@pytest.mark.parametrize(
+    ("text", "wears"),
+    [
+        ("0.5", [0.5]),
+        ("0:1:0.3", [0.0, 0.3, 0.6, 0.9]),
+        ("0.1:0.3:0.1", [0.1, 0.2, 0.3]),
+        ("0:1:0", None),
+        ("1:0:0.1", None),
+        ("0.2:0.2:0.1", [0.2]),
+        ("-0.1", None),
+        ("1.01", None),
+        ("0:1:0.00005", None),
+        ("0:1", None),
+        ("nan", None),
+        ("much", None),
+    ],
+)
+def test_ranges_of_wear(text, wears) -> None:
+    if wears is None:
+        with pytest.raises(JounceError, match="not a range of wear"):
+            sweep_wear(text)
+    else:
+        assert sweep_wear(text) == wears
+
+
+@pytest.mark.parametrize(("hz", "told"), [(6.004, True), (6.006, False), (17.994, False), (17.996, True)])
+def test_phase_angles_at_an_end_of_the_band(hz: float, told: bool) -> None:
+    found = _end_finding(hz, load_tester("egea-specsus2018"), "left")
+    assert [(one.code, one.words) for one in found] == ([("phase_at_end", {"frequency": hz})] if told else [])

@@ -12,7 +12,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.core.optional import MissingPackageError
-from jounce.inspection.archive import exporting
+from jounce.inspection.archive import exporting, reevaluation
 from jounce.inspection.archive.entries import Grading, RecordEntry
 from jounce.inspection.archive.exporting import COLUMNS, export, rows_of
 from jounce.inspection.archive.history import WheelVisit, history_of, trends_of
@@ -92,6 +92,8 @@ def test_descriptions_that_a_store_keeps_are_read_again(tmp_path: Path) -> None:
     kept = entry_of(record, tester=tester, vehicle=car)
     assert stored_tester(json_again(kept, "tester_table")) == tester
     assert rig_from_table(json_again(kept, "vehicle_table").vehicle_table) == car
+    assert reevaluation._vehicle(json_again(kept, "vehicle_table")) == car
+    assert reevaluation._vehicle(entry_of(record, tester=tester)) is None
 
 
 def json_again(entry: RecordEntry, name: str) -> RecordEntry:

@@ -79,6 +79,23 @@ class TestFit:
         parts = [stretch_of(height[a:b], force[a:b] - car.static_load, 1000.0, 0.7, 27.0) for a, b in cuts]
         assert fit_response(parts, car.static_load).corner.damping_coefficient == pytest.approx(1000.0, rel=1e-3)
 
+    def test_noise_and_what_is_explained_are_those_of_the_record(self, twin):
+        car = twin.Car()
+        _, height, _, force = twin.rigid_record(car, twin.Programme())
+        noise = 40.0 * np.random.default_rng(6).standard_normal(force.size)
+        both = [stretch_of(height, one, 1000.0, 0.7, 27.0) for one in (force + noise - car.static_load, noise)]
+        found = fit_response(both[:1], car.static_load)
+        assert found.noise == pytest.approx(40.0, rel=0.06)
+        left, power = (float(np.sum(np.abs(one.force) ** 2)) for one in both[::-1])
+        assert 1.0 - found.explained == pytest.approx(left / power, rel=0.06)
+        assert abs(found.corner.damping_coefficient - 1000.0) < 3.0 * found.spread(lambda one: one.damping_coefficient)
+        mild = fit_response(
+            [stretch_of(height, force + 0.5 * noise - car.static_load, 1000.0, 0.7, 27.0)], car.static_load
+        )
+        for name in ("damping_coefficient", "tyre_stiffness", "spring_rate"):
+            wide, narrow = (one.spread(lambda corner, name=name: getattr(corner, name)) for one in (found, mild))
+            assert wide == pytest.approx(2.0 * narrow, rel=0.05)
+
     def test_too_little(self):
         with pytest.raises(FitError, match="too little signal"):
             fit_response([stretch_of(np.zeros(200), np.zeros(200), 1000.0, 1.0, 20.0)], 4000.0)

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from jounce.inspection.evaluation import _swings_upside_down
 from jounce.inspection.signals import WheelSignals, find_turns, limits_of, middle_crossings
 from jounce.inspection.sweep import (
+    Sweep,
     _falls,
     _lasting,
     _rate,
+    _sprung_findings,
     exciter_height,
     find_sweep,
     spring_against_height,
@@ -168,6 +173,10 @@ def test_the_exciter_is_the_plate_and_what_its_spring_takes() -> None:
     assert spring_against_height(swing, THETA) == pytest.approx(-1.0, abs=1e-3)
     turned = WheelSignals("left", time, swing.force, -height, None, 4e3, 0.0)
     assert spring_against_height(turned, THETA) > 0.9
+    for stroke, told in ((0.99, False), (1.01, True)):  # where the plate moves more than the exciter
+        scale = stroke * THETA.stroke / float(np.ptp(height))
+        scaled = WheelSignals("left", time, 4e3 + scale * (swing.force - 4e3), -scale * height, None, 4e3, 0.0)
+        assert _swings_upside_down(scaled, THETA) is told
 
 
 def test_turns_of_a_quiet_sprung_plate() -> None:
@@ -194,3 +203,28 @@ def test_turns_that_belong_to_a_sweep() -> None:
     odd = frequency[3:24].copy()
     odd[10] *= 1.16
     assert np.flatnonzero(~turns_of_sweep(odd, time[3:24])).tolist() == [10]
+
+
+@pytest.mark.parametrize(
+    ("top", "lows", "code"),
+    [
+        (20.0, [1.0], ""),
+        (20.0, [6.9], ""),
+        (20.0, [7.1], "sweep_cut_off"),
+        (20.0, [14.8], "sweep_cut_off"),
+        (20.0, [15.2], "no_sweep"),
+        (10.0, [5.9], ""),
+        (10.0, [6.1], "sweep_cut_off"),
+        (20.0, [4.9, 4.9], "several_sweeps"),
+        (20.0, [4.9, 5.1], ""),
+        (10.0, [3.9, 3.9], "several_sweeps"),
+        (10.0, [3.9, 4.1], ""),
+    ],
+)
+def test_sweeps_of_sprung_plates(top: float, lows: list[float], code: str) -> None:
+    parts = [part for low in lows for part in (np.full(9, top), np.linspace(top, low, 40), np.full(9, low))]
+    frequency = np.concatenate(parts)
+    found = _sprung_findings(Sweep(SimpleNamespace(frequency=frequency), 8, frequency.size - 1, slice(0, 9), 1.0), "z")
+    assert [one.code for one in found] == ([code] if code else [])
+    for one in found:
+        assert one.words == ({"count": 2} if code == "several_sweeps" else pytest.approx({"low": lows[0], "top": top}))

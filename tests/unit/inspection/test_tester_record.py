@@ -7,7 +7,8 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.inspection import calibrate_plate, evaluate, read_record
-from jounce.inspection.record import read_facts, wheels_of
+from jounce.inspection.record import is_simulated, read_facts, wheels_of, with_facts
+from jounce.inspection.signals import plate_acceleration, plate_mass_of
 from jounce.parts.testers import load_tester
 
 COLUMNS = "time [s], left.plate.z [mm], left.plate.force [N]"
@@ -152,3 +153,59 @@ class TestPlateInertia:
             calibrate_plate(left_record(time, 3e-3 * np.sin(157.0 * time), np.sin(157.0 * time)))
         with pytest.raises(RecordingError, match="does not move"):
             calibrate_plate(left_record(time, 0.0 * time, np.sin(157.0 * time)))
+
+    @pytest.mark.parametrize(
+        ("facts", "cell", "mass"),
+        [({}, "below", 20.0), ({"left.plate_mass": 0.0}, "below", 0.0), ({"left.plate_mass": 18.0}, "contact", 0.0)],
+    )
+    def test_whose_mass_counts(self, eusama, facts, cell, mass):
+        tester = eusama.model_copy(update={"force_cell": cell, "plate_mass": 20.0})
+        assert plate_mass_of(facts, "left", tester) == mass
+        assert plate_mass_of(facts, "left", None) == facts.get("left.plate_mass", 0.0)
+        assert plate_mass_of(facts, "right", tester) == (0.0 if cell == "contact" else 20.0)
+
+    @pytest.mark.parametrize("rate", [300.0, 700.0, 1000.0, 2000.0])
+    def test_acceleration_of_a_polynomial_is_exact(self, rate):
+        """Polynomials of order 7, except at both ends, where the last value that is known stays."""
+        time = np.arange(60) / rate
+        u = time / time[-1]
+        found = plate_acceleration(u**7 - 2.0 * u**4 + 3.0 * u**2, rate)
+        expected = (42.0 * u**5 - 24.0 * u**2 + 6.0) / time[-1] ** 2
+        half = max((2 * round(0.5 * (0.021 * rate - 1.0)) + 1) // 2, 4)
+        np.testing.assert_allclose(found[half:-half], expected[half:-half], rtol=1e-6, atol=1e-6 * expected.max())
+        assert set(found[:half]) == {found[half]}
+        assert set(found[-half:]) == {found[-half - 1]}
+        assert not plate_acceleration(u[: 2 * half + 1], rate).any()
+
+
+@pytest.mark.parametrize(
+    ("facts", "refused"),
+    [
+        ({"vehicle": "a" * 2000}, False),
+        ({"vehicle": "a" * 2001}, True),
+        ({"vehicle": 1e14}, False),
+        ({"vehicle": 1e15}, True),
+        ({"vehicle": "a\0"}, True),
+        ({"left.plate_mass": 0.0}, False),
+        ({"left.plate_mass": -1.0}, True),
+        ({"left.static_load": 0.0}, True),
+        ({"left.tyre_pressure": 0.0}, True),
+    ],
+)
+def test_entries_that_are_out_of_range(facts, refused):
+    if refused:
+        with pytest.raises(DescriptionError):
+            read_facts(facts)
+    else:
+        assert read_facts(facts)[1] == []
+
+
+def test_what_is_told_of_a_record_takes_the_place_of_its_header(left_record):
+    record = left_record(np.arange(3.0), np.zeros(3), np.ones(3), date="2026-11-21", plate_number="A 1")
+    again, findings = with_facts(record, {"date": "2026-11-22", "plate_number": "A 1", "place": "here"})
+    assert (again.attrs["date"], again.attrs["place"], record.attrs["date"]) == ("2026-11-22", "here", "2026-11-21")
+    assert [one.words for one in findings] == [{"key": "date", "header": "2026-11-21", "given": "2026-11-22"}]
+    with pytest.raises(DescriptionError, match="not a date"):
+        with_facts(record, {"date": "soon"})
+    told = ({"simulated": "yes"}, {"comment": "simulated, seed 3"}, {"comment": "not simulated, seed 3"}, {})
+    assert [is_simulated(facts) for facts in told] == [True, True, False, False]

@@ -8,13 +8,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from jounce.inspection import methods, quarter_car
+from jounce.inspection import methods, quarter_car, turn_forces
 from jounce.inspection.methods import WheelTest, find_adhesion, find_rigidity, rigidity_findings
 from jounce.inspection.quarter_car import Corner, ResponseFit, body_damping, road_poles, stretch_of, wheel_damping
 from jounce.inspection.signals import WheelSignals, _residual_per_hz, find_turns
 from jounce.inspection.sweep import Sweep
 from jounce.inspection.turn_forces import Analysis, FrequencyCurve, find_lift_off, stretches_between
 from jounce.parts.testers import load_tester
+from jounce.testers.plates import phase_angle
 
 EGEA, THETA = load_tester("egea-specsus2018"), load_tester("theta-msd3000")
 CAR = Corner(400.0, 40.0, 25e3, 1000.0, 200e3, 100.0)
@@ -274,3 +275,223 @@ def test_stretches_begin_and_end_half() -> None:
         share[[0, -1]] = 0.5
         waves = np.exp(-2j * np.pi * np.outer(hz, time))
         np.testing.assert_allclose(bins, waves @ (share * about), rtol=1e-9)
+
+
+def phases(angle: np.ndarray, frequency: np.ndarray, *, fit=None, lifted=None) -> Analysis:
+    """Turns whose force is lowest at given phase angles (degrees) after their tops."""
+    tops = np.cumsum(1.0 / frequency)
+    rows = np.full((frequency.size, 7), np.nan)
+    rows[:, 3], rows[:, 4], rows[:, 6] = (tops + angle / (360.0 * frequency) + one for one in (-0.01, 0.03, 0.0))
+    rows[:, 3] -= 0.02
+    rows[:, 6] = 500.0
+    modelled = np.full_like(rows, np.nan)
+    if fit is not None:
+        own = np.degrees(phase_angle(quarter_car.force_response(fit.corner, frequency)))
+        modelled[:, 3] = modelled[:, 4] = tops + own / (360.0 * frequency)
+        modelled[:, 6] = 500.0
+    off = np.zeros(frequency.size, dtype=bool) if lifted is None else lifted
+    return Analysis(4e3, fit, tops, frequency, frequency, rows, modelled, off, 3e-3)
+
+
+FALLING = np.linspace(23.95, 3.05, 210)
+
+
+def test_the_least_phase_angle_within_a_band() -> None:
+    found, angles = methods.find_phase_minimum(phases(40.0 + 0.5 * (FALLING - 10.0) ** 2, FALLING), (6.0, 18.0))
+    assert (found.angle_deg, found.frequency_hz) == pytest.approx((40.0, 10.0), abs=0.15)
+    assert (found.at_end, found.in_lift_off) == (False, False)
+    for slope, end in ((3.0, 6.0), (-3.0, 18.0)):
+        found, _ = methods.find_phase_minimum(phases(90.0 + slope * (FALLING - 12.0), FALLING), (6.0, 18.0))
+        assert (found.frequency_hz, found.at_end) == (pytest.approx(end), True)
+        assert found.angle_deg == pytest.approx(72.0, abs=0.1)
+    rough = 60.0 + np.random.default_rng(2).standard_normal(FALLING.size)
+    analysis = phases(rough, FALLING)
+    _, angles = methods.find_phase_minimum(analysis, (6.0, 18.0))
+    same = angles == methods.phase_angles(analysis, analysis.measured)
+    np.testing.assert_array_equal(same, (FALLING <= 4.0) | (FALLING >= 20.0))
+    assert methods.find_phase_minimum(phases(rough, FALLING), (2.9, 18.0))[0] is None
+
+
+def test_phase_angles_of_turns_that_lift_off_are_those_of_the_fit() -> None:
+    fit, sure = fitted(CAR, 0.01), fitted(CAR, 0.0)
+    own = np.degrees(phase_angle(quarter_car.force_response(CAR, FALLING)))
+    gone = (FALLING > 7.0) & (FALLING < 9.0)
+    beyond = np.abs(FALLING - 22.0) < 0.2
+    measured = np.where(gone | beyond, np.nan, own + 3.0)
+    found, angles = methods.find_phase_minimum(phases(measured, FALLING, fit=fit), (6.0, 18.0))
+    np.testing.assert_allclose(angles[gone], own[gone], atol=1e-6)
+    np.testing.assert_allclose(angles[FALLING > 20.0], measured[FALLING > 20.0])
+    assert found.angle_deg == pytest.approx(own.min(), abs=0.05)
+    assert not found.in_lift_off
+    hopped, angles = methods.find_phase_minimum(phases(own + 3.0, FALLING, fit=fit, lifted=gone), (6.0, 18.0))
+    np.testing.assert_allclose(angles[gone], own[gone], atol=1e-6)
+    assert hopped.in_lift_off
+    rough = phases(own + np.random.default_rng(7).standard_normal(FALLING.size), FALLING, fit=fit)
+    loose, _ = methods.find_phase_minimum(rough, (6.0, 18.0))
+    firm, _ = methods.find_phase_minimum(Analysis(**{**vars(rough), "fit": sure}), (6.0, 18.0))
+    spread = math.degrees(fit.spread_at(loose.frequency_hz, phase_angle))
+    assert loose.half_width_deg == pytest.approx(math.hypot(firm.half_width_deg, 1.96 * spread), rel=1e-3)
+
+
+def test_the_interval_of_adhesion_holds_that_of_the_fit() -> None:
+    least = 3e3 + 10.0 * (np.linspace(24.0, 6.0, 40) - 13.0) ** 2
+    fit = fitted(CAR, 0.01)
+    one, sure = (analysis(least, np.full(40, 5e3), fit=each) for each in (fit, fitted(CAR, 0.0)))
+    for each in (one, sure):
+        each.modelled[:, 0] = least + 20.0 * np.random.default_rng(1).standard_normal(40)
+    loose, firm = find_adhesion(one, 24.0), find_adhesion(sure, 24.0)
+    spread = fit.spread_at(loose.frequency_hz, np.abs) * 3e-3 / 4e3
+    assert loose.half_width == pytest.approx(math.hypot(firm.half_width, 1.96 * spread), rel=1e-3)
+    for share, amplitude in ((0.02, 0.98), (0.005, 0.8), (-0.02, 0.8)):  # next to nothing: the greatest force counts
+        found = find_adhesion(analysis(least - (0.75 - share) * 4e3, np.full(40, 7.2e3)), 24.0)
+        assert found.adhesion == pytest.approx(max(share, 0.0), abs=1e-3)
+        assert found.relative_force_amplitude == pytest.approx(amplitude, abs=1e-3)
+        assert found.lift_off is (share < 0.0)
+
+
+def test_half_power_between_turns() -> None:
+    frequency = np.array([4.0, 1.0, 7.0, 2.0, 6.0, 3.0, 5.0])
+    amplitude = np.array([1.0, 0.2, 0.2, 0.4, 0.4, 0.6, 0.6])
+    level = math.sqrt(0.5)
+    width = (4.0 + (1.0 - level) / 0.4) - (3.0 + (level - 0.6) / 0.4)
+    assert methods.half_power(frequency, amplitude) == pytest.approx(width / 8.0)
+    assert methods.half_power(frequency[frequency > 3.5], amplitude[frequency > 3.5]) is None
+    assert methods.half_power(frequency[frequency < 4.5], amplitude[frequency < 4.5]) is None
+
+
+def test_damping_by_amplification_is_that_of_the_rig() -> None:
+    spring, damper = THETA.plate_spring_rate, THETA.plate_damping_coefficient or 0.0
+    critical = 2.0 * math.sqrt((CAR.spring_rate + CAR.tyre_stiffness) * CAR.unsprung_mass)
+    for share, known in ((0.011, True), (0.1, True), (0.15, True), (0.0095, False)):
+        car = Corner(**{**vars(CAR), "damping_coefficient": share * critical})
+        gain = float(methods.plate_gain(car, THETA, np.linspace(1.5, 15.0, 541)).max())
+        found = methods.theta_by_amplification(gain, CAR, THETA)
+        expected = wheel_damping(quarter_car.rig_poles(car, THETA.plate_mass, spring, damper))[0]
+        assert found == (pytest.approx(expected, rel=1e-4) if known else None)
+    assert methods.theta_by_amplification(0.0, CAR, THETA) is None
+    steady = quarter_car.force_response(CAR, [9.0])[0]
+    w = 2.0 * math.pi * 9.0
+    push = spring + 1j * w * damper
+    gain = abs(push / (push + steady - THETA.plate_mass * w**2))
+    assert methods.plate_gain(CAR, THETA, np.array([9.0]))[0] == pytest.approx(gain)
+
+
+@pytest.mark.parametrize(
+    ("places", "sizes", "kept"),
+    [
+        ([100, 200, 300, 400, 500], [16.0, -8.0, 4.0, -2.0, 1.0], 5),
+        ([200, 281, 400, 500], [8.0, 4.0, -2.0, 1.0], 3),
+        ([200, 279, 400, 500], [-8.0, 4.0, -2.0, 1.0], 2),
+        ([200, 319, 400, 500], [8.0, 4.0, -2.0, 1.0], 3),
+        ([200, 321, 400, 500], [8.0, 4.0, -2.0, 1.0], 2),
+        ([300, 400, 500], [-4.0, -2.0, 1.0], 2),
+        ([300, 400, 500], [2.0, -2.0, 1.0], 2),
+        ([300, 400, 500], [2.0 * 2.0**1.59, -2.0, 1.0], 3),
+        ([300, 400, 500], [2.0 * 2.0**1.61, -2.0, 1.0], 2),
+        ([300, 400, 500], [2.0 * 2.0**0.41, -2.0, 1.0], 3),
+        ([300, 400, 500], [2.0 * 2.0**0.39, -2.0, 1.0], 2),
+        ([], [], 0),
+    ],
+)
+def test_which_turning_points_are_those_of_a_decay(places, sizes, kept) -> None:
+    away = np.zeros(600)
+    away[places] = sizes
+    found = methods._even_turns(np.array(places, dtype=int), away)
+    assert found.tolist() == places[len(places) - kept :]
+
+
+@pytest.mark.parametrize(("ratio", "known"), [(0.03, True), (0.1, True), (0.34, True), (0.4, False)])
+def test_free_decays_of_other_rates_and_rests(ratio: float, known: bool) -> None:
+    """Four turning points above half a per cent are needed."""
+    for rate in (500.0, 1000.0, 2000.0):
+        away = np.arange(round(12.0 * rate)) / rate
+        height = 2e-3 + 5e-3 * np.exp(-ratio * 40.0 * away) * np.cos(40.0 * math.sqrt(1.0 - ratio**2) * away)
+        found = methods.theta_by_decay(height, rate)
+        expected = (ratio, 40.0 * math.sqrt(1.0 - ratio**2) / (2.0 * math.pi))
+        assert found == (pytest.approx(expected, rel=0.04) if known else None)
+    noisy = height + 1e-4 * np.random.default_rng(1).standard_normal(height.size)
+    assert methods.theta_by_decay(noisy[: round(0.05 * rate)], rate) is None
+
+
+def test_strokes_of_turns() -> None:
+    time = np.arange(3000) / 1000.0
+    height = (1e-3 + 1e-3 * time) * np.sin(2.0 * np.pi * 8.0 * time)
+    turns = find_turns(time, height, 0.0, 3e-3)
+    found = methods.stroke_by_turn(height, time, turns)
+    np.testing.assert_allclose(found[:-1], 2.0 * (1e-3 + 1e-3 * (turns.top[:-1] + 1.0 / 32.0)), rtol=0.02)
+    assert found.size == turns.top.size
+    assert methods.stroke_by_turn(None, time, turns) is None
+
+
+@pytest.mark.parametrize(("sample", "hit"), [(949, False), (950, True), (1119, True), (1120, False)])
+def test_samples_that_belong_to_a_turn(sample: int, hit: bool) -> None:
+    flags = np.zeros(3000, dtype=bool)
+    flags[sample] = True
+    args = (np.array([1.5, 2.9]), np.array([10.0, 10.0]), 1000.0, 0.5)
+    assert turn_forces._turns_hit(flags, *args).tolist() == [hit, False]
+
+
+def test_frequencies_at_which_a_wheel_swings_on_by_itself() -> None:
+    dead = Corner(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
+    own = wheel_damping(road_poles(dead))[1]
+    for frequency, swings in ((2.49, True), (2.51, False), (0.81 * own, True), (0.79 * own, False),
+                              (1.19 * own, True), (1.21 * own, False)):  # fmt: skip
+        assert turn_forces._is_own(frequency, dead) is swings
+        assert turn_forces._is_own(frequency, CAR) is False
+    ratio = wheel_damping(road_poles(Corner(400.0, 40.0, 25e3, 300.0, 200e3, 0.0)))[0] / 300.0
+    for share, swings in ((0.95, True), (1.05, False)):
+        assert turn_forces._is_own(2.0, Corner(400.0, 40.0, 25e3, share * 0.05 / ratio, 200e3, 0.0)) is swings
+
+
+@pytest.mark.parametrize(
+    ("line", "others", "explained", "codes"),
+    [
+        (19_900.0, 1.0, 0.971, []),
+        (20_100.0, 1.0, 0.971, ["vibrates"]),
+        (30_000.0, 2_490.0, 0.971, ["vibrates"]),
+        (30_000.0, 2_510.0, 0.971, []),
+        (1.0, 1.0, 0.969, ["poor_fit"]),
+    ],
+)
+def test_what_a_fit_leaves_is_told(line, others, explained, codes) -> None:
+    """40 N in one line of 1000 samples are 1 % of the load."""
+    signals, _ = held(25.0, 30)
+    left = np.full(30, others, dtype=complex)
+    left[13] = 1j * line
+    stretch = quarter_car.Stretch(2j * np.pi * np.arange(1.0, 31.0), left, left, 1000)
+    fit = ResponseFit(CAR, np.eye(6), 1.0, explained)
+    found = turn_forces._doubts(fit, [stretch], [left], signals, 4e3)
+    assert [one.code for one in found] == codes
+    for one in found:
+        words = {"frequency": 14.0, "force": 2e-3 * line} if one.code == "vibrates" else {"percent": 96.9}
+        assert one.words == pytest.approx(words)
+
+
+def test_turns_of_one_frequency_are_averaged() -> None:
+    f, y, base, wide = np.array([[10.0, 10.01, 10.2], [1.0, 3.0, 7.0], [2.0, 6.0, 1.0], [1.0, 2.0, 3.0]])
+    found = turn_forces._merged(f, y, base, wide)
+    expected = [[10.005, 10.2], [2.0, 7.0], [4.0, 1.0], [math.sqrt(5.0) / 2.0, 3.0]]
+    np.testing.assert_allclose(np.array(found), expected)
+
+
+def test_noise_of_turns_is_what_jumps() -> None:
+    draw = np.random.default_rng(4).standard_normal(4000)
+    wide = np.linspace(1.0, 3.0, 4000)
+    assert turn_forces._noise(5.0 * wide * draw + 40.0 * wide, wide) == pytest.approx(5.0, rel=0.05)
+    assert turn_forces._noise(np.arange(9.0), np.full(9, 2.0)) == pytest.approx(4e-9)
+
+
+def test_what_a_model_misses_is_a_gaussian_process() -> None:
+    """The same as by its kernel, of the size that is likeliest among those that are tried."""
+    frequency = np.linspace(5.0, 19.0, 120)
+    noise = np.linspace(1.0, 2.0, 120)
+    gap = 12.0 * np.sin(0.6 * frequency) + noise * np.random.default_rng(3).standard_normal(120)
+    found, error = turn_forces._posterior(frequency, gap, noise, 2.0)
+    kernel = np.exp(-0.5 * ((frequency[:, None] - frequency) / 2.0) ** 2)
+    size = 5.0 * float(np.median(noise))
+    gain = np.linalg.solve(size**2 * kernel + np.diag(noise**2), size**2 * kernel).T
+    np.testing.assert_allclose(found, gain @ gap, atol=0.3)
+    np.testing.assert_allclose(error, np.sqrt(np.diag(size**2 * kernel - gain @ (size**2 * kernel))), rtol=0.15)
+    none, error = turn_forces._posterior(frequency, gap - 12.0 * np.sin(0.6 * frequency), noise, 2.0)
+    assert not none.any()
+    assert not error.any()

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.inspection import evaluate
+from jounce.inspection import evaluate, evaluation
 from jounce.inspection.evaluation import wheel_load
-from jounce.inspection.signals import WheelSignals, moving_part
+from jounce.inspection.signals import WheelSignals, _greatest_part, mean_shaking, moving_part, standstill_force
 from jounce.inspection.sweep import turns_of
 from jounce.parts import load
 from jounce.parts.testers import load_tester
@@ -220,3 +220,100 @@ def test_a_run_up_of_a_sprung_plate_is_a_test_too(sprung) -> None:
     (wheel,) = evaluate(record, upwards).wheels
     assert wheel.is_gradable
     assert wheel.theta_road == pytest.approx(0.393, abs=0.02)
+
+
+def shaken(stroke: float, seconds: float = 2.0) -> np.ndarray:
+    """A plate that moves at 20 Hz with a stroke in m: a block of a tenth of a second holds two turns."""
+    return 0.5 * stroke * np.cos(2.0 * np.pi * 20.0 * np.arange(round(seconds * RATE)) / RATE)
+
+
+def test_a_plate_moves_by_blocks_of_a_tenth_of_a_second() -> None:
+    height = shaken(1e-3)
+    height[:630] = height[1410:] = 0.0
+    assert moving_part(height, RATE, LEAST) == (600, 1500)
+    assert moving_part(shaken(1.01 * LEAST), RATE, LEAST) == (0, 2000)
+    assert moving_part(shaken(0.99 * LEAST), RATE, LEAST) is None
+    for times, found in ((1.6, (0, 2000)), (1.7, None)):  # shaken more than 0.6 times the other plate
+        assert moving_part(shaken(2e-3), RATE, LEAST, times * shaken(2e-3)) == found
+    for idle, end in ((0.21, 2000), (0.18, 1000)):
+        ours, theirs = shaken(idle * LEAST), shaken(1.2 * LEAST)
+        ours[:1000], theirs[1000:] = shaken(2e-3)[:1000], 0.0
+        assert moving_part(ours, RATE, LEAST, theirs) == (0, end)
+
+
+def test_mean_shaking_leaves_out_slow_swings() -> None:
+    height = shaken(1e-3)
+    assert mean_shaking(height + 0.05 * np.arange(2000) / RATE, RATE) == pytest.approx(1e-3, rel=0.02)
+    height[1000:] = 3e-3
+    assert mean_shaking(height, RATE) == pytest.approx(0.5e-3, rel=0.02)
+    assert mean_shaking(height[:99], RATE) == 0.0 < mean_shaking(height[:100], RATE)
+
+
+@pytest.mark.parametrize(
+    ("gains", "part"),
+    [([1, -2, 3, 1, -1, 2, -9, 4], [2, 3, 4, 5]), ([-1, -2], []), ([5, -1, -1], [0]), ([-3, 1, 2], [1, 2])],
+)
+def test_the_part_with_the_greatest_sum(gains, part) -> None:
+    assert _greatest_part(np.array(gains, dtype=float)).tolist() == part
+
+
+@pytest.mark.parametrize(
+    ("moving", "other", "part"),
+    [
+        ((200, 5000), None, (0, 200)),
+        ((199, 5000), None, (6000, 10_000)),
+        ((199, 7000), None, (8000, 10_000)),
+        ((199, 7001), None, None),
+        ((3000, 5000), (1000, 2000), (0, 1000)),
+        ((3000, 5000), (3500, 9000), (0, 3000)),
+        ((199, 3000), (6000, 9000), (4000, 6000)),
+        ((199, 3000), (5999, 9000), None),
+        ((199, 3000), (100, 2000), (4000, 10_000)),
+    ],
+)
+def test_when_a_wheel_stands_still(moving, other, part) -> None:
+    """0.2 s before the plate moves, or 2 s from one second after it has stopped, while the other one stands, too."""
+    time = np.arange(10_000) / RATE
+    force = 4e3 + 10.0 * time**2
+    signals = WheelSignals("left", time, force, None, None, None, 20.0)
+    found = standstill_force(signals, moving, other)
+    assert found == (None if part is None else pytest.approx(float(np.median(force[slice(*part)])), rel=1e-12))
+
+
+def test_a_wheel_that_swings_on_does_not_stand() -> None:
+    time = np.arange(10_000) / RATE
+    for share, stands in ((0.099, True), (0.101, False)):
+        force = 4e3 * (1.0 + share * np.sqrt(2.0) * np.sin(2.0 * np.pi * time))
+        signals = WheelSignals("left", time, force, None, None, None, 20.0)
+        assert (standstill_force(signals, (100, 5000), None) is not None) is stands
+
+
+def test_how_much_the_other_plate_may_be_shaken() -> None:
+    time, force = np.arange(2000) / RATE, np.full(2000, 4e3)
+
+    def record(stroke: float, **more):
+        heights = {"left.plate.z": (shaken(1e-3), "m", ""), "right.plate.z": (shaken(stroke), "m", "")}
+        return recording(time, {**heights, "left.plate.force": (force, "N", ""), **more})
+
+    right = {"right.plate.force": (force, "N", "")}
+    assert evaluation.tested_wheels(record(0.49e-3, **right), {"wheel_order": "left"}) == ("left",)
+    assert evaluation.tested_wheels(record(0.51e-3, **right), {"wheel_order": "left"}) == ("left", "right")
+    assert evaluation.tested_wheels(record(0.1e-3, **right), {"wheel_order": "left, right"}) == ("left", "right")
+    for stroke, codes in ((0.096e-3, []), (0.104e-3, ["force_missing"])):
+        lost = evaluation._without_force(record(stroke), {})
+        assert [one.code for wheel in lost for one in wheel.findings] == codes
+
+
+def test_loads_and_means_beside_the_vehicle_file() -> None:
+    for share, told in ((1.149, False), (1.151, True), (0.851, False), (0.849, True)):
+        found = evaluation._vehicle_findings(share * 4e3, 4e3, "left")
+        assert [one.words for one in found] == ([{"load": share * 4e3, "expected": 4e3}] if told else [])
+    assert evaluation._vehicle_findings(9e3, None, "left") == []
+    time = 5.0 + np.arange(1000) / RATE
+    signals = WheelSignals("left", time, 4e3 + 1e3 * (time - 5.0) ** 2, None, None, None, 20.0)
+    means = evaluation._mean_by_turn(signals, np.array([5.1, 5.3, 5.6]))
+    expected = [signals.force[100:300].mean(), signals.force[300:600].mean(), np.nan]
+    np.testing.assert_allclose(means, expected, rtol=1e-12)
+    turning = np.array([0.29, 0.2, 0.31, 9.0, 0.31, 0.29])
+    blind = WheelSignals("left", np.arange(6.0), np.ones(6), None, turning, None, 20.0)
+    assert evaluation._moving(blind, None, LEAST, None) == (2, 5)
