@@ -4,6 +4,7 @@
 #   make setup     only prepare .venv                         make bench   times against peers
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that compile nothing             make clean   remove what was made here
+#   make test-pages  what the documentation says is run, pages are opened in a browser
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
@@ -32,7 +33,7 @@ PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer
+.PHONY: help setup loops demo quick test test-pages test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer
 .DELETE_ON_ERROR:
 
 help:
@@ -46,13 +47,16 @@ demo: setup
 	$(BIN)/jounce demo $(DEMO_ARGUMENTS)
 
 # Dozens of processes read the same modules: what Python makes of them is kept, even where the environment forbids it.
-quick test test-all: export PYTHONDONTWRITEBYTECODE :=
+quick test test-pages test-all: export PYTHONDONTWRITEBYTECODE :=
 
 quick: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile --quick
 
 test: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile
+
+test-pages: $(VENV)/.test $(VENV)/.loops
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "pages and not slow"
 
 test-all: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"

@@ -85,6 +85,7 @@ def shipped(results):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not BUILT.exists(), reason="make loops")
 def test_bitcode_compiled_for_this_processor(results, shipped) -> None:
     asked, found = results("bitcode")

@@ -87,6 +87,7 @@ def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
     return count
 
 
+@pytest.mark.pages
 @pytest.mark.parametrize("name", [name for name, page in PAGES.items() if blocks(page)])
 def test_blocks_run(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)

@@ -32,7 +32,7 @@ from jounce.report.papers import audi_case_page
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed")
+pytestmark = [pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed"), pytest.mark.pages]
 
 HOSTILE = '<img src=x onerror="document.title=1">'
 CAMPAIGN = """schema = "jounce.campaign/1"

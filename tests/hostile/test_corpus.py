@@ -137,6 +137,7 @@ def verdict(case):
 """
 
 
+@pytest.mark.slow
 def test_the_judge_finds_what_ends_stands_still_and_takes_too_much(tmp_path, monkeypatch) -> None:
     (tmp_path / "judged_here.py").write_text(JUDGED)
     monkeypatch.syspath_prepend(tmp_path)

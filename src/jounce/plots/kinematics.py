@@ -47,8 +47,6 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "bump_steer",
         "caster_gain",
         "half_track_gradient",
-        "roll_steer",
-        "roll_camber",
         *_GRADIENTS,
     ),
     "steering": (

@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 
@@ -25,7 +26,7 @@ _SHAPES = ({"mean", "sd"}, {"sd"}, {"low", "mode", "high"}, {"low", "high"})
 
 
 @dataclass(frozen=True)
-class Design:
+class Design(Shown):
     """Variants still to be worked out for a rig; made by :func:`grid`, :func:`sobol` and the like.
 
     Attributes
