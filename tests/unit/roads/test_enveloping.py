@@ -113,8 +113,17 @@ def test_length_of_the_contact() -> None:
     # domain D3: a = R0 [q1 sqrt(Fz/(cz R0)) + q2 Fz/(cz R0)], q1 = .671, q2 = .733
     share = 4000.0 / (200e3 * 0.32)
     assert contact_length(4000.0, 200e3, 0.32) == pytest.approx(0.64 * (0.671 * share**0.5 + 0.733 * share), rel=1e-12)
-    with pytest.raises(DescriptionError, match="not a loaded tyre"):
-        contact_length(0.0, 200e3, 0.32)
+    for wrong in ((0.0, 200e3, 0.32), (4e3, 0.0, 0.32), (4e3, 200e3, -0.1)):
+        with pytest.raises(DescriptionError, match="not a loaded tyre"):
+            contact_length(*wrong)
+    assert contact_length(0.5, 0.25, 0.5, linear=1.0, root=0.5) == pytest.approx(0.5 * 2.0 + 4.0)
+
+
+def test_how_far_a_tyre_feels() -> None:
+    cams = Enveloped(of=CLEAT, **METHODS[2])
+    assert (cams.cam_length, cams.cam_height, cams.cam_exponent, cams.cam_distance) == (1.471, 0.9622, 1.5174, 0.8335)
+    reaches = [Enveloped(of=CLEAT, **fields).reach() for fields in METHODS]
+    assert reaches == pytest.approx([0.06, 0.3, 0.3 * 1.471 + 0.5 * 0.8335 * 0.12])
 
 
 def test_curvatures_and_cubics_are_those_of_their_definitions() -> None:

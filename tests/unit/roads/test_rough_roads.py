@@ -7,7 +7,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.roads import Iso8608, SineSum, class_roughness, load_road, read_roads, track_coherence
-from jounce.roads.rough import height_variance
+from jounce.roads.rough import as_roughness, height_variance
 from jounce.roughness.spectra import (
     estimate_roughness,
     filtered_noise,
@@ -289,3 +289,31 @@ def test_a_known_wave_has_its_power_in_the_spectrum() -> None:
     near = (spectrum.n > 0.28) & (spectrum.n < 0.32)
     power = np.sum(spectrum.psd[near]) * (spectrum.n[1] - spectrum.n[0])
     assert power == pytest.approx(0.5 * 0.01**2, rel=0.01)
+
+
+def test_limits_of_points_and_waves() -> None:
+    """Two points a wave of the lowest frequency, 20 million points, a quarter of the shortest wave in a sum."""
+    assert Iso8608(class_="C", length=100, step=45.0).step == 45.0  # 0.5 / 0.011 = 45.5
+    with pytest.raises(DescriptionError, match="points every 46 m hold no waves"):
+        Iso8608(class_="C", length=100, step=46.0)
+    assert Iso8608(class_="C", length=2e5, step=0.01).length == 2e5
+    with pytest.raises(DescriptionError, match="20000001 points; allowed: up to 20000000"):
+        Iso8608(class_="C", length=2e5 + 0.01, step=0.01)
+    assert Iso8608(class_="C", length=100, run_in=50).fade == 50.0
+    assert SineSum(step=0.0833, last=300, first=300).last == 300
+    with pytest.raises(DescriptionError, match="do not follow waves"):
+        SineSum(step=0.0834)
+    assert SineSum(spacing=1e-6, step=0.05).period() == 1e6
+    with pytest.raises(DescriptionError, match="more than 20000000 points in one period"):
+        SineSum(spacing=1e-6, step=0.0499)
+
+
+def test_what_a_random_road_is_by_default() -> None:
+    road = Iso8608(class_="C", length=300)
+    assert (road.step, road.seed, road.waviness, road.band) == (0.05, 0, 2.0, (0.011, 2.83))
+    assert (road.track, road.coherence_decay, road.fade, road.start) == (1.5, 5.7, 10.0, 0.0)
+    assert Iso8608(class_="C", length=50).fade == 5.0
+    assert as_roughness(3e-5) == 3e-5
+    for wrong in (0.0, -1.0, np.inf):
+        with pytest.raises(DescriptionError, match="not a degree of roughness"):
+            as_roughness(wrong)

@@ -147,6 +147,9 @@ def test_how_far_a_run_may_go() -> None:
     rising = Table(x=[0.0, 4.0], height=[0.0, 0.1])
     assert FINE.ends_level()
     assert not rising.ends_level()
+    for rise, is_level in ((0.95e-6, True), (-0.95e-6, True), (1.05e-6, False), (-1.05e-6, False)):
+        assert Table(x=[0.0, 4.0], height=[0.2, 0.2 + rise]).ends_level() is is_level
+    assert HalfSine(height=0.01, length=0.06, recurrence=0.06).recurrence == 0.06  # one behind the other
     FINE.check_covers(9.0, continue_level=True)
     FINE.check_covers(5.0, behind=1.0)
     with pytest.raises(DescriptionError, match=r"trial: .*found '5.1 m driven'; allowed: up to 5 m"):

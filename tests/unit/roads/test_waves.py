@@ -70,6 +70,11 @@ def test_refuses_sweeps_in_time(arguments, says) -> None:
 def test_refuses_endless_sweeps() -> None:
     with pytest.raises(DescriptionError, match="waves; allowed: up to 20000"):
         SineSweep(amplitude=0.01, first_wavelength=1, last_wavelength=0.001, length=1000)
+    most = {"amplitude": 0.01, "first_wavelength": 1.0, "last_wavelength": 1.0}
+    assert SineSweep(**most, length=20_000).length == 20_000
+    with pytest.raises(DescriptionError, match="20001 waves"):
+        SineSweep(**most, length=20_001)
+    assert len(swept_sine(1e-3, 1.0, 1.0, 0.05).time) == 9  # part of a wave has eight pieces, too
     with pytest.raises(DescriptionError, match="last_wavelength: out of range"):
         SineSweep(amplitude=0.01, first_wavelength=1, last_wavelength=0, length=10)
 
