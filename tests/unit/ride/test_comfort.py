@@ -50,6 +50,15 @@ def test_running_rms_of_what_is_constant() -> None:
         assert found[settled] == pytest.approx(3.0, rel=1e-4)
 
 
+@pytest.mark.parametrize("averaging", ["linear", "exponential"])
+def test_running_rms_over_other_times(averaging) -> None:
+    """A quarter of the time is a quarter of the rate for the same samples."""
+    noise = np.random.default_rng(6).normal(size=3000)
+    short = comfort.running_rms(noise, RATE, averaging=averaging, time_constant=0.25)
+    np.testing.assert_allclose(short, comfort.running_rms(noise, 0.25 * RATE, averaging=averaging), rtol=1e-9)
+    assert abs(short - comfort.running_rms(noise, RATE, averaging=averaging)).max() > 0.1
+
+
 def test_windows_may_lie_between_samples() -> None:
     found = comfort.running_rms(np.full(100, 2.0), 3.7)  # 3.7 samples a window
     np.testing.assert_allclose(found[4:], 2.0, rtol=1e-12)
