@@ -152,3 +152,12 @@ def test_kinks_lie_where_tangents_meet() -> None:
     np.testing.assert_allclose(after[1], [before[1, 0], 0.24, 0.51])
     np.testing.assert_array_equal(before[2:], begin[2:])
     np.testing.assert_array_equal(after[2:], end[2:])
+
+
+def test_small_kinks_are_found_and_kept() -> None:
+    """In a shallow hollow the contact of a circle jumps by an eighth of a step: twice the radius times the slope."""
+    steep = 0.0085
+    hollow = Table(x=[0.0, 1.01, 3.0], height=[1.01 * steep, 0.0, 1.99 * steep])
+    felt = Enveloped(of=hollow, method="rigid-circle", radius=0.3, step=0.04).segments(2.9)
+    assert np.abs(felt.edges - 1.01).min() < 1e-8
+    np.testing.assert_allclose(felt.evaluate(np.array([1.0099, 1.0101]))[1], [-steep, steep], rtol=1e-9)
