@@ -12,6 +12,7 @@ from jounce.core.serialise import to_json
 from jounce.identify.damper import (
     _check_velocity,
     _cycles,
+    _fitted_part,
     _force_step,
     _moving_part,
     damper_advice,
@@ -443,3 +444,13 @@ def test_cycles_are_counted_by_crossings_or_by_the_path():
     drifting = np.sin(2.0 * np.pi * phase) + 2.0 * phase  # it crosses its middle once
     turns = np.abs(np.diff(drifting)).sum() / (2.0 * np.ptp(drifting))
     assert _cycles(drifting) == pytest.approx(turns, rel=1e-3)
+
+
+def test_the_first_swing_only_sets_the_state_of_what_remembers():
+    time = np.linspace(0.0, 3.25, 3251)
+    x = -np.cos(2.0 * np.pi * time)
+    motion = replace(read_motion(x, None, x, time)[0], displacement=x)
+    assert _fitted_part(motion) == slice(500, None)
+    assert _fitted_part(replace(motion, displacement=x[:900])) == slice(0, None)  # it turns once
+    small = x + 0.05 * np.sin(100.0 * time)  # less than a tenth of the stroke is no turn
+    assert _fitted_part(replace(motion, displacement=small)).start == pytest.approx(500, abs=30)

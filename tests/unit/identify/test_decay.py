@@ -12,10 +12,13 @@ from jounce.identify.decay import (
     DecayParameters,
     Peaks,
     _advice,
+    _along_the_valley,
     _at_rest,
     _estimates,
+    _fit,
     _naive_decrement,
     _next_start,
+    _off_jumps,
     _part,
     combine_decays,
     decay_response,
@@ -389,3 +392,31 @@ def test_a_rest_is_half_a_period_of_nothing_at_the_end():
     for off, begin in ((1.9e-3, 200), (2.1e-3, 300)):  # a thousandth of the range of 2
         signal = np.where(np.arange(400) < 200, np.cos(2.0 * np.pi * t), 0.3 + off * (np.arange(400) < 300))
         assert int(np.argmax(_at_rest(t, signal, peaks))) == begin
+
+
+@pytest.mark.parametrize("ratio", [0.02, 0.4])
+def test_samples_beside_a_jump_of_the_acceleration_do_not_count(ratio):
+    p = DecayParameters(10.0, ratio, 0.001, 0.0, 0.05, 0.02)
+    gaps = np.abs(TIME - 0.05 - np.arange(-1, 9)[:, None] * math.pi / (10.0 * math.sqrt(1.0 - ratio**2))).min(axis=0)
+    assert _off_jumps(TIME, p).tolist() == (gaps > 0.6e-3).astype(float).tolist()
+
+
+def test_what_holds_no_decay_is_not_searched():
+    start = np.array([30.0, 0.1, 0.001, 0.0, 0.0, 0.02])
+    for signal, begin in (
+        (record()[:19], start),
+        (np.ones(200), start),
+        (record()[200:400], np.where(np.arange(6) == 2, np.nan, start)),
+    ):
+        with pytest.raises(FitError, match=f"holds no free decay that could be fitted; found '{len(signal)} samples"):
+            _fit(TIME[: len(signal)], signal, [begin], "displacement")
+
+
+def test_friction_is_exchanged_for_damping_that_takes_as_much():
+    """A half cycle takes pi zeta of the amplitude, and 2 x_k: over the mean amplitude, half of it, 4 x_k / pi."""
+    start = np.array([30.0, 0.3, 0.001, 0.002, 0.1, -0.02])
+    moved = _along_the_valley(start, 0.15)
+    assert moved - start == pytest.approx([0.0, -4.0 * 0.15e-3 / (math.pi * 0.02), 0.15e-3, 0.0, 0.0, 0.0])
+    assert _along_the_valley(np.where(np.arange(6) == 2, 0.0, start), -0.05)[2] == pytest.approx(-0.05 * 0.01 * 0.02)
+    assert _along_the_valley(start, 300.0)[1] == -0.15
+    assert _along_the_valley(start, -300.0)[1] == 0.95

@@ -138,6 +138,9 @@ def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: Ridden, curved:
     rig = jn.load(name)
     richer = Richer(rig, [], jn.Doubt(), ridden, compile_rig(rig).facts.parameters)
     assert set(richer._curved) == curved
+    masses = {one.group: one.deviation for one in richer.nuisances if one.name.endswith("mass")}
+    assert masses == {group: {"stated": 0.005, "lumped": 0.02, "estimated": 0.03}[group] for group in masses}
+    assert ("stated" in masses) == (name == "kart-double-wishbone")
     assert richer._gone() & {"strut.spring.rate", "tyre.stiffness"} == {
         f"{part}.{'rate' if part == 'strut.spring' else 'stiffness'}" for part in curved
     }

@@ -128,3 +128,23 @@ def test_covariance_of_coloured_residuals_is_the_banded_product():
     bread = np.linalg.inv(jacobian.T @ jacobian)
     assert len(correlation) > 5
     assert robust_covariance(vector, jacobian, blocks) == pytest.approx(bread @ meat @ bread * 600 / 597, rel=1e-9)
+
+
+@pytest.mark.parametrize(("count", "width"), [(20, 20), (200, 25), (1000, 50)])
+def test_the_level_of_residuals_is_that_of_a_twentieth_of_the_record(count, width):
+    values = np.random.default_rng(5).normal(size=count) * np.linspace(1.0, 3.0, count)
+    first = np.clip(np.arange(count) - width // 2, 0, count - width)
+    assert _level(values) == pytest.approx([np.sqrt(np.mean(values[i : i + width] ** 2)) for i in first])
+
+
+def test_autocorrelation_counts_three_times_as_far_as_it_is_significant():
+    values = np.convolve(np.random.default_rng(6).normal(size=900), 0.8 ** np.arange(40), mode="valid")
+    count = len(values)
+    plain = np.array([values[lag:] @ values[:-lag] / (values @ values) for lag in range(1, count // 4)])
+    end = int(np.argmax(np.abs(plain) < 2.0 / np.sqrt(count)))
+    assert 5 < end < 40
+    taper = 1.0 - np.arange(1, 3 * end + 1) / (3 * end + 1)
+    assert _correlation(values) == pytest.approx(plain[: 3 * end] * taper)
+    slow = np.cos(np.arange(100) * 0.01)  # significant as far as is looked
+    assert len(_correlation(slow)) == 24
+    assert len(_correlation(np.zeros(100))) == 0

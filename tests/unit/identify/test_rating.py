@@ -167,3 +167,8 @@ def test_signals_are_warped_within_a_tenth_of_their_length() -> None:
     """A spike of one sample is reached 19 samples away, and not 20, in a record of 200."""
     for late, score in ((19, 1.0), (20, 0.0)):
         assert magnitude_score(np.eye(200)[60], np.eye(200)[60 + late]) == score
+
+
+@pytest.mark.parametrize(("below", "told"), [(0.98e-6, 0), (1.04e-6, 1)])
+def test_a_rate_a_millionth_below_that_of_the_standard_is_that_of_the_standard(below: float, told: int) -> None:
+    assert len(iso18571(BUMP, BUMP, RATE * (1.0 - below)).findings) == told

@@ -3,7 +3,14 @@
 import numpy as np
 import pytest
 
-from jounce.identify.estimate import correlation_time, linear_least_squares, r_squared
+from jounce.identify.estimate import (
+    _long_run,
+    _not_below,
+    correlation_time,
+    linear_least_squares,
+    r_squared,
+    uncertainty,
+)
 
 
 def autoregressive(rng, count, share):
@@ -58,3 +65,35 @@ def test_r_squared():
     assert r_squared(measured, np.zeros(3)) == 1.0
     assert r_squared(measured, measured - 2.0) == 0.0
     assert r_squared(np.ones(3), np.zeros(3)) == 0.0
+
+
+@pytest.mark.parametrize("count", [60, 61, 400])
+def test_the_correlation_time_sums_pairs_as_long_as_they_are_significant(count):
+    values = autoregressive(np.random.default_rng(count), count, 0.7)
+    centred = values - values.mean()
+    correlation = [
+        float(centred[lag:] @ centred[: count - lag]) / float(centred @ centred) for lag in range(count // 2)
+    ]
+    total, lag = 1.0, 1
+    while lag + 1 < count // 2 and correlation[lag] + correlation[lag + 1] > 2.0 / np.sqrt(count):
+        total, lag = total + 2.0 * (correlation[lag] + correlation[lag + 1]), lag + 2
+    assert lag >= 3
+    assert correlation_time(values) == pytest.approx(total)
+    assert correlation_time(values[:7]) == correlation_time(np.ones(count)) == 1.0
+
+
+def test_coloured_residuals_leave_fewer_degrees_of_freedom():
+    x = np.linspace(0.0, 1.0, 300)
+    regressors = np.column_stack([5.0 * x, np.ones_like(x)])
+    residual = autoregressive(np.random.default_rng(1), 300, 0.8)
+    found, time = uncertainty(regressors, residual), correlation_time(residual)
+    assert time > 3.0
+    inverse = np.linalg.inv(regressors.T @ regressors)
+    classical = inverse * (residual @ residual) / 298.0
+    sandwich = inverse @ _long_run(regressors * residual[:, None], time) @ inverse
+    np.testing.assert_allclose(
+        found.covariance, _not_below(sandwich, classical) * 300.0 / (300.0 - 2.0 * time), rtol=1e-8
+    )
+    assert found.degrees_of_freedom == pytest.approx(300.0 / time - 2.0)
+    short = uncertainty(regressors[::100], residual[::100])
+    assert (short.degrees_of_freedom, short.correlation_time) == (1.0, 1.0)

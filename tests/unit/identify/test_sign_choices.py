@@ -7,8 +7,9 @@ import itertools
 import numpy as np
 import pytest
 
+from jounce.core.findings import Finding
 from jounce.identify.estimate import Estimate
-from jounce.identify.signs import Signs, _Choice, _sign, _unlike, likeness, static_force
+from jounce.identify.signs import Signs, _Choice, _sign, _unlike, damper_signs, likeness, static_force
 
 Told = list[tuple[str, str, float | None]]
 
@@ -98,3 +99,18 @@ def test_likeness_has_the_sign_of_a_record() -> None:
     assert likeness(np.ones(300), wave, 5) == likeness(wave, np.ones(300), 5) == 0.0
     assert likeness(wave[:17], wave[:17], 5) == 0.0  # 5 either way and 8 samples
     assert likeness(wave[:18], wave[:18], 5) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.021, False), (0.019, True), (-0.019, True)])
+def test_what_does_hardly_any_work_is_no_damper(share: float, told: bool) -> None:
+    """A spring, whose force is a quarter of a period off the velocity, and a little damping."""
+    angle = np.arange(4000) * (2.0 * np.pi / 1000.0)
+    x, v = np.sin(angle), np.cos(angle)
+    part = share
+    for _ in range(20):  # the work over that of the sizes, which the damping is a part of
+        force = x + part * v
+        part *= share / (float(force @ v) / float(np.abs(force - force.mean()) @ np.abs(v)))
+    findings: list[Finding] = []
+    damper_signs(x, v, x + part * v, stroke_positive=None, force_positive=None, name="a", findings=findings)
+    idle = [one.value for one in findings if "hardly any work" in one.message]
+    assert idle == ([pytest.approx(share)] if told else [])

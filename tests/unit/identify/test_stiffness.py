@@ -157,11 +157,12 @@ def test_a_start_under_load_keeps_the_recorded_zero():
     assert result.fitted_range[0] == pytest.approx(0.001)
 
 
-@pytest.mark.parametrize(("turn_x", "turn_f"), [(-1, -1), (-1, 1), (1, -1)])
-def test_turned_signs_are_found_and_reported(turn_x, turn_f):
-    result = fit_stiffness([ForceDeflectionTrial(turn_x * STROKE, turn_f * 2e4 * STROKE)])
+@pytest.mark.parametrize("begin", [0.0, 0.05, -0.05])
+@pytest.mark.parametrize(("turn_x", "turn_f"), [(-1, -1), (-1, 1), (1, -1), (1, 1)])
+def test_turned_signs_are_found_and_reported(turn_x, turn_f, begin):
+    result = fit_stiffness([ForceDeflectionTrial(begin + turn_x * STROKE, turn_f * 2e4 * STROKE)])
     assert result.stiffness.value == pytest.approx(2e4)
-    assert "sign was reversed" in messages(result)
+    assert messages(result).count("sign was reversed") == (turn_x < 0) + (turn_f < 0)
 
 
 def test_hysteresis_of_a_known_loop():
@@ -445,8 +446,32 @@ def test_free_travel_is_eight_points_that_hardly_rise(flat, rise, is_free):
     assert not _is_free_travel(x, force, flat - 1, flat + 1)  # two points behind it are too few
 
 
+def test_free_travel_is_that_of_the_loading_branch():
+    x = np.concatenate([np.linspace(0.0, 0.010, 41), [0.009]])
+    force = np.append(1e4 * np.maximum(x[:-1] - 0.0024, 0.0), 0.0)  # the first point on the way back is loose
+    (found,) = [
+        one.value for one in fit_stiffness([ForceDeflectionTrial(x, force)]).findings if "travel" in one.message
+    ]
+    assert found == pytest.approx(0.0024, abs=1e-5)
+
+
 def test_free_travel_counts_from_three_percent_of_the_stroke_on():
     for travel, is_free in ((0.0299, False), (0.0301, True)):
         x = np.concatenate([np.linspace(0.0, travel, 10), np.linspace(travel + 0.01, 1.0, 40)])
         force = np.maximum(x - travel, 0.0)
         assert _is_free_travel(x, force, 9, 49) == is_free
+
+
+@pytest.mark.parametrize(("points", "bins"), [(30, 3), (100, 12), (207, 24), (400, 24)])
+def test_a_table_has_a_knot_for_eight_points(points, bins):
+    x = np.linspace(0.0, 0.01, points)
+    fit = fit_curve(x, 1e4 * x, law="monotone-spline", degree=1, intercept="drop", where="a")
+    assert len(fit.curve.deflection) == bins + 2  # the origin and the end
+    assert fit.curve.deflection[-1] == pytest.approx(0.01)
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.019, 0), (0.021, 1)])
+def test_a_start_is_loaded_from_two_percent_of_the_largest_force_on(share, told):
+    force = 1e4 * STROKE + share * 100.0 / (1.0 - share)
+    found = [one for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings if "loaded" in one.message]
+    assert [one.value for one in found] == [pytest.approx(force[0])] * told

@@ -39,6 +39,9 @@ def test_what_the_data_cannot_tell_apart() -> None:
     assert (silent.rank, silent.condition) == (1, float("inf"))
     assert [(finding.place, finding.value) for finding in silent.findings] == [("b", 0.0)]
     assert identifiability(np.zeros((60, 2)), ("a", "b")).rank == 0
+    for size, rank in ((1.05e-6, 2), (0.95e-6, 1)):  # of the largest
+        weak = identifiability(base[:, :2] * (1.0, size), ("a", "b"))
+        assert (weak.rank, [finding.place for finding in weak.findings]) == (rank, ["b"] * (2 - rank))
 
 
 def test_strong_correlations_and_masses_that_move_far_are_told_from_their_limits_on() -> None:
