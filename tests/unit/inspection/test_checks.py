@@ -273,3 +273,12 @@ def test_values_that_are_no_numbers_are_counted() -> None:
     assert [(f.place, f.words["count"], f.words["time"], f.words["plural"]) for f in found] == [
         ("a", 2, pytest.approx(0.3), "s are"), ("b", 1, pytest.approx(0.07), " is"),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("jump", "expected"), [(14.9, []), (15.1, ["problem: saturated"])])
+def test_a_force_that_stays_at_its_top_is_entered_by_a_jump(jump: float, expected: list[str]) -> None:
+    """Beside 10 N from sample to sample one and a half times as much is a jump."""
+    up = 4e3 + 10.0 * np.arange(80)
+    force = np.concatenate([up, np.full(6, up[-1] + jump), up[::-1]])
+    assert codes(checks.check_clipping(force, 4e3, "left.plate.force")) == expected
+    assert codes(checks.check_clipping(force[:86], 4e3, "left.plate.force")) == expected  # entered, not left

@@ -10,14 +10,16 @@ from pathlib import Path
 import pytest
 
 import jounce as jn
-from jounce.core.errors import OutputError
+from jounce.core.errors import OutputError, RecordingError
 from jounce.core.optional import MissingPackageError
 from jounce.inspection.archive import exporting, reevaluation
 from jounce.inspection.archive.entries import Grading, RecordEntry
 from jounce.inspection.archive.exporting import COLUMNS, export, rows_of
 from jounce.inspection.archive.history import WheelVisit, history_of, trends_of
-from jounce.inspection.archive.lane import entry_of, stored_tester
+from jounce.inspection.archive.lane import entry_of, import_record, stored_tester
+from jounce.inspection.archive.reevaluation import Reevaluation, reevaluate
 from jounce.inspection.archive.store import Store
+from jounce.inspection.limits import load_limits, shipped_limits
 from jounce.parts import rig_from_table
 from jounce.parts.testers import load_tester
 
@@ -118,3 +120,41 @@ def test_values_below_zero_are_within_the_picture() -> None:
     low, high = figure.axes[1].get_ylim()
     assert low < -9.0 < high
     assert all(axes.get_ylim()[0] == 0.0 for axes in (figure.axes[0], figure.axes[2]))
+
+
+def test_records_are_evaluated_again_by_the_tester_they_came_with(tmp_path: Path, twin, eusama, monkeypatch) -> None:
+    """One whose tester nobody knew, one that came with its tester, one that cannot be read; all on one process."""
+    car = twin.Car()
+    time, height, force, _ = twin.rigid_record(car, twin.Programme(), mp=eusama.plate_mass, fine=4)
+    rows = [f"{t:.3f}, {1e3 * z:.6f}, {f:.3f}" for t, z, f in zip(time, height, force, strict=True)]
+    head = f'# left.static_load = "{car.static_load} N"\ntime [s], left.plate.z [mm], left.plate.force [N]\n'
+    lane = Store(tmp_path / "lane.sqlite")
+    found = []
+    for name, text, tester in (
+        ("unknown", head + "\n".join(rows), None),
+        ("known", "# axle = 'rear'\n" + head + "\n".join(rows), eusama),
+        ("broken", head, eusama),
+    ):
+        (tmp_path / f"{name}.csv").write_text(text, encoding="utf-8")
+        found.append(import_record(tmp_path / f"{name}.csv", lane, tester))
+    assert [one.verdict for one in found] == ["not graded", "pass", "not graded"]
+    said: list[tuple[int, int]] = []
+    asked = eusama.model_copy(update={"plate_mass": eusama.plate_mass + 0.5})  # of the first record only
+    first = reevaluate(lane, tester=asked, workers=1, say=lambda done, of: said.append((done, of)))
+    assert first == Reevaluation(3, 1, 2, {("not graded", "pass"): 1}, (1,), {})
+    assert said == [(3, 3)]
+    again = reevaluate(lane, tester=asked, workers=1, from_files=True)
+    assert again == Reevaluation(3, 0, 3)
+    strict = shipped_limits().read_text(encoding="utf-8").replace('version = "1"', 'version = "2"')
+    (tmp_path / "own.toml").write_text(strict, encoding="utf-8")
+    other = reevaluate(lane, load_limits(tmp_path / "own.toml"), tester=asked, workers=1)
+    assert (other.added, other.changes) == (3, {})
+    assert [len(lane.gradings(number)) for number in (1, 2, 3)] == [3, 2, 2]
+
+    def lost(*_: object) -> None:
+        raise RecordingError("record is damaged")
+
+    monkeypatch.setattr(Store, "content", lost)
+    failing = reevaluate(lane, tester=asked, workers=1, from_files=True)
+    assert (failing.added, failing.unchanged, sorted(failing.failed)) == (0, 0, [1, 2, 3])
+    assert [len(lane.gradings(number)) for number in (1, 2, 3)] == [3, 2, 2]

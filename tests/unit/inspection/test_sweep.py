@@ -14,6 +14,7 @@ from jounce.inspection.sweep import (
     _falls,
     _lasting,
     _rate,
+    _slow_part,
     _sprung_findings,
     exciter_height,
     find_sweep,
@@ -228,3 +229,11 @@ def test_sweeps_of_sprung_plates(top: float, lows: list[float], code: str) -> No
     assert [one.code for one in found] == ([code] if code else [])
     for one in found:
         assert one.words == ({"count": 2} if code == "several_sweeps" else pytest.approx({"low": lows[0], "top": top}))
+
+
+def test_slow_swings_are_means_over_a_quarter_of_a_second() -> None:
+    peak = np.zeros(1001)
+    peak[500] = 251.0
+    found = _slow_part(peak, RATE)
+    np.testing.assert_allclose(found, np.where(np.abs(np.arange(1001) - 500) <= 125, 1.0, 0.0), atol=1e-12)
+    np.testing.assert_allclose(_slow_part(np.full(1001, 3.0), RATE), 3.0)  # also at both ends

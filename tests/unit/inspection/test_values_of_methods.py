@@ -409,8 +409,47 @@ def test_free_decays_of_other_rates_and_rests(ratio: float, known: bool) -> None
         found = methods.theta_by_decay(height, rate)
         expected = (ratio, 40.0 * math.sqrt(1.0 - ratio**2) / (2.0 * math.pi))
         assert found == (pytest.approx(expected, rel=0.04) if known else None)
+    hum = np.where(away > 9.0, 4e-5 * np.sin(2.0 * np.pi * 10.0 * away), 0.0)  # below four times its deviation
+    assert methods.theta_by_decay(height + hum, rate) == (pytest.approx(expected, rel=0.05) if ratio < 0.3 else None)
     noisy = height + 1e-4 * np.random.default_rng(1).standard_normal(height.size)
     assert methods.theta_by_decay(noisy[: round(0.05 * rate)], rate) is None
+
+
+def let_go(fourth: float, rate: float = 1000.0) -> np.ndarray:
+    """A plate that is let go after half a second; its fourth turning point has a share of where it began."""
+    growth = -0.25 * math.log(fourth) / math.pi
+    away = np.maximum(np.arange(round(12.0 * rate)) / rate - 0.5, 0.0)
+    return 5e-3 * np.exp(-growth * 40.0 * away) * (np.cos(40.0 * away) + growth * np.sin(40.0 * away))
+
+
+@pytest.mark.parametrize(("fourth", "known"), [(0.00518, True), (0.00482, False)])
+def test_turning_points_below_half_a_per_cent_do_not_count(fourth: float, known: bool) -> None:
+    found = methods.theta_by_decay(let_go(fourth), 1000.0)
+    assert (found is not None) is known
+    if found is not None:
+        slope = -0.25 * math.log(fourth)
+        assert found[0] == pytest.approx(slope / math.hypot(math.pi, slope), rel=0.02)
+        assert found[1] == pytest.approx(40.0 / (2.0 * math.pi), rel=0.02)
+
+
+@pytest.mark.parametrize(("times", "known"), [(3.96, True), (4.04, False)])
+def test_turning_points_within_what_is_left_do_not_count(times: float, known: bool) -> None:
+    """Four standard deviations of what moves in the last tenth of a second, whose mean over 5 ms is taken."""
+    time = np.arange(12_000) / 1000.0
+    hum = np.where(time > 9.0, math.sqrt(2.0) * np.cos(2.0 * np.pi * 10.0 * (time - time[-1])), 0.0)
+    height = let_go(0.03) + 5e-3 * 0.03 / 4.0 * times / 4.0 / np.sinc(0.05) * hum
+    assert (methods.theta_by_decay(height, 1000.0) is not None) is known
+
+
+@pytest.mark.parametrize("rate", [1000.0, 2000.0])
+def test_free_decays_are_means_over_5_ms(rate: float) -> None:
+    """In which 200 Hz are nothing."""
+    height = let_go(0.2, rate)[round(0.55 * rate) :]  # from the fall on
+    hum = 1e-3 * np.sin(2.0 * np.pi * 200.0 * np.arange(height.size) / rate)
+    assert methods.theta_by_decay(height + hum, rate) == pytest.approx(methods.theta_by_decay(height, rate), rel=1e-3)
+    slow = let_go(0.2, 250.0)[138:]  # of which 5 ms are one sample
+    jumps = 1e-3 * (-1.0) ** np.arange(slow.size)
+    assert methods.theta_by_decay(slow + jumps, 250.0) is None
 
 
 def test_strokes_of_turns() -> None:
