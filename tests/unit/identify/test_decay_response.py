@@ -8,6 +8,11 @@ import pytest
 from jounce.identify.decay import (
     DecayParameters,
     Peaks,
+    _early,
+    _half_period,
+    _parabola,
+    _rest_gap,
+    _slopes_with_drag,
     decay_response,
     find_peaks,
     find_release,
@@ -18,6 +23,7 @@ from jounce.identify.decay import (
     until_it_grows,
     zigzag,
 )
+from jounce.identify.estimate import Uncertainty
 
 MASS, STIFFNESS, DAMPING, FRICTION = 16.0, 18362.0, 120.0, 15.0
 # domain A6, verified there by integration; the last value is on the side of the one before it
@@ -154,3 +160,61 @@ def test_a_second_hit_is_a_swing_that_is_suddenly_much_larger():
     assert kept(9.0, 0.1, 0.05, 0.85) == 4  # less than a tenth of the first
     assert kept(9.0, 0.1, 0.05, 0.95) == 3
     assert kept(9.0, 0.1, 0.05, 0.95, noise=0.006) == 4  # or within the noise
+
+
+def test_a_turning_point_is_refined_where_a_parabola_has_it():
+    time = np.arange(40.0)
+    signal = 3.0 - 0.2 * (time - 20.3) ** 2
+    assert _parabola(time, signal, signal, 20, 20.0) == pytest.approx((20.3, 3.0))
+    for half, shift in ((2.45, 0.3), (2.35, 0.0)):  # an eighth of half a period away at most
+        assert _parabola(time, signal, signal, 20, half)[0] == pytest.approx(20.0 + shift)
+    assert _parabola(time[:2], signal[:2], 9.0 + signal, 1, 2.4) == (1.0, 9.0 + signal[1])  # two samples make none
+    wide = 3.0 - 0.2 * (time - 20.3) ** 2 + np.where(np.abs(time - 20.0) > 2.5, 5.0, 0.0)  # a tenth of half a period
+    assert _parabola(time, wide, wide, 20, 29.0) == pytest.approx((20.3, 3.0))
+    assert _parabola(time, wide, wide, 20, 31.0) != pytest.approx((20.3, 3.0), abs=0.01)
+
+
+def test_half_a_period_is_between_turning_points_behind_the_release():
+    peaks = Peaks(np.array([0.0, 3.0, 4.0, 6.0]), np.array([9.0, -5.0, 1.0, -1.0]))
+    assert peaks.half_period() == pytest.approx((1.0 * 6.0 + 2.0 * 2.0) / 8.0)
+    time = np.arange(50.0)
+    assert _half_period(time, [0, 9, 12, 14, 19]) == 3.0
+    assert _half_period(time, [0, 9]) == 9.0
+
+
+def test_the_large_swings_are_those_of_a_fifth_of_the_first_and_three_at_least():
+    time = np.linspace(0.0, 9.0, 901)
+
+    def end(*swings):
+        values = np.cumsum([0.0, *(size * (-1.0) ** i for i, size in enumerate(swings))])
+        return time[_early(time, Peaks(np.arange(float(len(values))), values))][-1]
+
+    assert end(10.0, 8.0, 6.0, 2.1, 1.9, 1.0, 0.5) == 4.0
+    assert end(10.0, 1.0, 0.5, 0.2, 0.1) == 3.0
+    assert end(10.0, 9.0, 8.0, 7.0, 6.0) == 5.0
+    few = np.linspace(0.0, 9.0, 31)  # fewer than 20 samples: all of them
+    assert _early(few, Peaks(np.arange(6.0), np.array([10.0, 0.0, 9.0, 3.0, 4.0, 3.8]))).all()
+
+
+@pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
+def test_slopes_with_drag_are_those_of_differences(quantity):
+    time = np.linspace(0.0, 1.0, 300)
+    values = np.array([30.0, 0.1, 1e-4, 0.002, -0.013, 0.02, 4.0])
+    steps = 1e-5 * np.abs(values)
+    found = _slopes_with_drag(time, values, quantity, steps)
+    for i, move in enumerate(np.diag(steps)):
+        ends = [decay_response(time, DecayParameters(*(values + way * move)), quantity) for way in (1.0, -1.0)]
+        slope = (ends[0] - ends[1]) / (2.0 * steps[i])
+        off = np.abs(found[:, i] - slope)
+        assert np.median(off) < 1e-3 * np.abs(slope).max(), i
+
+
+def test_the_rest_is_held_against_where_the_response_ends():
+    time = np.linspace(1.5, 2.0, 60)
+    p = system(offset=0.003)
+    values = np.append(list(vars(p).values())[:6], 0.0)
+    end = decay_response(time, p, "displacement").mean()
+    covariance = np.zeros((7, 7))
+    covariance[3, 3] = 4e-10
+    gap, doubt = _rest_gap(time, np.full(60, end + 1e-4), values, Uncertainty(covariance, 50.0, 1.0))
+    assert (gap, doubt) == (pytest.approx(1e-4), pytest.approx(2e-5, rel=1e-6))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.identify import discrepancy
 from jounce.identify.discrepancy import (
     NuisanceEstimate,
     _Block,
@@ -355,3 +356,36 @@ def test_a_group_that_would_explain_the_rest_is_named(reach: float, named: str) 
         assert stray.to == pytest.approx(freer.step[1])
         assert stray.to == pytest.approx(reach, rel=0.1)
         assert stray.draws == pytest.approx(np.abs(slopes @ freer.step).max(axis=0) / 0.5)
+
+
+def test_forces_beside_the_strut_are_added_to_what_was_measured() -> None:
+    times = np.linspace(0.0, 1.0, 41)
+    given = jn.mechanics.interpolated([0.0, 0.5, 1.0], [0.0, 3.0, 1.0])
+    shape, other = np.sin(9.0 * times), np.cos(5.0 * times)
+    run = SimpleNamespace(beside={"presliding": shape, "arms": other}, prepared=SimpleNamespace(times=times))
+    force = _Run._command(run, given, {"presliding": 2.0, "height": 9.0})
+    assert force.evaluate(times[:-1])[0] == pytest.approx(given.evaluate(times[:-1])[0] + 2.0 * shape[:-1])
+    middle = 0.5 * (times[1:] + times[:-1])
+    assert force.evaluate(middle)[0] == pytest.approx(np.interp(middle, times, given.evaluate(times)[0] + 2.0 * shape))
+    assert _Run._command(SimpleNamespace(beside={}), given, {"presliding": 2.0}) is given
+
+
+@pytest.mark.parametrize(
+    ("square", "length", "step"),
+    [(1e-4, 0.01, 0.002), (-1.0, 5e-4, 5e-4), (2.4e-7, 5e-4, 5e-4), (4e-6, 0.002, 5e-4), (4e-4, 0.02, 0.003)],
+)
+def test_a_road_is_averaged_over_the_patch(
+    monkeypatch: pytest.MonkeyPatch, square: float, length: float, step: float
+) -> None:
+    road = jn.HalfSine(height="10 mm", length="60 mm")
+    monkeypatch.setattr(discrepancy, "excitation", lambda _, __, trial, ___: [trial.road])
+    source = SimpleNamespace(rig=None, trial=jn.Trial(road=road, speed=2.0, duration=0.3))
+    facts = SimpleNamespace(tracks=["guide"])
+    run = SimpleNamespace(compiled=SimpleNamespace(facts=facts, free=()), patched=True, _roads={},
+                          prepared=SimpleNamespace(source=source))  # fmt: skip
+    run._tracks = lambda patch: _Run._tracks(run, patch)
+    (averaged,) = _Run.signals(run, {"contact_patch": square})
+    assert (averaged.of, averaged.method) == (road, "moving-average")
+    assert (averaged.contact_length, averaged.step) == pytest.approx((length, step))
+    run.patched = False
+    assert _Run.signals(run, {"contact_patch": square}) == [road]

@@ -6,7 +6,7 @@ from scipy.linalg import toeplitz
 from scipy.optimize import least_squares
 
 import jounce as jn
-from jounce.identify.fit_problem import Simulated, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import Channel, Residuals, Simulated, UpdateProblem, free_parameters
 from jounce.identify.lags import Shifted, best_lag
 from jounce.identify.update import _correlation, _level, robust_covariance
 
@@ -148,3 +148,26 @@ def test_autocorrelation_counts_three_times_as_far_as_it_is_significant():
     slow = np.cos(np.arange(100) * 0.01)  # significant as far as is looked
     assert len(_correlation(slow)) == 24
     assert len(_correlation(np.zeros(100))) == 0
+
+
+def test_a_lag_takes_from_slopes_what_it_can_explain_itself():
+    """Two trials: the columns are orthogonal to what their own lag does; a lag that is held does nothing."""
+    draw = np.random.default_rng(7).normal
+    direct, lag = draw(size=(7, 2)), np.append(draw(size=4), np.zeros(3))
+    groups = (slice(0, 4), slice(4, 7))
+    found = Residuals(draw(size=7), direct, lag, (slice(0, 7),), groups, np.zeros(2))
+    explained = np.outer(lag, lag) / (lag @ lag)
+    assert found.jacobian == pytest.approx(direct - explained @ direct)
+    whole = found.with_lags(0.02)
+    assert whole[:, :2] == pytest.approx(direct)
+    assert whole[:, 2] == pytest.approx(0.02 * lag)
+    assert not whole[:, 3].any()
+
+
+def test_a_free_offset_is_the_best_constant():
+    measured, table, slope = np.array([1.0, 2.0, 6.0]), np.array([[4.0, 1.0], [0.0, 5.0], [2.0, 0.0]]), np.arange(3.0)
+    channel = Channel("az", 0, measured, None, 0.0, 1.0, "free offset")
+    moved, turned = channel.offset(table, slope)
+    assert moved == pytest.approx(np.array([[5.0, -1.0], [1.0, 3.0], [3.0, -2.0]]))
+    assert turned.tolist() == [-1.0, 0.0, 1.0]
+    assert Channel("az", 0, measured, None, 0.0, 1.0).offset(table, slope) == (table, slope)
