@@ -46,7 +46,11 @@ class Constant(NumberReplacer):
     def mutate(self, node: parso.python.tree.Number, _: int) -> parso.python.tree.Number:
         """The same node with another number."""
         value = _value(node)
-        changed = value + 1 if isinstance(value, int) else float(f"{value * 1.07:.12g}") or 1.0
+        changed: complex = value + 1
+        if isinstance(value, complex):
+            changed = complex(0.0, float(f"{value.imag * 1.07:.12g}"))
+        elif isinstance(value, float):
+            changed = float(f"{value * 1.07:.12g}") or 1.0
         return parso.python.tree.Number(repr(changed), node.start_pos, node.prefix)
 
 

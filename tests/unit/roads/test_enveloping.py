@@ -7,12 +7,13 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from jounce.core.errors import DescriptionError
-from jounce.core.segments import POLYNOMIAL, SINE, Segments
+from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.roads import (
     Enveloped,
     HalfSine,
     Iso8608,
     Rectangle,
+    Sine,
     SineSum,
     Step,
     Table,
@@ -20,7 +21,7 @@ from jounce.roads import (
     contact_length,
     read_roads,
 )
-from jounce.roads.enveloping import _crossing, _cubic, _curvature
+from jounce.roads.enveloping import _area, _crossing, _cubic, _curvature
 
 CLEAT = Rectangle(height="20 mm", length="40 mm", start="1 m")
 METHODS = [
@@ -161,3 +162,24 @@ def test_small_kinks_are_found_and_kept() -> None:
     felt = Enveloped(of=hollow, method="rigid-circle", radius=0.3, step=0.04).segments(2.9)
     assert np.abs(felt.edges - 1.01).min() < 1e-8
     np.testing.assert_allclose(felt.evaluate(np.array([1.0099, 1.0101]))[1], [-steep, steep], rtol=1e-9)
+
+
+def test_areas_are_the_integrals_of_heights() -> None:
+    """Of a cubic, a wave and an arc that bends up; the middle one is taken up to its end."""
+    edges = np.array([0.0, 1.0, 2.5, 3.0])
+    coefficients = np.array([[0.1, 0.2, -0.7, 0.4], [0.05, 0.3, 2.0, 0.7], [0.9, 0.8, 0.3, -1.0]])
+    road = Segments(edges, np.array([POLYNOMIAL, SINE, CIRCLE]), coefficients)
+    piece, x = np.arange(3), np.array([0.8, 2.5, 2.9])
+    for found, begin, end, one in zip(_area(road, piece, x), edges, x, piece, strict=False):
+        at = np.linspace(begin, end, 20_001)
+        height = road.on_pieces(np.full(at.size, one), at)[0]
+        assert found == pytest.approx(np.trapezoid(height, at), rel=1e-7)
+
+
+def test_the_last_piece_of_a_window_is_as_true_as_the_others() -> None:
+    """Steps so long that every piece must be cut until it is within the tolerance."""
+    waves = Sine(amplitude=0.01, wavelength=1.0, length=10.0)
+    felt = Enveloped(of=waves, method="rigid-circle", radius=0.2, step=0.5)
+    fine = Enveloped(of=waves, method="rigid-circle", radius=0.2, step=0.002)
+    x = np.linspace(0.0, 2.9, 2901)
+    np.testing.assert_allclose(felt.segments(2.9).evaluate(x)[0], fine.height_at(x), rtol=0, atol=3e-6)

@@ -99,6 +99,7 @@ def test_times_of_obstacles_and_courses() -> None:
     [
         ([0.0, 0.0, 1.001, 0.0], r"a single height at u = 12 m stands out by 1 m"),
         ([0.0, 0.0, -1.001, 0.0], r"u = 12 m stands out"),
+        ([250.0, 250.0, 251.001, 250.0], r"u = 12 m stands out by 1 m"),  # above the sea
         ([0.0, 0.0, 0.999, 0.0], None),
         ([0.0, 0.0, 1.5, 1.5], None),  # a bank, no spike
         ([0.0, 0.0, 2.5, 0.999], r"u = 12 m stands out by 2.5 m"),
