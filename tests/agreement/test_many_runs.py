@@ -93,6 +93,26 @@ def test_sines_and_circles_run_one_by_one():
     assert found["max sprung.az"].values.tolist() == single
 
 
+def test_numbers_that_contradict_each_other_only_together_are_refused_each_by_itself():
+    """Each column is allowed beside the rig's other numbers: only both together leave no ascending table."""
+    table = {"velocity": [-1.0, -0.2, 0.2, 1.0], "force": [-2000.0, -400.0, 400.0, 2000.0]}
+    rig = jn.load("audi-a6-quarter-car").with_changes({"strut.damper": table})
+    first, second = [0.1, 0.3, 0.9], [1.0, 0.95, 0.5]
+    changes = {"strut.damper.velocity[2]": first, "strut.damper.velocity[3]": second}
+    found = jn.simulate_many(rig, course(speed="1 m/s", duration="0.2 s"), changes, metrics="rms sprung.az")
+    assert [bool(reason) for reason in found["reason"].values] == [False, False, True]
+    assert np.isfinite(found["rms sprung.az"].values).tolist() == [True, True, False]
+
+
+def test_what_runs_away_is_said():
+    road = jn.Ramp(height="200 m", length="1 m")
+    rig = jn.load("audi-a6-quarter-car").with_changes({"tyre.lift_off": False})
+    trial = jn.Trial(road=road, speed="20 m/s", duration="1 s")
+    found = jn.simulate_many(rig, trial, {"sprung.mass": [400.0, 500.0]}, metrics="max sprung.az")
+    assert all("it stopped after" in reason for reason in found["reason"].values)
+    assert np.all(np.isnan(found["max sprung.az"].values))
+
+
 def test_channels_over_time_are_those_of_simulate():
     rig, trial = jn.load("audi-a6-quarter-car"), course(duration="0.5 s")
     found = jn.simulate_many(rig, trial, {"sprung.mass": ["400 kg", "500 kg"]}, outputs="tyre.force")
@@ -160,6 +180,9 @@ def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
         ({"sprung.mass": [float("nan")]}, {}, "finite"),
         ({}, {}, "nothing to vary"),
         (5, {}, "nothing to vary"),
+        ({"sprung.mass": [400.0]}, {"metrics": []}, "nothing to keep"),
+        ({"sprung.mass": [400.0]}, {"metrics": "rms sprung.az", "threads": -1}, "not a number of threads"),
+        ({"trial.duration": [1.0, 2.0]}, {}, "differ in length"),
         ({"sprung.mass": [400.0]}, {"metrics": "rms"}, "not a metric"),
         ({"sprung.mass": [400.0]}, {"metrics": "rns sprung.az"}, "rms"),
         ({"sprung.mass": [400.0]}, {"metrics": "rms sprung.ax"}, "sprung.az"),

@@ -41,6 +41,9 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
     return found
 
 
+MOVES_TRACKS = ("front.distance", "rear.distance")
+"""Numbers of a vehicle that the tracks depend on: when the rear axle meets the road."""
+
 COMMAND = "command"  # the track of an actuator
 
 
@@ -91,7 +94,7 @@ def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
 
 def _refuse_shifts(rig: Rig, trial: Trial, free: tuple[str, ...]) -> None:
     """Refuse derivatives by the wheelbase where a road is driven over: it is the rear axle's delay, too."""
-    shifting = [path for path in free if path in ("front.distance", "rear.distance")]
+    shifting = [path for path in free if path in MOVES_TRACKS]
     if not shifting or not isinstance(rig, Vehicle) or trial.road is None or isinstance(trial.road, Flat):
         return
     if any(place.behind for place in rig.wheels.values()):

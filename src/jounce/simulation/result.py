@@ -107,7 +107,11 @@ def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
 
     Arguments as above.
     """
-    limits = {row: 1.0 for row, name in enumerate(names) if name in _TURNS}
-    limits |= {row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")}
-    beyond = [np.abs(outputs[row]) > limit for row, limit in limits.items()]
+    beyond = [np.abs(outputs[row]) > limit for row, limit in branch_limits(names).items()]
     return min((int(np.argmax(each)) for each in beyond if each.any()), default=None)
+
+
+def branch_limits(names: tuple[str, ...]) -> dict[int, float]:
+    """Size (SI) that a channel may reach in what is still a suspension, by its row in ``names``."""
+    limits = {row: 1.0 for row, name in enumerate(names) if name in _TURNS}
+    return limits | {row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")}

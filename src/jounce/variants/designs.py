@@ -193,7 +193,7 @@ def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) ->
     for path, spread in _named(spreads).items():
         if not isinstance(spread, str | Mapping | Sequence | np.ndarray):
             raise DescriptionError("nothing to spread over", where=path, found=spread, allowed=_FORMS)
-    if not _is_whole(seed) or seed < 0:
+    if not is_whole(seed) or seed < 0:
         raise DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
     return Design(kind, dict(spreads), _count(count), int(seed))
 
@@ -204,12 +204,13 @@ def _named(given: object) -> Mapping[str, Any]:
     return given
 
 
-def _is_whole(number: object) -> bool:
+def is_whole(number: object) -> bool:
+    """Whether it is a whole number, Python's or NumPy's."""
     return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def _count(count: int) -> int:
-    if not _is_whole(count) or not 1 <= count <= MOST:
+    if not is_whole(count) or not 1 <= count <= MOST:
         raise DescriptionError("not a number of variants", where="count", found=count, allowed=f"1 to {MOST}")
     return int(count)
 
@@ -232,6 +233,8 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
     """What shares between 0 and 1 become, SI."""
     if isinstance(spread, str):
         part = _percent(spread, path)
+        if value == 0.0:
+            raise DescriptionError("a share of zero", where=path, found=spread, allowed="a range or a distribution")
         return lambda share: value + abs(value) * part * (2.0 * share - 1.0)
     if not isinstance(spread, Mapping):
         low, high = _ends(_list(spread, unit, path), path, spread)

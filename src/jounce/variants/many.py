@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,10 +20,10 @@ from jounce.recordings.schema import channels_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
-from jounce.simulation.problem import excitation, known_actuator
-from jounce.simulation.result import held_to_its_branch, samples_reached
+from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
+from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
 from jounce.simulation.settings import Method, RunSettings
-from jounce.variants.designs import MOST, Design
+from jounce.variants.designs import MOST, Design, is_whole
 from jounce.variants.metrics import RunMetric, of_course, of_sums, read_metrics
 from jounce.variants.side_by_side import sums_side_by_side
 
@@ -71,8 +72,8 @@ def simulate_many(
         ``"control.rate"`` and the like.
     metrics : sequence of str, optional
         Numbers to keep of each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms sprung.az"``)
-        or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest. A channel
-        that every corner has is taken of all of them.
+        or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest (with a
+        controller, about the first sample). A channel that every corner has is taken of all of them.
     outputs : sequence of str, optional
         Channels to keep over time; all of them where neither ``metrics`` nor ``outputs`` are given.
     output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
@@ -106,11 +107,16 @@ def simulate_many(
     True
     """
     settings = RunSettings(output_step, tolerance, method)
+    _check_threads(threads)
+    if metrics is not None and not len(metrics) and not outputs:
+        raise DescriptionError("nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']")
     study = _Study(rig, trial, settings, _as_controller(control))
     columns = study.columns(variants)
     wanted = read_metrics(metrics, study.units) if metrics is not None else []
     channels = study.channels(outputs if outputs is not None or metrics is not None else list(study.units))
     count = len(next(iter(columns.values())))
+    if channels and "trial.duration" in columns and np.ptp(columns["trial.duration"]) > 0.0:
+        raise DescriptionError("channels of runs that differ in length", where="outputs", hint="Ask for metrics.")
     _check_size(count, len(channels), len(settings.times(trial.duration)))
     results = _Results(wanted, channels, count)
     with told(f"simulating {count:,} variants".replace(",", " ")):
@@ -150,7 +156,8 @@ class _Results:
         for i, metric in enumerate(self.metrics):
             about = {"units": metric.unit, "long_name": metric.long_name}
             found[metric.text] = xr.Variable(("variant",), self.numbers[:, i].copy(), about)
-        times = study.settings.times(study.trial.duration)
+        given = columns.get("trial.duration", [study.trial.duration])
+        times = study.settings.times(float(given[0]))
         for i, name in enumerate(self.channels):
             values = np.full((self.count, len(times)), np.nan)
             for row, course in zip(values, self.courses, strict=True):
@@ -296,11 +303,16 @@ class _Group:
             self._alone(results, {path: float(column[i]) for path, column in own.items()}, int(rows[i]))
 
     def _is_sound(self, own: Mapping[str, Array]) -> bool:
-        """Whether the description allows the ends of what each number is spread over."""
+        """Whether the description allows all variants: the corners of what they span, or each where these are more.
+
+        What it asks of several numbers together (that one is below another) holds inside where it holds at all corners.
+        """
+        whole = [column.tolist() for column in own.values()]
+        corners = itertools.product(*((min(column), max(column)) for column in whole))
+        few = 2 ** len(own) < len(next(iter(own.values()), ()))
         try:
-            for path, column in own.items():
-                for value in (column.min(), column.max()):
-                    self.study.rig.with_changes({path: float(value)})
+            for row in corners if few else zip(*whole, strict=True):
+                self.study.rig.with_changes(dict(zip(own, row, strict=True)))
         except DescriptionError:
             return False  # one by one those that are allowed run, and the others say why not
         return True
@@ -314,23 +326,32 @@ class _Group:
     ) -> NDArray[np.bool_]:
         """Fill in what can run side by side; tell which variants are left."""
         study, names = self.study, list(dict.fromkeys(metric.channel for metric in results.metrics))
-        if any(path in ("front.distance", "rear.distance") for path in own):  # they move the signals
+        if any(path in MOVES_TRACKS for path in own):
             return np.ones(len(rows), dtype=bool)
         parameters = np.tile(study.base, (len(rows), 1))
         for path, column in own.items():
             parameters[:, study.compiled.facts.parameters.index(path)] = column
-        channels = [study.compiled.output_names.index(name) for name in names]
+        limits = branch_limits(study.compiled.output_names)
+        kept = [study.compiled.output_names.index(name) for name in names]
+        channels = list(dict.fromkeys([*kept, *limits]))
         times = study.settings.times(self.trial.duration)
         sums = sums_side_by_side(study.compiled, study.base, parameters, self._signals, times, channels, threads)
         if sums is None:
             return np.ones(len(rows), dtype=bool)
+        careful = sums.careful.copy()
+        for place, limit in limits.items():  # what runs away is said where it runs alone
+            j = channels.index(place)
+            careful |= ~(
+                np.maximum(np.abs(sums.rest[:, j] + sums.least[:, j]), np.abs(sums.rest[:, j] + sums.most[:, j]))
+                <= limit
+            )
         for i, metric in enumerate(results.metrics):
             j = names.index(metric.channel)
             parts = (sums.mean, sums.square, sums.least, sums.most, sums.rest)
             found = of_sums(metric.word, *(part[:, j] for part in parts))
-            results.numbers[rows[~sums.careful], i] = found[~sums.careful]
-        results.tally["side_by_side"] += int(np.sum(~sums.careful))
-        return sums.careful
+            results.numbers[rows[~careful], i] = found[~careful]
+        results.tally["side_by_side"] += int(np.sum(~careful))
+        return careful
 
     def _alone(self, results: _Results, changes: dict[str, float], row: int) -> None:
         try:
@@ -407,6 +428,11 @@ def _column(given: object, unit: str, path: str) -> Array:
     if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
         raise DescriptionError("not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60])
     return found
+
+
+def _check_threads(threads: int | None) -> None:
+    if threads is not None and (not is_whole(threads) or threads < 1):
+        raise DescriptionError("not a number of threads", where="threads", found=threads, allowed="1 or more")
 
 
 def _check_size(count: int, channels: int, samples: int) -> None:

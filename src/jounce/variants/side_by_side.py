@@ -11,11 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.errors import SimulationError
 from jounce.core.segments import POLYNOMIAL, Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Problem, flatten
 from jounce.kernel.methods import lanes
-from jounce.kernel.methods.exact import parts_for, signals_of, typical_step
+from jounce.kernel.methods.exact import parts_for, rate_bound_of, signals_of, typical_step
 from jounce.kernel.methods.propagators import Calls, propagators, terms_of
 from jounce.mechanics.facts import SLOPE_LANES
 from jounce.simulation.compiled import Compiled
@@ -97,7 +98,10 @@ def _prepared(
     still = compiled.inputs(
         {name: float(s.evaluate(times[:1])[0][0]) for name, s in zip(facts.tracks, signals, strict=True)}
     )
-    rest = find_equilibrium(compiled, base, still)
+    try:
+        rest = find_equilibrium(compiled, base, still)
+    except SimulationError:  # one by one those that have an equilibrium run
+        return None
     if not _outputs_are_linear(compiled, base, rest.x, rest.modes, still, channels):
         return None
     scale = state_scale(rest, *facts.counts, 1.0)
@@ -111,8 +115,6 @@ def _prepared(
     problem = Problem(
         compiled.engine, tracks, tracks.first[:-1].copy(), values[0], rest.modes.copy(), rest.x.copy(), inputs
     )
-    from jounce.kernel.methods.exact import rate_bound_of
-
     watched = len(facts.switches) > 0
     z = rate_bound_of(problem, props) * step * _SPARE
     parts = parts_for(z, watched)

@@ -83,6 +83,11 @@ def test_what_is_no_spread_is_refused(spread, said):
     assert said in str(caught.value)
 
 
+def test_a_share_of_zero_would_vary_nothing():
+    with pytest.raises(DescriptionError, match="a share of zero"):
+        sobol({"preload": "20 %"}, 8).values(lambda _: (0.0, "N"))
+
+
 @pytest.mark.parametrize("count", [0, -1, 2.5, True, 10**9])
 def test_a_number_of_variants_that_makes_no_sense_is_refused(count):
     with pytest.raises(DescriptionError, match="count"):
