@@ -371,6 +371,9 @@ def roughness(found: Roughness, distance: Array, height: Array) -> Figure:
     return figure
 
 
+_MODES_ACROSS = 4
+
+
 @styled
 def modes(found: Sequence[Mode]) -> Figure:
     """Draw the shapes of the modes of a rig as bars: real part of each coordinate, the largest being 1.
@@ -393,16 +396,22 @@ def modes(found: Sequence[Mode]) -> Figure:
     """
     if not found:
         raise SimulationError("no oscillating mode to draw")
-    figure = new_figure(2.2 + 0.18 * len(found[0].shape), min(2.6 * len(found) + 1.2, 10.0))
-    row = figure.subplots(1, len(found), sharey=True, squeeze=False)[0]
-    for mode, axes in zip(found, row, strict=True):
-        names = list(mode.shape)
+    names = list(found[0].shape)
+    across = min(len(found), _MODES_ACROSS)
+    down = -(-len(found) // across)
+    figure = new_figure(down * (1.6 + 0.18 * len(names)) + 0.6, min(2.2 * across + 1.4, 10.0))
+    grid = figure.subplots(down, across, sharex=True, sharey=True, squeeze=False).ravel()
+    for mode, axes in zip(found, grid, strict=False):
         axes.barh(range(len(names)), [mode.shape[name][0] for name in names], 0.5, color=AFTER)
         axes.axvline(0.0, color="#9aa1a9", linewidth=0.8)
         axes.set_yticks(range(len(names)), names)
         axes.set_xlim(-1.15, 1.15)
         axes.grid(axis="y", visible=False)
-        axes.set(xlabel="relative motion [–]")
         axes.set_ylim(len(names) - 0.4, -0.6)  # in their order from the top
-        axes.set_title(f"{number(mode.frequency_hz, 3)} Hz, damping ratio {number(mode.damping_ratio, 2)}", fontsize=9)
+        axes.set_title(f"{number(mode.frequency_hz, 3)} Hz\ndamping ratio {number(mode.damping_ratio, 2)}", fontsize=9)
+    for empty, above in zip(grid[len(found) :], grid[len(found) - across :], strict=False):
+        empty.remove()
+        above.tick_params(labelbottom=True)
+    # Displacements and angles of a shape stand side by side in SI: what is small among them need not matter little.
+    figure.supxlabel("shape: displacements in m, angles in rad, the largest of all 1", fontsize=9)
     return figure

@@ -127,3 +127,13 @@ def test_headline_holds_no_run_that_uses_more_travel_than_there_is():
     beyond = _headline(study([1.5, 2.82, 1.4]), "0 V")
     assert beyond.value == "not valid"
     assert "140 % of the travel used even at 40 km/h" in beyond.note
+
+
+def test_frequencies_of_many_modes_do_not_run_into_each_other():
+    found = jn.modes(jn.load("audi-a6-full-car"))
+    figure = jn.plots.modes(found)
+    figure.draw_without_rendering()
+    assert len(figure.axes) == len(found) == 7
+    boxes = [axes._left_title.get_window_extent() for axes in figure.axes]
+    assert not any(one.overlaps(other) for i, one in enumerate(boxes) for other in boxes[:i])
+    assert "rad" in figure.get_supxlabel()
