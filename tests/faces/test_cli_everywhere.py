@@ -43,6 +43,17 @@ def test_help_names_values_in_words_and_never_in_types(cli) -> None:
         assert not re.search(r"<\w+(\[\w+\])?>", cli(*words, "--help").out)
 
 
+def test_a_line_reads_only_the_command_that_it_begins_with(cli) -> None:
+    every = _command().commands
+    for word, one in every.items():
+        assert [*_command(word).commands] == [word]
+        assert [*getattr(_command(word).commands[word], "commands", {})] == [*getattr(one, "commands", {})]
+    for word in ("mdoes", "--version", ""):
+        assert [*_command(word).commands] == [*every]
+    assert "modes" in cli("mdoes").err
+    assert all(word in cli("--help").out for word in every)
+
+
 def test_word_of_leaves_what_a_command_says() -> None:
     [simulate] = [command for path, command in commands() if path == ("simulate",)]
     words = {one.opts[0]: word_of(one) for one in simulate.params}

@@ -12,7 +12,7 @@ import pytest
 from jounce.cli import main
 from jounce.parts import library
 
-HEAVY = ("casadi", "matplotlib", "numba", "pandas", "scipy.interpolate", "sqlalchemy", "xarray")
+HEAVY = ("casadi", "matplotlib", "numba", "pandas", "pint", "scipy.interpolate", "sqlalchemy", "xarray")
 """Packages that take long to load; jounce needs each of them for something."""
 SCRIPT = """
 import contextlib

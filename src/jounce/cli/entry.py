@@ -226,9 +226,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 @cache
-def _command() -> Any:
-    """All commands, read from their signatures once a process."""
-    return completed(typer.main.get_command(application()))
+def _command(word: str = "") -> Any:
+    """The commands, read from their signatures once a process: where a line begins with one of them, that one alone.
+
+    Any other word (an option, a misspelt name) finds all of them, to be listed or advised.
+    """
+    app = application()
+    commands = [one for one in app.registered_commands if one.name == word]
+    groups = [one for one in app.registered_groups if one.name == word]
+    if commands or groups:
+        app.registered_commands, app.registered_groups = commands, groups
+    return completed(typer.main.get_command(app))
 
 
 def _complete(words: list[str]) -> int:
@@ -247,8 +255,9 @@ def _answer(words: list[str]) -> int:
     with as_usual():
         with contextlib.redirect_stdout(sys.stderr) if "--json" in words else contextlib.nullcontext():
             try:
-                with _command().make_context("jounce", words) as context:
-                    reply = _command().invoke(context)
+                command = _command(words[0] if words else "")
+                with command.make_context("jounce", words) as context:
+                    reply = command.invoke(context)
             except typer.Exit as end:  # after --help
                 return end.exit_code
         if not isinstance(reply, Reply):

@@ -96,13 +96,34 @@ def is_unit(text: str) -> bool:
     return any(letter.isalpha() or letter in "%°" for letter in text)
 
 
+_EVERYDAY: dict[str, dict[str, float]] = {
+    "1": {"%": 0.01},
+    "Hz": {"kHz": 1e3},
+    "N": {"kN": 1e3},
+    "N/m": {"N/mm": 1e3, "kN/m": 1e3, "kN/mm": 1e6},
+    "Pa": {"MPa": 1e6, "bar": 1e5, "kPa": 1e3},
+    "kg": {"g": 1e-3},
+    "m": {"cm": 0.01, "mm": 1e-3},
+    "m/s": {"km/h": 1e3 / 3600.0, "mm/s": 1e-3},
+    "rad": {"deg": math.pi / 180.0},
+    "s": {"ms": 1e-3},
+}
+"""Units of nearly every description, so that most commands need no library of units: a test holds them against it."""
+
+
 @lru_cache(maxsize=512)
 def _factor(unit: str, si: str) -> float:
     """Return what one ``unit`` is in ``si``; raise ValueError with the reason when it is none."""
-    if si in _DIMENSIONLESS and unit in _DIMENSIONLESS:
+    if unit == si or (si in _DIMENSIONLESS and unit in _DIMENSIONLESS):
         return 1.0
     if si == "m/s^2" and unit in _GRAVITY:
         return 9.80665 * _GRAVITY[unit]
+    everyday = _EVERYDAY.get(si, {}).get(unit)
+    return _factor_of_library(unit, si) if everyday is None else everyday
+
+
+def _factor_of_library(unit: str, si: str) -> float:
+    """The same for any unit, from the library of units."""
     registry = _registry()
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
     turning = si in ("Hz", "rad/s", "N*m", "N*m/rad")

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from jounce.core.errors import DescriptionError
-from jounce.core.units import conversion_factor, is_unit, to_si
+from jounce.core.units import _EVERYDAY, _factor_of_library, conversion_factor, is_unit, to_si
 
 G = 9.80665  # ISO 80000-3
 
@@ -42,6 +42,12 @@ SPELLINGS = {  # units that are written between bars, and what one of them is
 def test_spellings_and_dimensions(si: str, unit: str, factor: float) -> None:
     assert conversion_factor(unit, si) == pytest.approx(factor, rel=1e-12)
     assert to_si(f"2 {unit}", si) == pytest.approx(2.0 * factor, rel=1e-12)
+
+
+@pytest.mark.parametrize(("si", "unit"), [(si, unit) for si, row in _EVERYDAY.items() for unit in row])
+def test_everyday_units_are_those_of_the_library(si: str, unit: str) -> None:
+    assert _EVERYDAY[si][unit] == pytest.approx(_factor_of_library(unit, si), rel=4e-16, abs=0.0)
+    assert si == "1" or _factor_of_library(si, si) == 1.0
 
 
 NONE = {
