@@ -17,8 +17,19 @@ from jounce.parts.variants import with_strut_angle
 
 KART = jn.load("kart-double-wishbone")
 BUMP = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
+BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike
+    "torsion_bar": {"stiffness": 60.0, "preload": 3.0, "on": "lower_arm"},
+    "third_spring": {"spring": {"rate": 2e3, "preload": 10.0}, "damper": {"coefficient": 40.0}, "on": "lower_arm"},
+    "anti_roll_bar": {"stiffness": 8.0, "on": "lower_arm", "kind": "z"},
+    "hardpoints.third_spring_end": [0.0, 0.12, 0.125],
+    "hardpoints.arb_pivot": [-0.1, 0.1, 0.12],
+    "hardpoints.arb_arm_end": [-0.02, 0.12, 0.12],
+    "hardpoints.arb_link_end": [0.0, 0.2, 0.06],
+}
 RIGS = {
     "kart": KART,
+    "kart, springs beside the strut": KART.with_changes(BESIDE_STRUT),
+    "kart, springs beside the strut, on the right": KART.with_changes(BESIDE_STRUT).mirrored(),
     "kart at 10 deg": with_strut_angle(KART, "10 deg"),
     "kart, heavy arms": KART.with_changes({"bodies.lower_arm.mass": 3.0, "bodies.upper_arm.inertia.xx": 0.004}),
     "kart, preloaded": KART.with_changes({"strut.spring.free_length": "215 mm"}),
@@ -80,12 +91,13 @@ def test_static_masses_are_the_whole_mass_and_carry_its_weight():
         assert sprung + unsprung == pytest.approx(whole, rel=1e-12)
         assert jn.equilibrium(rig)["tyre.force"] == pytest.approx(whole * rig.gravity, rel=1e-8)
         # the strut carries what does not stand on the wheel: the law of the lever again
-        assert found.spring_force * found.motion_ratio == pytest.approx(sprung * rig.gravity, rel=1e-6)
+        assert found.wheel_force == pytest.approx(sprung * rig.gravity, rel=1e-6)
 
 
 @pytest.mark.parametrize("name", [name for name in RIGS if name != "damped tyre"])
 def test_quarter_car_has_both_natural_frequencies(name):
-    undamped = RIGS[name].with_changes({"strut.damper.coefficient": 0.0})
+    dampers = [path for path in RIGS[name].parameters() if path.endswith(".damper.coefficient")]
+    undamped = RIGS[name].with_changes(dict.fromkeys(dampers, 0.0))
     # curves have another slope under the lumped masses, whose sum is not quite the whole mass
     curved = undamped.tyre.curve is not None or undamped.strut.bump_stop is not None
     tolerance = 3e-4 if curved else 1e-8
@@ -100,6 +112,43 @@ def test_damping_ratios_of_the_quarter_car_are_near(name):
     for one, other in zip(jn.modes(RIGS[name]), jn.modes(lumped_from(RIGS[name])), strict=True):
         assert other.damping_ratio == pytest.approx(one.damping_ratio, rel=0.13)
         assert other.frequency_hz == pytest.approx(one.frequency_hz, rel=2e-3)
+
+
+def test_a_third_damper_is_added_to_the_law_of_the_damper():
+    """Force at the wheel of both: bilinear and table laws, the third damper at its own velocity, half of it here."""
+    third = {"velocity": [-0.2, 0.0, 0.1, 0.3], "force": [-90.0, 0.0, 30.0, 120.0]}
+    laws = {"strut.damper": {"bump_coefficient": 100.0, "rebound_coefficient": 220.0}, "third_spring.damper": third}
+    rig = RIGS["kart, springs beside the strut"].with_changes(laws)
+    found, damper = lump(rig), lumped_from(rig).strut.damper
+    for velocity in (-0.5, -0.15, 0.05, 0.12, 0.6):  # m/s of the wheel
+        own, other = found.damper_ratio * velocity, found.third_ratio * velocity
+        strut = (100.0 if own > 0.0 else 220.0) * own
+        beyond = -90.0 + 450.0 * (other + 0.2) if other < -0.2 else 120.0 + 450.0 * (other - 0.3)
+        force = np.interp(other, third["velocity"], third["force"]) if -0.2 <= other <= 0.3 else beyond
+        wanted = found.damper_ratio * strut + 0.5 * found.third_ratio * force
+        ends = np.searchsorted(damper.velocity, own)
+        i = min(max(ends - 1, 0), len(damper.velocity) - 2)
+        (a, b), (low, high) = damper.velocity[i : i + 2], damper.force[i : i + 2]
+        lumped = low + (high - low) * (own - a) / (b - a)
+        assert found.damper_ratio * lumped == pytest.approx(wanted, rel=1e-9), velocity
+    hysteretic = {"strut.damper": {"kind": "tanh", "coefficient": 100.0, "force": 20.0, "slope": "30 s/m"}}
+    with pytest.raises(DescriptionError, match="no lumped law"):
+        lumped_from(rig.with_changes(hysteretic))
+
+
+def test_what_springs_beside_the_strut_carry_is_known_from_the_hardpoints():
+    """Ratios of the levers at design are those of the kinematics; the spring is left with the rest of the weight."""
+    from jounce.parts.leverage import carried_beside_strut, static_spring_force, third_ratio, torsion_ratio
+
+    for name in ("kart, springs beside the strut", "kart, springs beside the strut, on the right"):
+        rig = RIGS[name]
+        row = jn.sweep_travel(rig, 0.0).isel(wheel_travel=0)
+        assert torsion_ratio(rig) == pytest.approx(float(row["torsion_bar_motion_ratio"]), rel=1e-10)
+        assert third_ratio(rig) == pytest.approx(float(row["third_spring_motion_ratio"]), rel=1e-10)
+        beside = float(row["heave_force"] - row["spring_force"] * row["motion_ratio"])
+        assert carried_beside_strut(rig) == pytest.approx(beside, rel=1e-10)
+        alone = static_spring_force(KART) - static_spring_force(rig)
+        assert alone * float(row["motion_ratio"]) == pytest.approx(beside, rel=1e-10)
 
 
 def test_a_linkage_without_arm_masses_is_a_quarter_car():

@@ -72,7 +72,11 @@ def test_forces_and_rates_are_slopes(sprung, side: str) -> None:
     assert differences(turned) == pytest.approx(ratio, rel=1e-9)
     shared = 0.5 * (0.5 * 30e3 * short**2 - 150.0 * short)  # half of the energy is this wheel's
     assert differences(shared) == pytest.approx(float(found["third_wheel_force"][2]), rel=1e-8)
-    for slope, value in (("wheel_rate", "wheel_force"), ("third_wheel_rate", "third_wheel_force")):
+    for slope, value in (
+        ("wheel_rate", "wheel_force"),
+        ("third_wheel_rate", "third_wheel_force"),
+        ("heave_rate", "heave_force"),
+    ):
         assert differences(found[value].to_numpy()) == pytest.approx(float(found[slope][2]), rel=1e-8)
     heave = float(found["wheel_rate"][2] + found["third_wheel_rate"][2])
     assert float(found["heave_rate"][2]) == pytest.approx(heave, rel=1e-12)
@@ -105,11 +109,6 @@ def test_files_keep_torsion_bars_and_third_springs(sprung, tmp_path) -> None:
     assert "strut.spring.rate" not in again.parameters()
     assert again.mirrored() == sprung["right"]
     assert not any("strut.spring" in item.place for item in rig_findings(again))  # nothing stands in for it there
-
-
-def test_what_counts_the_strut_alone_refuses_them(sprung) -> None:
-    with pytest.raises(jn.DescriptionError, match="torsion_bar and third_spring"):
-        jn.lumped_from(sprung["left"])
 
 
 # bars -----------------------------------------------------------------------------------------------------------------
@@ -189,16 +188,23 @@ def test_a_z_bar_works_in_heave_and_not_in_roll(plain) -> None:
     found = jn.sweep_travel(rig, 0.01 + STEP * np.arange(-2, 3))
     angle = found["anti_roll_bar_angle"].to_numpy()
     energy = 0.5 * 0.5 * 900.0 * (2.0 * angle) ** 2  # half of it is this wheel's
-    force = float((found["heave_rate"] - found["wheel_rate"])[2])
+    rate = float((found["heave_rate"] - found["wheel_rate"])[2])
+    force = found["heave_force"].to_numpy() - found["wheel_force"].to_numpy()
+    assert differences(energy) == pytest.approx(force[2], rel=1e-8)
+    assert differences(force) == pytest.approx(rate, rel=1e-8)
     second = (energy[0] * -1.0 + 16.0 * energy[1] - 30.0 * energy[2] + 16.0 * energy[3] - energy[4]) / (12.0 * STEP**2)
-    assert force == pytest.approx(second, rel=1e-5)
+    assert rate == pytest.approx(second, rel=1e-5)
     assert float(found["anti_roll_bar_rate"][2]) == 0.0
     rolled, without = (jn.sweep_roll(one, [-0.01, 0.0, 0.01]) for one in (rig, plain))
     assert rolled["roll_stiffness"].to_numpy() == pytest.approx(without["roll_stiffness"].to_numpy(), rel=2e-2)
     share = float(rolled["roll_stiffness_bar"][1] / rolled["roll_stiffness"][1])
     assert abs(share) < 1e-6  # a difference inside, and both ends turn alike to first order only
-    with pytest.raises(jn.DescriptionError, match="kinematics and load cases only"):
-        equilibrium(rig)
+    rest = equilibrium(rig.with_changes({"strut.spring.preload": 900.0}))
+    travel = float(rest["unsprung.z"] - rest["sprung.z"])
+    turned = float(jn.sweep_travel(rig, travel)["anti_roll_bar_angle"][0])
+    assert rest["anti_roll_bar.twist"] == pytest.approx(2.0 * turned, rel=1e-6)
+    assert rest["anti_roll_bar.torque"] == pytest.approx(900.0 * rest["anti_roll_bar.twist"], rel=1e-12)
+    assert abs(turned) > 1e-3
 
 
 def test_blades_bend_as_cantilevers(plain) -> None:
@@ -248,3 +254,37 @@ def test_a_third_spring_of_a_whole_car_stiffens_heave_and_not_roll() -> None:
     rest = equilibrium(stiff)
     deflection, force = (float(rest[f"front.third_spring.{name}"]) for name in ("deflection", "force"))
     assert force == pytest.approx(60e3 * deflection, rel=1e-9)
+
+
+@pytest.mark.slow
+def test_a_described_bar_of_a_whole_car_is_its_rate_at_the_wheel() -> None:
+    """A U-bar stiffens roll as half of its rate in opposite travel does (a force for each metre of difference)."""
+    bare = jn.load("formula-student-car").with_changes({"front.anti_roll_bar_rate": 0.0})
+    described = {
+        kind: bare.with_changes({f"front.corner.{path}": value for path, value in U_BAR.items()}) for kind in "uz"
+    }
+    described["z"] = described["z"].with_changes({"front.corner.anti_roll_bar.kind": "z"})
+    rate = float(jn.sweep_travel(described["u"].front.corner, 0.0)["anti_roll_bar_rate"][0])
+    cars = {**described, "rate": bare.with_changes({"front.anti_roll_bar_rate": 0.5 * rate}), "bare": bare}
+    modes = {name: jn.modes(car) for name, car in cars.items()}
+    roll = {
+        name: next(mode.frequency_hz for mode in found if abs(complex(*mode.shape["body.roll"])) > 0.99)
+        for name, found in modes.items()
+    }
+    assert roll["u"] == pytest.approx(roll["rate"], rel=1e-4)
+    assert roll["z"] == pytest.approx(roll["bare"], rel=1e-4)
+    assert roll["u"] > 1.1 * roll["bare"]
+    assert modes["z"][1].frequency_hz > 1.2 * modes["bare"][1].frequency_hz
+    rest = equilibrium(described["z"])
+    assert rest["front.anti_roll_bar.torque"] == pytest.approx(900.0 * rest["front.anti_roll_bar.twist"], rel=1e-12)
+
+
+def test_a_car_has_its_bar_once() -> None:
+    car = jn.load("formula-student-car")
+    bar = {f"front.corner.{path}": value for path, value in U_BAR.items()}
+    with pytest.raises(jn.DescriptionError, match="both would count"):
+        car.with_changes(bar)
+    stem = {f"front.corner.{path}": value for path, value in T_BAR.items()}
+    car.with_changes(stem)
+    with pytest.raises(jn.DescriptionError, match="half of the row anti_roll_bar_rate"):
+        car.with_changes({**stem, "front.anti_roll_bar_rate": 0.0})

@@ -20,6 +20,17 @@ def on_bushings(stiffness: float = 1.0):
 RIGS = {
     "double-wishbone": on_bushings,
     "with a soft tie rod": lambda: on_bushings().with_changes({"bushings.tie_rod_inner": SOFT}),
+    "springs beside the strut": lambda: on_bushings().with_changes(
+        {
+            "torsion_bar": {"stiffness": 900.0, "preload": 120.0, "on": "lower_arm"},
+            "third_spring": {"spring": {"rate": 40e3, "preload": 200.0}, "on": "lower_arm"},
+            "hardpoints.third_spring_end": [0.0, 0.4, 0.3],
+            "anti_roll_bar": {"stiffness": 400.0, "on": "lower_arm", "kind": "z"},
+            "hardpoints.arb_pivot": [-0.3, 0.4, 0.3],
+            "hardpoints.arb_arm_end": [-0.1, 0.45, 0.3],
+            "hardpoints.arb_link_end": [-0.05, 0.55, 0.2],
+        }
+    ),
     "mcpherson": lambda: jn.load("generic-mcpherson").with_changes(
         {"bushings": {"lower_arm_front": SOFT, "lower_arm_rear": SOFT}}
     ),
@@ -136,3 +147,16 @@ def test_what_cannot_be_answered_is_refused() -> None:
     free = rig.with_changes({"bushings": {"upper_arm_front": loose, "upper_arm_rear": loose}})
     with pytest.raises(jn.SimulationError, match="leave a motion free"):
         jn.compliance(free)
+
+
+def test_springs_beside_the_strut_hold_the_wheel_too() -> None:
+    """They are no part of the loads: without their forces the same bushings yield otherwise."""
+    beside = RIGS["springs beside the strut"]()
+    loose = beside.with_changes(
+        {"torsion_bar.stiffness": 1e-6, "torsion_bar.preload": 0.0, "anti_roll_bar.stiffness": 1e-6}
+    )
+    loose = loose.with_changes({"third_spring.spring.rate": 1e-6, "third_spring.spring.preload": 0.0})
+    plain, found, without = (jn.compliance(rig, 0.02) for rig in (on_bushings(), beside, loose))
+    for name in ("lateral.patch_y", "braking.patch_x", "lateral.toe"):
+        assert without[name].to_numpy() == pytest.approx(plain[name].to_numpy(), rel=1e-6), name
+        assert abs(float(found[name][0] / plain[name][0]) - 1.0) > 1e-4, name

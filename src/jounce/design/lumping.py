@@ -26,7 +26,7 @@ from jounce.core.types import Array
 from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.elements import MapDamper, VelocityTable
+from jounce.parts.elements import BilinearDamper, Damper, LinearDamper, MapDamper, VelocityTable
 from jounce.parts.leverage import body_motion, force_at
 from jounce.parts.variants import LARGEST
 from jounce.simulation import Mode, equilibrium
@@ -74,11 +74,17 @@ class Lumping:
         Shortening of the spring from its design length at rest, m.
     spring_force : float
         Force of spring and stops at rest, N.
+    wheel_force : float
+        Force at the wheel centre of all springs at rest, N: with torsion bar, third spring and Z-bar.
     wheel_rate_spring, wheel_rate_preload, wheel_rate_weight : float
-        Rate at the wheel from the spring's stiffness, from its force where the motion ratio changes, and from the
-        weights of the suspension's bodies, N/m.
+        Rate at the wheel from the stiffness of spring and torsion bar, from their force where the motion ratio changes,
+        and from the weights of the suspension's bodies, N/m.
+    wheel_rate_across : float
+        Rate at the wheel of third spring and Z-bar while both wheels move alike, N/m.
+    third_ratio : float
+        Shortening of the third spring over rise of both wheel centres [1]; 0 without.
     wheel_damping : float
-        Damping coefficient at the wheel, of the damper at rest, N s/m.
+        Damping coefficient at the wheel, of the dampers at rest, N s/m.
     tyre_stiffness, tyre_damping : float
         Of the tyre at its static load, N/m and N s/m.
     body_mass : float
@@ -95,9 +101,12 @@ class Lumping:
     motion_ratio_gradient: float
     spring_deflection: float
     spring_force: float
+    wheel_force: float
     wheel_rate_spring: float
     wheel_rate_preload: float
     wheel_rate_weight: float
+    wheel_rate_across: float
+    third_ratio: float
     wheel_damping: float
     tyre_stiffness: float
     tyre_damping: float
@@ -108,7 +117,7 @@ class Lumping:
     @property
     def wheel_rate(self) -> float:
         """Rate at the wheel, N/m."""
-        return self.wheel_rate_spring + self.wheel_rate_preload + self.wheel_rate_weight
+        return self.wheel_rate_spring + self.wheel_rate_preload + self.wheel_rate_weight + self.wheel_rate_across
 
     @property
     def static_masses(self) -> tuple[float, float]:
@@ -185,7 +194,7 @@ def lump(rig: Rig) -> Lumping:
     at_rest = sweep_travel(corner, [travel]).isel(wheel_travel=0)
     below, here, above = rigs_along(corner, [travel - _NUDGE, travel, travel + _NUDGE])
     values = {str(name): float(value) for name, value in at_rest.data_vars.items()}
-    spring_force = values["spring_force"] + values["stop_force"]
+    spring_force = values.get("spring_force", 0.0) + values["stop_force"]
     return Lumping(
         travel,
         values["motion_ratio"],
@@ -193,10 +202,13 @@ def lump(rig: Rig) -> Lumping:
         values["motion_ratio_gradient"],
         corner.hardpoints.length("spring") - values["spring_length"],
         spring_force,
+        values.get("heave_force", values["wheel_force"]),
         values["wheel_rate_spring"],
         values["wheel_rate"] - values["wheel_rate_spring"],
         _weight_rate(below, above),
-        values["wheel_damping_coefficient"],
+        values.get("heave_rate", values["wheel_rate"]) - values["wheel_rate"],
+        values.get("third_spring_motion_ratio", 0.0),
+        values["wheel_damping_coefficient"] + values.get("third_damping_coefficient", 0.0),
         _tyre_slope(corner, rest["tyre.deflection"]),
         corner.tyre.damping_coefficient,
         float(corner.sprung.mass) if corner.sprung else 0.0,
@@ -217,10 +229,11 @@ def lumped_from(rig: Rig) -> QuarterCar:
     -------
     QuarterCar
         ``strut.angle`` is the angle whose cosine is the damper's motion ratio, so that damper and friction keep their
-        laws; the spring rate makes the wheel rate (preload term and weights included); the preload puts zero
-        deflection at design; masses are those that give both natural frequencies. A spring or tyre curve becomes its
-        slope at rest (spring) or is kept (tyre); the bump stop is met where it is met; rebound stops and bushings have
-        no place in it.
+        laws; the spring rate makes the wheel rate (preload term and weights included, and torsion bar, third spring
+        and Z-bar where both wheels move alike); the preload puts zero deflection at design; a third damper is added
+        to the law of the damper; masses are those that give both natural frequencies. A spring or tyre curve becomes
+        its slope at rest (spring) or is kept (tyre); the bump stop is met where it is met; rebound stops and bushings
+        have no place in it.
 
     Raises
     ------
@@ -251,7 +264,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
     sprung, unsprung = found.effective_masses
     stop, stop_force, stop_rate = _stop(corner, found)
     rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2
-    static = (found.spring_force - stop_force) * found.motion_ratio / ratio
+    static = (found.wheel_force - stop_force * found.motion_ratio) / ratio
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
     table: dict[str, Any] = {
         "schema": "jounce.rig/1",
@@ -288,7 +301,6 @@ def _heaving(rig: Rig) -> Corner:
         raise DescriptionError(
             "a fixed body has no motion to lump", where="guide", found=rig.guide, allowed='"vertical" and a sprung mass'
         )
-    rig.require_strut_alone("a quarter car")
     table = rig.model_dump(by_alias=True, exclude_none=True)
     table.pop("bushings", None)
     return type(rig).from_table({**table, "guide": "vertical"})
@@ -342,12 +354,44 @@ def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
 
 
 def _damper(rig: Corner, found: Lumping) -> dict[str, Any]:
-    """Damper as a lumped rig describes it; of a map the row at its length at rest."""
-    damper = rig.strut.damper
-    if not isinstance(damper, MapDamper):
+    """Damper as a lumped rig describes it, the third one with it; of a map the row at its length at rest."""
+    damper: Damper | VelocityTable | MapDamper = rig.strut.damper
+    if isinstance(damper, MapDamper):
+        length = rig.hardpoints.length("damper") - found.damper_ratio * found.travel
+        forces = [
+            float(np.interp(length, damper.length, [row[j] for row in damper.force]))
+            for j in range(len(damper.velocity))
+        ]
+        damper = VelocityTable(velocity=damper.velocity, force=tuple(forces))
+    third = None if rig.third_spring is None else rig.third_spring.damper
+    if third is None:
         return dict(damper.model_dump())
-    length = rig.hardpoints.length("damper") - found.damper_ratio * found.travel
-    forces = [
-        float(np.interp(length, damper.length, [row[j] for row in damper.force])) for j in range(len(damper.velocity))
-    ]
-    return dict(VelocityTable(velocity=damper.velocity, force=tuple(forces)).model_dump())
+    one, other = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
+    share = found.third_ratio / found.damper_ratio  # velocity of the third damper for one of the lumped one
+    velocities = np.unique(np.round(np.concatenate([one[0], other[0] / share]), 12))
+    forces = _through(one, velocities) + 0.5 * share * _through(other, share * velocities)
+    return dict(VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(forces.tolist())).model_dump())
+
+
+def _law_points(damper: Damper | VelocityTable, where: str) -> tuple[Array, Array]:
+    """Velocities (m/s) and forces (N) of a damper made of straight lines."""
+    if isinstance(damper, VelocityTable):
+        return np.array(damper.velocity), np.array(damper.force)
+    velocity = np.array([-1.0, 0.0, 1.0])
+    if isinstance(damper, LinearDamper):
+        return velocity, damper.coefficient * velocity
+    if isinstance(damper, BilinearDamper):
+        return velocity, np.array([-damper.rebound_coefficient, 0.0, damper.bump_coefficient])
+    raise DescriptionError(
+        "a hysteretic damper beside a third damper has no lumped law",
+        where=where,
+        found=damper.kind,
+        allowed="linear, bilinear, table, or no third damper",
+    )
+
+
+def _through(points: tuple[Array, Array], velocity: Array) -> Array:
+    """Force (N) of straight lines through points and beyond them, at velocities (m/s)."""
+    at, force = points
+    i = np.clip(np.searchsorted(at, velocity) - 1, 0, len(at) - 2)
+    return np.asarray(force[i] + (force[i + 1] - force[i]) * (velocity - at[i]) / (at[i + 1] - at[i]))

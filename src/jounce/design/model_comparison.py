@@ -230,6 +230,7 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
     shares = ", ".join(f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in found.shares.items())
     turning = ", ".join(f"{name} {1e3 * part.inertance:+.0f} g" for name, part in found.shares.items())
     ratio = float(np.cos(lumped.strut.angle))
+    across = f", {found.wheel_rate_across:+.4g} from third spring and Z-bar" if found.wheel_rate_across else ""
     rows = [
         Difference(
             "motion ratio at rest",
@@ -254,7 +255,7 @@ def _rows(spatial: Corner, found: Lumping, lumped: QuarterCar, rate: float, damp
             rate,
             f"3-D: {found.wheel_rate_spring:.5g} from the spring's rate, {found.wheel_rate_preload:+.4g} from its "
             f"force of {found.spring_force:.4g} N where the motion ratio changes, {found.wheel_rate_weight:+.3g} from "
-            "weights.",
+            f"weights{across}.",
         ),
         Difference(
             "damping at the wheel",

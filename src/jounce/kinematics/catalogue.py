@@ -174,6 +174,18 @@ def _heave_bar_force(view: CornerView) -> ca.SX:
     return view.bar_stiffness * view.bar_angle * view.bar_heave_ratio
 
 
+def _heave_force(view: CornerView) -> ca.SX:
+    """Force of all springs on either wheel centre while both wheels move alike."""
+    rig, force = view.linkage.rig, ca.SX(0.0)
+    if "spring" not in rig.lacks:
+        force += _wheel_force(view)
+    if rig.third_spring is not None:
+        force += _third_force(view)
+    if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
+        force += _heave_bar_force(view)
+    return force
+
+
 def _heave_rate(view: CornerView) -> ca.SX:
     """Wheel rate with what works while both wheels move alike."""
     rig, rate = view.linkage.rig, ca.SX(0.0)
@@ -368,6 +380,8 @@ CATALOGUE: tuple[Quantity, ...] = (
         "damping coefficient of the third damper at each wheel centre, both wheels moving alike, about rest",
         lambda v: 0.5 * v.third_damping_coefficient * v.third_ratio**2, "positive: dissipates energy",
         needs="third damper"),
+    Quantity("heave_force", "N", "force at each wheel centre while both wheels move alike: with third spring and Z-bar",
+        _heave_force, "positive: pushes the wheel down", needs="heave"),
     Quantity("heave_rate", "N/m", "wheel rate while both wheels move alike: with third spring and Z-bar", _heave_rate,
         "positive: stiffens in bump", needs="heave"),
     Quantity("rocker_angle", "rad", "turn of the rocker from design", lambda v: v.turn_of("rocker"),

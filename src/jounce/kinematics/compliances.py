@@ -21,7 +21,7 @@ from jounce.kinematics.sweeps import Values, no_pose, prepare_sweep, sweep_value
 from jounce.kinematics.view import CornerView, Quasistatic, Statics
 from jounce.mechanics import Track
 from jounce.models.attachments import push
-from jounce.models.corner import suspension
+from jounce.models.corner import add_both_alike, add_torsion_bar, suspension
 from jounce.parts import Corner, Rig
 from jounce.parts.rig import structure_of
 
@@ -76,7 +76,8 @@ def compliance(
     """Give what each unit of load at the contact patch does to toe, camber and place of a wheel on bushings.
 
     The body and the rack are held, the ground holds the height of the contact point; spring and stops work by their
-    laws. These are slopes at equilibrium, not differences; weights, tyre and dampers do not count.
+    laws, a torsion bar, too; third spring and Z-bar as where the other wheel is loaded alike, in mirror image. These
+    are slopes at equilibrium, not differences; weights, tyre, U- and T-bar and dampers do not count.
 
     Parameters
     ----------
@@ -124,7 +125,6 @@ def compliance(
             allowed="tables [bushings.<hardpoint>] with a stiffness",
         )
     corner.require("spring", what="compliance")
-    corner.require_strut_alone("compliance")
     load = load or ContactLoad()
     if load.vertical_force:
         raise DescriptionError("the ground gives the vertical force", where="vertical_force", found=load.vertical_force)
@@ -162,6 +162,8 @@ def _build(rig: Corner) -> ElasticModel:
     still = Track(*(ca.SX(0.0) for _ in range(3)))
     view = CornerView(mechanism, linkage, still, None, None)
     push(linkage, view.spring, view.springs.force + view.stops.force)
+    add_torsion_bar(linkage)
+    add_both_alike(linkage, damped=False)
     mechanism.condition("ground", view.contact[2] - mechanism.parameter("compliance.ground"))
     mirror = ca.SX([1.0, view.side, 1.0])
     patch, centre, turn = mirror * view.patch, mirror * view.centre.rate, linkage.upright.spin[2]

@@ -19,8 +19,8 @@ from jounce.core.units import Force, Unit
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
 from jounce.mechanics.rotations import normals, unit
-from jounce.models.attachments import AXES
 from jounce.parts import Corner, Rig
+from jounce.parts.leverage import AXES
 
 if TYPE_CHECKING:
     import xarray as xr

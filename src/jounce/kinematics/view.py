@@ -13,12 +13,15 @@ from functools import cached_property
 import casadi as ca
 
 from jounce.mechanics import Mechanism, Track
-from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.attachments import (
     Line,
+    bar_angle,
+    bar_axis,
+    bar_carrier,
+    bar_stiffness,
     line_of,
     spring_law,
     stop_law,
@@ -397,46 +400,22 @@ class CornerView:
     @cached_property
     def bar_angle(self) -> ca.SX:
         """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
-        hardpoint, axis = self.linkage.hardpoint, self._bar_axis
-        pivot, arm_end, link_end = (hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
-        arm, link = arm_end - pivot, link_end - arm_end
-        away, away_design = self._bar_carrier.frame.point(link_end).value - pivot, link_end - pivot
-        along = ca.dot(axis, arm)
-
-        def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
-            return ca.dot(arm - along * axis, d), ca.dot(ca.cross(axis, arm), d)
-
-        a, b = parts(away)
-        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - along * ca.dot(axis, away)
-        branch = ca.sign(parts(away_design)[1])
-        return ca.atan2(b, a) - branch * ca.acos(needed / ca.sqrt(a**2 + b**2))
+        return bar_angle(self.linkage)
 
     @property
     def bar_points(self) -> dict[str, ca.SX]:
         """Places of the anti-roll bar's moving points, ground axes."""
-        hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, self._bar_axis
+        hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, bar_axis(self.linkage)
         pivot = hardpoint("arb_pivot")
         arm = hardpoint("arb_arm_end") - pivot
         along = ca.dot(axis, arm) * axis
         turned = along + (arm - along) * ca.cos(angle) + ca.cross(axis, arm) * ca.sin(angle)
-        link_end = self._bar_carrier.frame.point(hardpoint("arb_link_end")).value
+        link_end = bar_carrier(self.linkage).frame.point(hardpoint("arb_link_end")).value
         moved = {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
         if self._is_t_bar:
             stem = hardpoint("arb_axis") - pivot
             moved["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
         return moved
-
-    @property
-    def _bar_axis(self) -> ca.SX:
-        """Direction of the anti-roll bar's axis, to the left (of one across to the left: as given).
-
-        A T-bar is hinged across the car; its stem twists by as much as both ends of its bar differ.
-        """
-        bar = self.linkage.rig.anti_roll_bar
-        if self.linkage.rig.hardpoints.arb_axis is None or (bar is not None and bar.kind == "t"):
-            return ca.SX([0.0, 1.0, 0.0])
-        along = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
-        return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)
 
     @cached_property
     def bar_twist_ratio(self) -> ca.SX:
@@ -450,7 +429,7 @@ class CornerView:
             return ca.SX(0.0)
         if bar.kind == "u":
             return 2.0 * self.slope(self.bar_angle)
-        link, moving = self._bar_link, self._bar_carrier.frame.point(self.linkage.hardpoint("arb_link_end"))
+        link, moving = self._bar_link, bar_carrier(self.linkage).frame.point(self.linkage.hardpoint("arb_link_end"))
         lever = self.bar_points["arb_arm_end"] - self.linkage.hardpoint("arb_pivot")
         return ca.dot(link, moving.rate) / ca.dot(link, ca.cross(self._stem, lever))
 
@@ -463,7 +442,7 @@ class CornerView:
     def _stem(self) -> ca.SX:
         """Direction of a T-bar's stem, hinged over with the bar."""
         design = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
-        axis, angle = self._bar_axis, self.bar_angle
+        axis, angle = bar_axis(self.linkage), self.bar_angle
         return design * ca.cos(angle) + ca.cross(axis, design) * ca.sin(angle)  # it is across the axis
 
     @property
@@ -476,7 +455,7 @@ class CornerView:
     def bar_arm_angle(self) -> ca.SX:
         """Angle between the bar's arm and its link, rad: a right one moves it best."""
         arm = self.bar_points["arb_arm_end"] - self.linkage.hardpoint("arb_pivot")
-        axis = self._stem if self._is_t_bar else self._bar_axis
+        axis = self._stem if self._is_t_bar else bar_axis(self.linkage)
         return _angle(arm - ca.dot(axis, arm) * axis, self._bar_link)
 
     @property
@@ -487,27 +466,7 @@ class CornerView:
     @cached_property
     def bar_stiffness(self) -> ca.SX:
         """Stiffness of the bar with its blades in series, N m/rad of twist."""
-        number, bar = self.mechanism.parameter, self.linkage.rig.anti_roll_bar
-        stiffness = number("anti_roll_bar.stiffness")
-        assert bar is not None
-        if bar.blade is None:
-            return stiffness
-        width, thickness, angle, modulus = (
-            number(f"anti_roll_bar.blade.{name}") for name in ("width", "thickness", "angle", "youngs_modulus")
-        )
-        arm = self.linkage.hardpoint("arb_arm_end") - self.linkage.hardpoint("arb_pivot")
-        axis = self._bar_axis
-        if self._is_t_bar:
-            axis = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
-        out = arm - ca.dot(axis, arm) * axis
-        flat, edge = width * thickness**3 / 12.0, thickness * width**3 / 12.0
-        bent = ca.cos(angle) ** 2 / flat + ca.sin(angle) ** 2 / edge  # 1/m^4: each part of the force bends its own way
-        blade = ca.sqrt(ca.dot(out, out)) / (3.0 * modulus) * bent  # rad/(N m) of one arm
-        return 1.0 / (1.0 / stiffness + (0.5 if bar.kind == "t" else 2.0) * blade)
-
-    @property
-    def _bar_carrier(self) -> Body:
-        return self.linkage.carriers[str(getattr(self.linkage.rig.anti_roll_bar, "on", "upright"))]
+        return bar_stiffness(self.linkage)
 
     # torsion bar, third spring, rocker and arms ----------------------------------------------------------------
 
@@ -544,7 +503,7 @@ class CornerView:
         """
         ends = []
         if self._is_t_bar:
-            ends.append(self._bar_carrier.frame.point(self.linkage.hardpoint("arb_link_end")))
+            ends.append(bar_carrier(self.linkage).frame.point(self.linkage.hardpoint("arb_link_end")))
         if self.linkage.rig.third_spring is not None:
             ends.append(third_end(self.linkage))
         seen = [self._mirrored(end) for end in ends]

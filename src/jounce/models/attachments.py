@@ -1,4 +1,4 @@
-"""Force elements of a 3-D suspension: spring, damper and stops of the strut, rocker, tyre."""
+"""Force elements of a 3-D suspension: the strut's, bars and third spring, rocker, tyre."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.mechanics import Mechanism, Track
+from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import (
     bump_stop_force,
     curve_force,
@@ -19,6 +20,7 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.linkage import Linkage
 from jounce.parts.elements import CoilSpring, MapDamper
+from jounce.parts.leverage import AXES
 
 
 @dataclass(frozen=True)
@@ -113,15 +115,6 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
     return ca.if_else(bump < 0.0, -1.0, 1.0) * ca.atan2(ca.dot(across, now), ca.dot(along, now))
 
 
-AXES = {
-    "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
-    "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
-    "rocker": ("rocker_pivot", "rocker_axis", "pushrod_inner"),
-    "arm": ("arm_inner", "arm_outer", "wheel_centre"),
-}
-"""Two points of the axis of a body, and one that it moves."""
-
-
 def _fixed(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
     """Directions fixed to the car's body, as it stands."""
     return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
@@ -153,6 +146,78 @@ def third_damper_law(linkage: Linkage, deflection: ca.SX, velocity: ca.SX) -> ca
     if damper is None:
         return ca.SX(0.0)
     return damper_force(linkage.mechanism, damper, "third_spring.damper", deflection, velocity)
+
+
+def third_deflection(linkage: Linkage) -> ca.SX:
+    """Shortening (m) of the third spring while the other wheel moves alike."""
+    middle, left = (linkage.chassis.frame.point(ca.SX(3, 1)), linkage.chassis.frame.direction(_LEFT))
+    half = linkage.side * ca.dot((third_end(linkage) - middle).value, left.value)
+    return 2.0 * (linkage.side * linkage.hardpoint("third_spring_end")[1] - half)
+
+
+# anti-roll bar --------------------------------------------------------------------------------------------------------
+
+
+_LEFT = ca.SX([0.0, 1.0, 0.0])
+
+
+def bar_carrier(linkage: Linkage) -> Body:
+    """Body that the link of the anti-roll bar ends on."""
+    return linkage.carriers[str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))]
+
+
+def bar_axis(linkage: Linkage) -> ca.SX:
+    """Direction of the anti-roll bar's axis on the car's body, to the left (of one across to the left: as given).
+
+    A T-bar is hinged across the car; its stem twists by as much as both ends of its bar differ.
+    """
+    bar = linkage.rig.anti_roll_bar
+    if linkage.rig.hardpoints.arb_axis is None or (bar is not None and bar.kind == "t"):
+        return _LEFT
+    along = unit(linkage.hardpoint("arb_axis") - linkage.hardpoint("arb_pivot"))
+    return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)
+
+
+def bar_angle(linkage: Linkage) -> ca.SX:
+    """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
+    axis, chassis = bar_axis(linkage), linkage.chassis.frame
+    pivot, arm_end, link_end = (linkage.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
+    arm, link = arm_end - pivot, link_end - arm_end
+    reach = bar_carrier(linkage).frame.point(link_end).value - chassis.point(pivot).value
+    away, away_design = chassis.orientation.unrotate(reach), link_end - pivot
+    along = ca.dot(axis, arm)
+
+    def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
+        return ca.dot(arm - along * axis, d), ca.dot(ca.cross(axis, arm), d)
+
+    a, b = parts(away)
+    needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - along * ca.dot(axis, away)
+    branch = ca.sign(parts(away_design)[1])
+    return ca.atan2(b, a) - branch * ca.acos(needed / ca.sqrt(a**2 + b**2))
+
+
+def bar_stiffness(linkage: Linkage) -> ca.SX:
+    """Stiffness of the anti-roll bar with its blades in series, N m/rad of twist."""
+    number, bar = linkage.mechanism.parameter, linkage.rig.anti_roll_bar
+    stiffness = number("anti_roll_bar.stiffness")
+    assert bar is not None
+    if bar.blade is None:
+        return stiffness
+    width, thickness, angle, modulus = (
+        number(f"anti_roll_bar.blade.{name}") for name in ("width", "thickness", "angle", "youngs_modulus")
+    )
+    arm = linkage.hardpoint("arb_arm_end") - linkage.hardpoint("arb_pivot")
+    axis = bar_axis(linkage)
+    if bar.kind == "t":
+        axis = unit(linkage.hardpoint("arb_axis") - linkage.hardpoint("arb_pivot"))
+    out = arm - ca.dot(axis, arm) * axis
+    flat, edge = width * thickness**3 / 12.0, thickness * width**3 / 12.0
+    bent = ca.cos(angle) ** 2 / flat + ca.sin(angle) ** 2 / edge  # 1/m^4: each part of the force bends its own way
+    blade = ca.sqrt(ca.dot(out, out)) / (3.0 * modulus) * bent  # rad/(N m) of one arm
+    return 1.0 / (1.0 / stiffness + (0.5 if bar.kind == "t" else 2.0) * blade)
+
+
+# springs and dampers of the strut -------------------------------------------------------------------------------------
 
 
 def stop_law(linkage: Linkage, line: Line) -> ca.SX:

@@ -10,7 +10,6 @@ from collections.abc import Callable
 import casadi as ca
 
 from jounce.control.actuators import AnyActuator
-from jounce.core.errors import DescriptionError
 from jounce.mechanics import Mechanism, Model, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
@@ -19,13 +18,15 @@ from jounce.models.attachments import (
     add_rocker,
     add_strut_points,
     add_tyre,
+    bar_angle,
+    bar_stiffness,
     damper_law,
     line_of,
     push,
     spring_law,
     stop_law,
     third_damper_law,
-    third_end,
+    third_deflection,
     third_law,
     torsion_law,
     winding,
@@ -95,11 +96,10 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     rig.require("bodies", "spring", "damper", "tyre", what="how it moves")
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
-    refuse_z_bar(rig)
     road = mechanism.track("road.z")
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
-    elements = {**add_strut(linkage, actuator), **_add_third_spring(linkage)}
+    elements = {**add_strut(linkage, actuator), **add_both_alike(linkage)}
     deflection, force = add_tyre(linkage, road)
     show_tyre(mechanism, deflection, force)
     _guide_friction(linkage)
@@ -131,11 +131,11 @@ def add_strut(linkage: Linkage, actuator: AnyActuator | None = None) -> dict[str
     return {
         "spring": (elastic + stops, -spring.rate),
         "damper": (viscous, -damper.rate),
-        **_add_torsion_bar(linkage),
+        **add_torsion_bar(linkage),
     }
 
 
-def _add_torsion_bar(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_torsion_bar(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add the torsion bar; give its torque (N m) and the rate (rad/s) that winds it up."""
     mechanism, bar = linkage.mechanism, linkage.rig.torsion_bar
     if bar is None:
@@ -148,37 +148,37 @@ def _add_torsion_bar(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
     return {"torsion bar": (torque, mechanism.rate_of(angle))}
 
 
-def _add_third_spring(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
-    """Add half of the third spring and damper, the other wheel moving alike; give its force and deflection rate."""
-    if linkage.rig.third_spring is None:
-        return {}
-    mechanism, chassis = linkage.mechanism, linkage.chassis.frame
-    middle, left = chassis.point(ca.SX(3, 1)), chassis.direction(ca.SX([0.0, 1.0, 0.0]))
-    half = linkage.side * ca.dot((third_end(linkage) - middle).value, left.value)
-    design = linkage.side * linkage.hardpoint("third_spring_end")[1]
-    deflection, rate = 2.0 * (design - half), -2.0 * mechanism.rate_of(half)
-    force = third_law(linkage, 2.0 * half) + third_damper_law(linkage, deflection, rate)
-    mechanism.force(half, force)
-    show_third_spring(mechanism, deflection, force)
-    return {"third spring": (force, 0.5 * rate)}
+def add_both_alike(linkage: Linkage, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
+    """Add this wheel's half of third spring and Z-bar, the other wheel moving alike; as ``add_strut`` of each."""
+    rig, mechanism = linkage.rig, linkage.mechanism
+    found: dict[str, tuple[ca.SX, ca.SX]] = {}
+    if rig.third_spring is not None:
+        deflection = third_deflection(linkage)
+        force = third_law(linkage, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1] - deflection)
+        rate = mechanism.rate_of(deflection)
+        force += third_damper_law(linkage, deflection, rate) if damped else 0.0
+        mechanism.force(0.5 * deflection, -force)
+        show_third_spring(mechanism, deflection, force)
+        found["third spring"] = force, 0.5 * rate
+    if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
+        angle = bar_angle(linkage)
+        torque = bar_stiffness(linkage) * 2.0 * angle
+        mechanism.force(angle, -torque)
+        show_bar(mechanism, 2.0 * angle, torque)
+        found["Z-bar"] = torque, mechanism.rate_of(angle)
+    return found
+
+
+def show_bar(mechanism: Mechanism, twist: ca.SX, torque: ca.SX) -> None:
+    """Let the anti-roll bar be seen."""
+    mechanism.output("anti_roll_bar.twist", twist, "rad", "twist of the anti-roll bar from design, as its right end")
+    mechanism.output("anti_roll_bar.torque", torque, "N*m", "torque in the anti-roll bar, positive against its twist")
 
 
 def show_third_spring(mechanism: Mechanism, deflection: ca.SX, force: ca.SX) -> None:
     """Let the third spring be seen."""
     mechanism.output("third_spring.deflection", deflection, "m", "third spring, from design, compression positive")
     mechanism.output("third_spring.force", force, "N", "third spring and damper, compression positive")
-
-
-def refuse_z_bar(rig: Corner) -> None:
-    """Refuse a Z-bar, whose work in heave no run counts."""
-    if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
-        raise DescriptionError(
-            "a Z-bar is known to kinematics and load cases only",
-            where="anti_roll_bar.kind",
-            found="z",
-            allowed="u or t in runs, which leave it out where one wheel stands for both",
-            hint="Describe it as [third_spring] of the same rate in heave, or leave it out.",
-        )
 
 
 def _guide_friction(linkage: Linkage) -> None:

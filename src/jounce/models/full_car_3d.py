@@ -14,9 +14,17 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
-from jounce.models.attachments import add_tyre, third_damper_law, third_end, third_law, undeformed_radius
+from jounce.models.attachments import (
+    add_tyre,
+    bar_angle,
+    bar_stiffness,
+    third_damper_law,
+    third_end,
+    third_law,
+    undeformed_radius,
+)
 from jounce.models.channels import show_height, show_turn, show_tyre
-from jounce.models.corner import add_strut, build_linkage, refuse_z_bar, show_third_spring, show_wheel
+from jounce.models.corner import add_strut, build_linkage, show_bar, show_third_spring, show_wheel
 from jounce.models.linkage import Linkage
 from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
@@ -50,6 +58,7 @@ def full_car_3d(vehicle: FullCar3D, *, actuator: AnyActuator | None = None) -> M
         _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
         with mechanism.within(name, f"{name}.corner"):
             _third_spring(mechanism, pair)
+            _described_bar(mechanism, pair)
     _grip(mechanism, drive, wheels)
     equal = structure_of(axles["front"]) == structure_of(axles["rear"])
     names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
@@ -95,7 +104,6 @@ def _corner(
 ) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
-    refuse_z_bar(axle.corner)
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
@@ -122,6 +130,18 @@ def _anti_roll_bar(mechanism: Mechanism, pair: list[_Wheel], rate: ca.SX) -> Non
     twist = rate * (pair[0].travel - pair[1].travel)
     for wheel in pair:
         mechanism.load(wheel.centre.rate[2], -twist * wheel.linkage.side)
+
+
+def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
+    """Let the anti-roll bar that the corner describes twist by the difference of its ends, a Z-bar by their sum."""
+    bar = pair[0].linkage.rig.anti_roll_bar
+    if bar is None or bar.kind == "t":
+        return
+    one, other = (bar_angle(wheel.linkage) for wheel in pair)
+    twist = other + one if bar.kind == "z" else other - one
+    torque = bar_stiffness(pair[0].linkage) * twist
+    mechanism.force(twist, -torque)
+    show_bar(mechanism, twist, torque)
 
 
 def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:

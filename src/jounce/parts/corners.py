@@ -305,16 +305,6 @@ class Corner(Rig):
         has["anti_roll_bar"] = self.anti_roll_bar is not None and self.anti_roll_bar.kind == "z"
         return tuple(name for name, there in has.items() if there)
 
-    def require_strut_alone(self, what: str) -> None:
-        """Refuse torsion bars, third springs and Z-bars where only the strut's spring is counted."""
-        if self.besides_strut:
-            raise DescriptionError(
-                f"{what} counts spring and damper of the strut alone",
-                where=self.source or "rig",
-                found=f"a rig with {' and '.join(self.besides_strut)}",
-                allowed="kinematics and load cases with these parts; or a rig without them",
-            )
-
     def require(self, *parts: str, what: str) -> None:
         """Refuse what cannot be known of a rig that leaves out one of these parts (bodies, spring, damper, tyre)."""
         missing = [name for name in parts if name in self.lacks]

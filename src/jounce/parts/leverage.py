@@ -13,7 +13,16 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
-from jounce.parts.elements import BumpStop, Curve, PolynomialCurve, PowerCurve
+from jounce.parts.elements import BumpStop, CoilSpring, Curve, PolynomialCurve, PowerCurve
+
+AXES = {
+    "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+    "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
+    "rocker": ("rocker_pivot", "rocker_axis", "pushrod_inner"),
+    "arm": ("arm_inner", "arm_outer", "wheel_centre"),
+}
+"""Two points of the axis of a body that turns on the car's, and one that it moves."""
+_THIRD = "third_spring_end"
 
 Twist = tuple[Array, Array]
 """Velocity of the body's point at the origin, and angular velocity, each shape (3,)."""
@@ -50,13 +59,38 @@ def body_motion(rig: Corner, body: str) -> Twist:
     return -np.cross(twist[1], top), twist[1]
 
 
+def torsion_ratio(rig: Corner) -> float:
+    """Turn of the torsion bar over the rise of the wheel centre at design, rad/m, positive in bump."""
+    assert rig.torsion_bar is not None
+    axis = np.subtract(*(_at(rig.hardpoints, name) for name in AXES[rig.torsion_bar.on][:2]))
+    return float(abs(_twist(rig, rig.torsion_bar.on)[1] @ axis) / np.linalg.norm(axis))
+
+
+def third_ratio(rig: Corner) -> float:
+    """Shortening of the third spring over the rise of both wheel centres at design [1], positive in bump."""
+    assert rig.third_spring is not None
+    return float(-2.0 * rig.sign * _velocity(_twist(rig, rig.third_spring.on), _at(rig.hardpoints, _THIRD))[1])
+
+
+def carried_beside_strut(rig: Corner) -> float:
+    """Force (N) at the wheel centre of torsion bar and third spring at design; a Z-bar is not twisted there."""
+    force = 0.0 if rig.torsion_bar is None else rig.torsion_bar.preload * torsion_ratio(rig)
+    if rig.third_spring is not None:
+        length = 2.0 * abs(_at(rig.hardpoints, _THIRD)[1])
+        force += 0.5 * _coil_force(rig.third_spring.spring, length) * third_ratio(rig)
+    return force
+
+
 def static_spring_force(rig: Corner) -> float:
-    """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road."""
+    """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road.
+
+    Torsion bar and third spring carry what they do there.
+    """
     load = 0.0 if rig.sprung is None else rig.sprung.mass
     for name, body in rig.body_masses().items():
         rise = _velocity(_twist(rig, name), np.array(body.centre_of_mass))[2]
         load += body.mass * (1.0 - rise)
-    return float(rig.gravity * load / motion_ratio(rig))
+    return float((rig.gravity * load - carried_beside_strut(rig)) / motion_ratio(rig))
 
 
 def static_tyre_deflection(rig: Corner) -> float:
@@ -69,12 +103,15 @@ def static_tyre_deflection(rig: Corner) -> float:
 
 def spring_force(rig: Corner, deflection: float = 0.0) -> float:
     """Force of spring and stops in N, compression positive, at a ``deflection`` from design length in m."""
-    spring, length = rig.strut.spring, rig.hardpoints.length("spring")
-    own = deflection if spring.free_length is None else spring.free_length - length + deflection
-    force = (spring.preload or 0.0) + (
-        spring.rate * own if spring.rate is not None else force_at(cast(Curve, spring.curve), own)
-    )
+    force = _coil_force(rig.strut.spring, rig.hardpoints.length("spring"), deflection)
     return force + _stop(rig.strut.bump_stop, deflection) - _stop(rig.strut.rebound_stop, -deflection)
+
+
+def _coil_force(spring: CoilSpring, length: float, deflection: float = 0.0) -> float:
+    """Force of a spring (N) at a ``deflection`` from its design ``length`` (m)."""
+    own = deflection if spring.free_length is None else spring.free_length - length + deflection
+    elastic = spring.rate * own if spring.rate is not None else force_at(cast(Curve, spring.curve), own)
+    return (spring.preload or 0.0) + elastic
 
 
 def force_at(curve: Curve, x: float) -> float:
