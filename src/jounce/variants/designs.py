@@ -18,7 +18,7 @@ from jounce.core.units import to_si
 
 Spread = str | Sequence[float | str] | Mapping[str, float | str]
 """Over what a number is spread: see :func:`sobol`."""
-Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo"]
+Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
 MOST = 50_000_000
 """Variants of a design."""
 _FORMS = '"20 %", ["14 kg", "18 kg"], {mean = "16 kg", sd = "0.5 kg"} or {low, mode, high}'
@@ -31,7 +31,7 @@ class Design(Shown):
 
     Attributes
     ----------
-    kind : {"grid", "latin-hypercube", "sobol", "monte-carlo"}
+    kind : {"grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"}
         How the points are laid out.
     spreads : mapping
         Path of a number to what it is spread over.
@@ -189,6 +189,75 @@ def monte_carlo(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> 
     return _spread("monte-carlo", spreads, count, seed)
 
 
+def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -> Design:
+    """Lay out trajectories that change one number after the other: which of many matter at all [morris1991].
+
+    Each trajectory begins anywhere and moves every number once, in a random order, by half of its shares between 0 and
+    1, from one of 8 levels (the middle of every eighth) to another. A dozen trajectories tell what matters from what
+    does not; :func:`sensitivity_indices` does so with their results.
+
+    Parameters
+    ----------
+    spreads : mapping
+        As for :func:`sobol`.
+    trajectories : int
+        Trajectories, each of one variant more than there are numbers.
+    seed : int
+        Of the random places and orders: the same points each time.
+
+    Returns
+    -------
+    Design
+        For :func:`jounce.simulate_many`.
+
+    Raises
+    ------
+    DescriptionError
+        As for :func:`sobol`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.morris({"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, 10).count
+    30
+    """
+    return _spread("morris", spreads, _count(trajectories) * (len(_named(spreads)) + 1), seed)
+
+
+def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Design:
+    """Lay out pairs of points that exchange one number after the other: for Sobol's indices [saltelli2010].
+
+    What share of a metric's variance each number is behind, alone and with others, :func:`sensitivity_indices` then
+    tells from their results. Of each pair of points both are run, and the first one with each number of the second.
+
+    Parameters
+    ----------
+    spreads : mapping
+        As for :func:`sobol`; the numbers are independent of each other.
+    pairs : int
+        Pairs of points, best a power of 2; each is two variants more than there are numbers.
+    seed : int
+        Of the scrambling: the same points each time.
+
+    Returns
+    -------
+    Design
+        For :func:`jounce.simulate_many`.
+
+    Raises
+    ------
+    DescriptionError
+        As for :func:`sobol`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> jn.saltelli({"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, 512).count
+    2048
+    """
+    return _spread("saltelli", spreads, _count(pairs) * (len(_named(spreads)) + 2), seed)
+
+
 def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) -> Design:
     for path, spread in _named(spreads).items():
         if not isinstance(spread, str | Mapping | Sequence | np.ndarray):
@@ -219,6 +288,13 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
     """Points in the unit cube, one row each, none on its faces."""
     if kind == "monte-carlo":
         found = np.random.default_rng(seed).random((count, numbers))
+    elif kind == "morris":
+        found = _trajectories(numbers, count // (numbers + 1), np.random.default_rng(seed))
+    elif kind == "saltelli":
+        pairs = _points("sobol", 2 * numbers, count // (numbers + 2), seed)
+        first, second = pairs[:, None, :numbers], pairs[:, None, numbers:]
+        exchanged = np.where(np.eye(numbers, dtype=bool), second, first)
+        found = np.concatenate([first, exchanged, second], axis=1).reshape(-1, numbers)
     else:
         from scipy.stats import qmc
 
@@ -227,6 +303,20 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
             sampler = (qmc.Sobol if kind == "sobol" else qmc.LatinHypercube)(numbers, seed=seed)
             found = sampler.random(count)
     return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12), dtype=float)
+
+
+LEVELS = 8
+"""Of each number on a trajectory of :func:`morris`; a step goes over half of them."""
+
+
+def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Array:
+    """Points of trajectories, one row each, a trajectory after the other."""
+    begin = random.integers(0, LEVELS, (count, numbers))
+    end = (begin + LEVELS // 2) % LEVELS
+    rank = np.argsort(random.random((count, numbers)), axis=1)  # in which step each number is moved
+    moved = rank[:, None, :] < np.arange(numbers + 1)[:, None]
+    levels = np.where(moved, end[:, None, :], begin[:, None, :])
+    return np.asarray((levels.reshape(-1, numbers) + 0.5) / LEVELS, dtype=float)
 
 
 def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], Array]:
@@ -292,3 +382,14 @@ def _list(given: Sequence[float | str], unit: str, path: str) -> list[float]:
     if not np.all(np.isfinite(found)):
         raise DescriptionError("not finite numbers", where=path, found=str(list(given))[:60])
     return found
+
+
+DESIGNS: Mapping[str, Callable[..., Design]] = {
+    "grid": grid,
+    "latin-hypercube": latin_hypercube,
+    "sobol": sobol,
+    "monte-carlo": monte_carlo,
+    "morris": morris,
+    "saltelli": saltelli,
+}
+"""What makes a design, by its kind."""

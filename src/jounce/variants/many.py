@@ -6,11 +6,12 @@ import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, JounceError, unknown
+from jounce.core.errors import DescriptionError, JounceError, unforeseen, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.waiting import told
@@ -40,7 +41,7 @@ _MOST_SAMPLES = 400_000_000  # numbers that channels over time may have: 3.2 GB
 _TRIAL, _CONTROL = "trial.", "control."
 
 
-def simulate_many(
+def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     rig: Rig,
     trial: Trial,
     variants: Variants,
@@ -52,6 +53,10 @@ def simulate_many(
     method: Method = "auto",
     control: AnyControl | None = None,
     threads: int | None = None,
+    out: Path | str | None = None,
+    resume: bool = False,
+    workers: int = 1,
+    client: Any = None,
 ) -> xr.Dataset:
     """Simulate many variants of a rig over a trial, each from its own static equilibrium.
 
@@ -82,18 +87,32 @@ def simulate_many(
         As for :func:`simulate`.
     threads : int, optional
         Threads that share variants which run side by side; as many as there are processors by default.
+    out : path, optional
+        Folder in which results are kept by shards (netCDF) as they come, so that long sweeps survive what stops them;
+        :func:`load_sweep` reads it.
+    resume : bool
+        Go on where a sweep in ``out`` was stopped; nothing of it may have changed.
+    workers : int
+        Processes that share the shards; 1 works in this one. Where there are more, the script that asks for them needs
+        ``if __name__ == "__main__":``, as always with processes in Python.
+    client : dask.distributed.Client, optional
+        A cluster that works on the shards instead (extra ``cluster``).
 
     Returns
     -------
     xarray.Dataset
         Metrics on ``variant`` and channels on ``variant`` and ``time`` (s), each with ``units`` (SI) and ``long_name``;
         the varied numbers are coordinates. A variant that does not run has NaN and the reason in ``reason``.
-        ``attrs["side_by_side"]`` counts the variants that ran side by side.
+        ``attrs["side_by_side"]`` counts the variants that ran side by side. Channels over time that memory does not
+        hold stay in ``out``.
 
     Raises
     ------
     DescriptionError
         For unknown paths, channels or metrics, values of different lengths, or more results than memory holds.
+    OutputError
+        For a folder that holds something else, or another sweep than the one that is resumed (it says what differs),
+        and for more results than the disk has room for.
     SimulationError
         When the rig as it is does not run on the trial.
 
@@ -106,23 +125,77 @@ def simulate_many(
     >>> bool(many["max sprung.az"][0] < many["max sprung.az"][1])   # the softer damper
     True
     """
-    settings = RunSettings(output_step, tolerance, method)
     _check_threads(threads)
+    if not is_whole(workers) or workers < 1:
+        raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
+    work, columns = prepared(
+        rig, trial, variants, RunSettings(output_step, tolerance, method), metrics, outputs, _as_controller(control)
+    )
+    count = len(next(iter(columns.values())))
+    if out is not None:
+        from jounce.variants.shards import keep_in_shards
+
+        return keep_in_shards(work, columns, out, resume=resume, workers=workers, client=client, threads=threads)
+    for name, given in (("resume", resume), ("workers", workers > 1), ("client", client is not None)):
+        if given:
+            hint = "Give out=, a folder in which results are kept as they come."
+            raise DescriptionError("goes with a folder of results", where=name, hint=hint)
+    _check_size(count, len(work.channels), len(work.study.settings.times(trial.duration)))
+    with told(f"simulating {count:,} variants".replace(",", " ")):
+        return work.run(columns, threads=threads)
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is run of every variant and kept of it: all that another process needs, but for the variants.
+
+    Attributes
+    ----------
+    study : Study
+        Rig, trial, settings and controller.
+    metrics : list of RunMetric
+        Numbers of each run.
+    channels : list of str
+        Channels that are kept over time.
+    design : dict
+        How the variants were laid out, where by a design.
+    """
+
+    study: Study
+    metrics: list[RunMetric]
+    channels: list[str]
+    design: dict[str, str | int]
+
+    def run(self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None) -> xr.Dataset:
+        """Run variants, given by their values (SI) by path; ``first`` is the number of the first one."""
+        results = _Results(self.metrics, self.channels, len(next(iter(columns.values()))))
+        for group, rows in self.study.groups(columns):
+            group.fill(results, columns, rows, threads)
+        return results.dataset(self.study, columns, first, self.design)
+
+
+def prepared(
+    rig: Rig,
+    trial: Trial,
+    variants: Variants,
+    settings: RunSettings,
+    metrics: Sequence[str] | str | None,
+    outputs: Sequence[str] | str | None,
+    control: Controller | None,
+) -> tuple[Work, dict[str, Array]]:
+    """Read what is asked for: the work, and the values (SI) of every variant by path."""
     if metrics is not None and not len(metrics) and not outputs:
         raise DescriptionError("nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']")
-    study = _Study(rig, trial, settings, _as_controller(control))
+    study = Study(rig, trial, settings, control)
     columns = study.columns(variants)
     wanted = read_metrics(metrics, study.units) if metrics is not None else []
     channels = study.channels(outputs if outputs is not None or metrics is not None else list(study.units))
-    count = len(next(iter(columns.values())))
     if channels and "trial.duration" in columns and np.ptp(columns["trial.duration"]) > 0.0:
         raise DescriptionError("channels of runs that differ in length", where="outputs", hint="Ask for metrics.")
-    _check_size(count, len(channels), len(settings.times(trial.duration)))
-    results = _Results(wanted, channels, count)
-    with told(f"simulating {count:,} variants".replace(",", " ")):
-        for group, rows in study.groups(columns):
-            group.fill(results, columns, rows, threads)
-    return results.dataset(study, columns, variants)
+    design: dict[str, str | int] = (
+        {"design": variants.kind, "seed": variants.seed} if isinstance(variants, Design) else {}
+    )
+    return Work(study, wanted, channels, design), columns
 
 
 @dataclass(frozen=True)
@@ -149,7 +222,9 @@ class _Results:
     def tally(self) -> dict[str, int]:
         return {"side_by_side": 0}
 
-    def dataset(self, study: _Study, columns: Mapping[str, Array], variants: Variants) -> xr.Dataset:
+    def dataset(
+        self, study: Study, columns: Mapping[str, Array], first: int, design: Mapping[str, str | int]
+    ) -> xr.Dataset:
         import xarray as xr
 
         found: dict[str, Any] = {}
@@ -165,22 +240,19 @@ class _Results:
                     row[: course.shape[1]] = course[i]
             about = {"units": study.units[name], "long_name": study.long_names[name]}
             found[name] = xr.Variable(("variant", "time"), values, about)
-        found["reason"] = xr.Variable(
-            ("variant",), np.array(self.reasons, dtype=str), {"long_name": "why it has no run"}
-        )
-        where: dict[str, Any] = {"variant": np.arange(self.count)}
+        reasons = np.array(self.reasons, dtype=object)  # texts of their own length: one long one is not that of all
+        found["reason"] = xr.Variable(("variant",), reasons, {"long_name": "why it has no run"})
+        where: dict[str, Any] = {"variant": np.arange(first, first + self.count)}
         if self.channels:
             where["time"] = xr.Variable(("time",), times, {"units": "s"})
         for path, column in columns.items():
             where[path] = xr.Variable(("variant",), column, {"units": study.number(path)[1], "long_name": path})
-        attributes: dict[str, str | int] = {"rig": str(getattr(study.rig, "model", "")), **self.tally}
-        if isinstance(variants, Design):
-            attributes |= {"design": variants.kind, "seed": variants.seed}
+        attributes = {"rig": str(getattr(study.rig, "model", "")), **self.tally, **design}
         return xr.Dataset(found, where, attributes)
 
 
 @dataclass(frozen=True)
-class _Study:
+class Study:
     """What all variants share, and the numbers that may vary."""
 
     rig: Rig
@@ -188,8 +260,13 @@ class _Study:
     settings: RunSettings
     control: Controller | None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What another process needs: the descriptions, from which it compiles its own."""
+        return Study, (self.rig, self.trial, self.settings, self.control)
+
     @cached_property
     def compiled(self) -> Compiled:
+        """The model, with its actuator where there is one."""
         if self.control is not None:
             from jounce.simulation.controlled import close_loop
 
@@ -199,17 +276,21 @@ class _Study:
 
     @cached_property
     def units(self) -> dict[str, str]:
+        """SI unit of every channel."""
         return {output.name: output.unit for output in self.compiled.facts.outputs}
 
     @cached_property
     def long_names(self) -> dict[str, str]:
+        """What every channel is, in words."""
         return {output.name: output.long_name for output in self.compiled.facts.outputs}
 
     @cached_property
     def base(self) -> Array:
+        """Parameters (SI) of the rig as it is."""
         return self.compiled.parameter_values(self.rig.parameters())
 
     def channels(self, given: Sequence[str] | str | None) -> list[str]:
+        """Names of the channels meant; one that every corner has is that of all of them."""
         found: list[str] = []
         for name in [given] if isinstance(given, str) else given or []:
             channels = channels_of(name, list(self.units))
@@ -257,6 +338,14 @@ class _Study:
                 raise DescriptionError("does not enter the model", where=f"variants: {path}", hint="Leave it out.")
         return found
 
+    def variant(self, changes: Mapping[str, float]) -> tuple[Rig, Trial, Controller | None]:
+        """Rig, trial and controller with the numbers (SI) of one variant."""
+        own = {path: value for path, value in changes.items() if not path.startswith((_TRIAL, _CONTROL))}
+        trial, control = (
+            _changed(one, changes, prefix) for one, prefix in ((self.trial, _TRIAL), (self.control, _CONTROL))
+        )
+        return self.rig.with_changes(own), trial, control
+
     def groups(self, columns: Mapping[str, Array]) -> Iterator[tuple[_Group, NDArray[np.int64]]]:
         """Variants that share a trial and a controller, and the numbers of these variants."""
         outer = [path for path in columns if path.startswith((_TRIAL, _CONTROL))]
@@ -282,7 +371,7 @@ class _Study:
 class _Group:
     """Variants of the rig over one trial; with a reason where none of them can run."""
 
-    study: _Study
+    study: Study
     trial: Trial
     control: Controller | None
     reason: str = ""
@@ -356,8 +445,8 @@ class _Group:
     def _alone(self, results: _Results, changes: dict[str, float], row: int) -> None:
         try:
             outputs, rest = self._run(self.study.rig.with_changes(changes))
-        except JounceError as error:
-            results.reasons[row] = str(error)
+        except Exception as error:  # noqa: BLE001 - one variant must not stop a million
+            results.reasons[row] = str(unforeseen(error))
             return
         names = self.study.compiled.output_names
         for i, metric in enumerate(results.metrics):

@@ -1,0 +1,241 @@
+"""What a metric of many runs depends on: Morris' effects, Sobol's indices, or regression, each with its confidence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_CONFIDENCE = (2.5, 97.5)  # percentiles
+_RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000
+_END = 0.2  # of the variants, at either end of a number's range
+_FEWEST = 3
+_LEAST = 1e-12  # of a metric's size: what varies less is rounding
+
+
+def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> xr.Dataset:
+    """Tell which of the varied numbers a metric depends on, and how surely.
+
+    What can be told follows from how the variants were laid out: Sobol's indices from :func:`saltelli`, mean and spread
+    of elementary effects from :func:`morris`, regression from all others. It is not the derivative at the rig as it is,
+    which :func:`sensitivities` gives exactly.
+
+    Parameters
+    ----------
+    many : xarray.Dataset
+        Metrics on ``variant``, as :func:`simulate_many` or :func:`load_sweep` gives them.
+    metrics : sequence of str, optional
+        Which of them; all by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        On ``metric`` and ``number`` (paths of what varied); ``_low`` and ``_high`` of each are the ends of its 95 %
+        interval, from resampling (with a fixed seed). ``at_low`` and ``at_high`` are means of the metric (SI) over the
+        fifth of the variants with the lowest and the highest values of the number. From :func:`saltelli`: ``first``
+        and ``total``, shares (1) of the metric's variance that the number is behind alone, and with all others. From
+        :func:`morris`: ``mean_absolute_effect``, ``mean_effect`` and ``effect_spread`` of the metric (SI) for the
+        number's whole range of shares. From others: ``regression``, the coefficient (1) when numbers and metric are
+        measured in their standard deviations, ``rank_correlation`` (1), and ``explained``, the share (1) of variance
+        that straight lines explain; where that is low, the coefficients tell little. ``attrs["left_out"]`` counts
+        variants that have no run, with those that cannot be used without them.
+
+    Raises
+    ------
+    DescriptionError
+        For data without metrics or varied numbers, an unknown metric, and too few variants that ran.
+
+    Notes
+    -----
+    First-order indices as [saltelli2010] recommends, total ones after Jansen (equation (f) of table 2 there); effects
+    as [morris1991] with the mean of absolute ones [campolongo2007].
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("audi-a6-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="1 s")
+    >>> design = jn.morris({"strut.damper.coefficient": "20 %", "tyre.stiffness": "20 %"}, 10)
+    >>> found = jn.sensitivity_indices(jn.simulate_many(rig, trial, design, metrics="max sprung.az"))
+    >>> effect = found["mean_absolute_effect"].sel(metric="max sprung.az")
+    >>> bool(effect.sel(number="strut.damper.coefficient") > effect.sel(number="tyre.stiffness"))
+    True
+    """
+    import xarray as xr
+
+    names, paths = metrics_of(many, metrics), numbers_of(many)
+    if not paths:
+        raise DescriptionError("no number varies", where="many", hint="Give what simulate_many or load_sweep gives.")
+    values = np.column_stack([many[path].to_numpy() for path in paths])
+    design = str(many.attrs.get("design", "list"))
+    size = {"saltelli": len(paths) + 2, "morris": len(paths) + 1}.get(design, 1)
+    belong = many["variant"].to_numpy() // size
+    found: dict[str, Array] = {}
+    left_out = 0
+    for i, name in enumerate(names):
+        y = many[name].to_numpy().astype(float)
+        good = np.isfinite(y) & _are_whole(belong, np.isfinite(y), size)
+        _enough(int(np.sum(good)) // size, _FEWEST if size > 1 else max(_FEWEST, len(paths) + 2))
+        results = {"saltelli": _sobol_indices, "morris": _elementary_effects}.get(design, _regression)(
+            values[good], y[good]
+        )
+        results |= _ends(values[good], y[good])
+        left_out = max(left_out, int(np.sum(~good)))
+        for key, one in results.items():
+            found.setdefault(key, np.full((len(names), *one.shape), np.nan))[i] = one
+    variables = {
+        key: (
+            ("metric", "number")[: one.ndim],
+            one,
+            {"long_name": _WORDS[key.removesuffix("_low").removesuffix("_high")]},
+        )
+        if key not in ("at_low", "at_high")
+        else (("metric", "number"), one, {"long_name": _WORDS[key]})
+        for key, one in found.items()
+    }
+    units = [str(many[name].attrs.get("units", "1")) for name in names]
+    where = {"metric": names, "number": paths, "units": ("metric", units)}
+    return xr.Dataset(variables, where, {"design": design, "left_out": left_out})
+
+
+_WORDS = {
+    "first": "share of the variance that the number is behind alone",
+    "total": "share of the variance that the number is behind, alone and with others",
+    "mean_absolute_effect": "mean size of the effects of the number's whole range",
+    "mean_effect": "mean effect of the number's whole range",
+    "effect_spread": "standard deviation of the effects of the number's whole range",
+    "regression": "standardised regression coefficient",
+    "rank_correlation": "rank correlation",
+    "explained": "share of the variance that straight lines explain",
+    "at_low": "mean over the fifth of the variants with the lowest values of the number",
+    "at_high": "mean over the fifth of the variants with the highest values of the number",
+}
+
+
+def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> list[str]:
+    """Names of the metrics of many runs, or those chosen."""
+    known = [str(name) for name, one in many.data_vars.items() if one.dims == ("variant",) and one.dtype.kind in "fi"]
+    wanted = known if chosen is None else [chosen] if isinstance(chosen, str) else list(chosen)
+    for name in wanted:
+        if name not in known:
+            raise unknown(name, known, what="metric", where="metrics")
+    if not wanted:
+        raise DescriptionError("no metric was kept of the runs", where="metrics", hint="Ask for metrics.")
+    return wanted
+
+
+def numbers_of(many: xr.Dataset) -> list[str]:
+    """Paths of what varies among many runs."""
+    return [
+        str(name)
+        for name, one in many.coords.items()
+        if one.dims == ("variant",) and name != "variant" and np.ptp(one.to_numpy()) > 0.0
+    ]
+
+
+def _varies(y: Array) -> bool:
+    return bool(np.ptp(y) > _LEAST * np.max(np.abs(y)))
+
+
+def _resampled(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]) -> list[tuple[Array, Array]]:
+    """Ends of the interval of each estimate, from rows drawn again with replacement."""
+    random = np.random.default_rng(0)
+    times = _RESAMPLES if rows * numbers <= _MANY else _FEWER
+    drawn = [estimate(random.integers(0, rows, rows)) for _ in range(times)]
+    ends = [np.percentile(np.array(one), _CONFIDENCE, axis=0) for one in zip(*drawn, strict=True)]
+    return [(low, high) for low, high in ends]
+
+
+def _with_ends(
+    names: Sequence[str], rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
+) -> dict[str, Array]:
+    with np.errstate(divide="ignore", invalid="ignore"):  # a draw in which nothing varies
+        found = estimate(slice(None))
+        ends = _resampled(rows, numbers, estimate)
+    results: dict[str, Array] = {}
+    for name, value, (low, high) in zip(names, found, ends, strict=False):
+        results |= {name: value, f"{name}_low": low, f"{name}_high": high}
+    return results
+
+
+def _enough(found: int, least: int) -> None:
+    if found < least:
+        raise DescriptionError("too few variants that ran", where="many", found=found, allowed=f"at least {least}")
+
+
+def _are_whole(belong: Array, ran: Array, size: int) -> Array:
+    """Which variants are of a group (``belong`` numbers it) whose ``size`` variants are all there and ran."""
+    _, group, counts = np.unique(belong, return_inverse=True, return_counts=True)
+    return np.asarray((counts == size) & (np.bincount(group, ran) == size))[group]
+
+
+def _sobol_indices(values: Array, y: Array) -> dict[str, Array]:
+    numbers = values.shape[1]
+    runs = y.reshape(-1, numbers + 2)
+    if not _varies(runs):
+        return dict.fromkeys(("first", "total"), np.zeros(numbers))
+    runs = runs - np.mean(runs[:, [0, -1]])  # estimators are products: a large mean would only add to their scatter
+
+    def estimate(rows: Any) -> tuple[Array, ...]:
+        first, exchanged, second = runs[rows, :1], runs[rows, 1:-1], runs[rows, -1:]
+        variance = np.var(np.concatenate([first, second]))
+        alone = np.mean(second * (exchanged - first), axis=0) / variance
+        return alone, 0.5 * np.mean((first - exchanged) ** 2, axis=0) / variance
+
+    return _with_ends(("first", "total"), len(runs), numbers, estimate)
+
+
+def _elementary_effects(values: Array, y: Array) -> dict[str, Array]:
+    numbers = values.shape[1]
+    runs = y.reshape(-1, numbers + 1)
+    steps = np.diff(values.reshape(-1, numbers + 1, numbers), axis=1)
+    effects = np.zeros((len(runs), numbers))
+    moved = np.argmax(np.abs(steps) > 0.0, axis=2)
+    signs = np.sign(np.take_along_axis(steps, moved[:, :, None], axis=2)[:, :, 0])
+    np.put_along_axis(effects, moved, 2.0 * signs * np.diff(runs, axis=1), axis=1)  # a step is half of the shares
+
+    def estimate(rows: Any) -> tuple[Array, ...]:
+        chosen = effects[rows]
+        return np.mean(np.abs(chosen), axis=0), np.mean(chosen, axis=0), np.std(chosen, axis=0, ddof=1)
+
+    names = ("mean_absolute_effect", "mean_effect", "effect_spread")
+    return _with_ends(names, len(runs), numbers, estimate)
+
+
+def _regression(x: Array, z: Array) -> dict[str, Array]:
+    from scipy.stats import rankdata
+
+    numbers, names = x.shape[1], ("regression", "rank_correlation")
+    if not _varies(z):
+        return {**dict.fromkeys(names, np.zeros(numbers)), "explained": np.array(0.0)}
+    spread = np.std(x, axis=0)
+    scaled = (x - np.mean(x, axis=0)) / np.where(spread > 0.0, spread, 1.0)
+    target = (z - np.mean(z)) / np.std(z)
+    ranks, of_target = rankdata(x, axis=0), rankdata(z)
+
+    def estimate(rows: Any) -> tuple[Array, ...]:
+        slopes = np.linalg.lstsq(np.column_stack([scaled[rows], np.ones(len(scaled[rows]))]), target[rows], rcond=None)[
+            0
+        ]
+        a, b = ranks[rows] - np.mean(ranks[rows], axis=0), of_target[rows] - np.mean(of_target[rows])
+        return slopes[:-1], (a * b[:, None]).sum(axis=0) / np.sqrt((a**2).sum(axis=0) * (b**2).sum())
+
+    found = _with_ends(names, len(z), numbers, estimate)
+    left = target - scaled @ found["regression"]
+    return {**found, "explained": np.array(1.0 - np.var(left))}
+
+
+def _ends(x: Array, z: Array) -> dict[str, Array]:
+    """Means of the metric over the fifth of the variants at either end of each number."""
+    low, high = np.quantile(x, _END, axis=0), np.quantile(x, 1.0 - _END, axis=0)
+    return {
+        "at_low": np.array([np.mean(z[x[:, j] <= low[j]]) for j in range(x.shape[1])]),
+        "at_high": np.array([np.mean(z[x[:, j] >= high[j]]) for j in range(x.shape[1])]),
+    }

@@ -1,0 +1,438 @@
+"""Long sweeps on the disk: results by shards, each whole or not there, and what a resumed sweep must agree with.
+
+A shard is a netCDF file named after its place and its checksum, so that both appear by one rename: what is killed
+leaves no shard that is half written, and one that was damaged since is found. ``sweep.json`` holds all that the results
+follow from.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import math
+import os
+import re
+import shlex
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.serialise import to_json, to_plain
+from jounce.core.types import Array
+from jounce.core.writing import check_folder, write_atomically
+from jounce.recordings.writers import netcdf_of
+from jounce.variants.workers import Task, here, on_cluster, on_processes
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.variants.many import Work
+
+SCHEMA = "jounce.sweep-results/1"
+MANIFEST, SHARDS = "sweep.json", "shards"
+Say = Callable[[int, int], None]
+_NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.nc")
+_AIM = 4.0  # s of work in a shard: little is lost, and what a cluster needs for a task weighs nothing
+_TRIED = 0.5  # s in which it is found out how long variants take
+_LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
+_PER_WORKER = 4  # shards each worker has at least, so that all end together
+_OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
+_MOST_NUMBERS = 400_000_000  # numbers that are given at once: 3.2 GB
+_MOST_DIFFERENCES = 5
+_LONG_LIST = 50
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A folder that holds a sweep, finished or not.
+
+    Attributes
+    ----------
+    folder : Path
+        Where it lies.
+    about : dict
+        What ``sweep.json`` says: ``count`` and ``shard`` (variants), ``study``, ``command``, version.
+    """
+
+    folder: Path
+    about: Mapping[str, Any]
+
+    @property
+    def count(self) -> int:
+        """Variants of the whole sweep."""
+        return int(self.about["count"])
+
+    @cached_property
+    def spans(self) -> list[tuple[int, int]]:
+        """First variant of each shard, and the one behind its last."""
+        size = int(self.about["shard"])
+        return [(first, min(first + size, self.count)) for first in range(0, self.count, size)]
+
+    def names(self) -> dict[int, list[Path]]:
+        """Files of each shard: one, or more where a damaged one lies beside."""
+        found: dict[int, list[Path]] = {}
+        for file in sorted((self.folder / SHARDS).glob("*.nc")):
+            match = _NAME.fullmatch(file.name)
+            if match is not None and int(match[1]) < len(self.spans):
+                found.setdefault(int(match[1]), []).append(file)
+        return found
+
+    def whole(self) -> dict[int, Path]:
+        """Shards whose content is what it was written as."""
+        found = {}
+        for number, files in self.names().items():
+            good = [file for file in files if _is_whole(file)]
+            if good:
+                found[number] = good[0]
+        return found
+
+    def write(self, number: int, content: bytes) -> None:
+        """Put a shard in its place; damaged ones of its number go."""
+        name = f"{number:06d}.{_checksum(content)}.nc"
+        (self.folder / SHARDS).mkdir(exist_ok=True)
+        write_atomically(self.folder / SHARDS / name, content, force=True)
+        for file in (self.folder / SHARDS).glob(f"{number:06d}.*.nc"):
+            if file.name != name:
+                file.unlink(missing_ok=True)
+
+
+def keep_in_shards(
+    work: Work,
+    columns: Mapping[str, Array],
+    out: Path | str,
+    *,
+    resume: bool = False,
+    force: bool = False,
+    workers: int = 1,
+    client: Any = None,
+    threads: int | None = None,
+    say: Say = lambda _done, _count: None,
+    command: str = "",
+) -> xr.Dataset:
+    """Run variants into a folder, shard by shard; give what :func:`load_sweep` reads of it.
+
+    ``say`` is told how many variants are done, and of how many; ``command`` is what was typed.
+    """
+    folder = Path(out).expanduser().resolve()
+    study = study_of(work, columns)
+    if (folder / MANIFEST).is_file() and resume:
+        kept = read_kept(folder)
+        _check_same(kept, study)
+    else:
+        check_folder(folder, force=force)
+        kept = _begun(folder, work, columns, study, workers if client is None else 64, command)
+    with _alone(folder):
+        done = kept.whole()
+        _check_disk(kept, work, [kept.spans[number] for number in range(len(kept.spans)) if number not in done])
+        version, finished = _version(), sum(kept.spans[number][1] - kept.spans[number][0] for number in done)
+        say(finished, kept.count)
+        tasks = [
+            Task(number, first, {path: column[first:end] for path, column in columns.items()}, version)
+            for number, (first, end) in enumerate(kept.spans)
+            if number not in done
+        ]
+        if client is not None:
+            results = on_cluster(client, work, tasks)
+        elif workers > 1:
+            results = on_processes(min(workers, len(tasks)), work, tasks)
+        else:
+            results = here(work, tasks, threads)
+        with closing(results):  # at once, whatever ends the loop: nobody works for a folder that takes nothing
+            for number, content in results:
+                kept.write(number, content)
+                finished += kept.spans[number][1] - kept.spans[number][0]
+                say(finished, kept.count)
+    return load_sweep(folder)
+
+
+def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Dataset:
+    """Read the results of a sweep from its folder, as far as it has come.
+
+    Parameters
+    ----------
+    folder : path
+        What ``out=`` of :func:`simulate_many` or ``--out`` of ``jounce sweep`` named.
+    channels : bool, optional
+        Whether to read channels over time, too; by default where they are at most 4e8 numbers (3.2 GB).
+
+    Returns
+    -------
+    xarray.Dataset
+        As :func:`simulate_many` gives it, of the variants that are finished; damaged shards are left out.
+        ``attrs["variants"]`` counts all of the sweep.
+
+    Raises
+    ------
+    OutputError
+        For a folder that holds no sweep.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="1 s")
+    >>> dampers = {"strut.damper.coefficient": [1000.0, 2000.0]}
+    >>> out = tempfile.mkdtemp()
+    >>> many = jn.simulate_many(jn.load("audi-a6-quarter-car"), trial, dampers, metrics="max sprung.az", out=out)
+    >>> jn.load_sweep(out).identical(many)
+    True
+    """
+    import xarray as xr
+
+    kept = read_kept(Path(folder).expanduser().resolve())
+    spans = {number: kept.spans[number] for number in kept.names()}
+    count = sum(end - first for first, end in spans.values())
+    found: dict[str, Array] = {}
+    first_shard, row, tally = None, 0, 0
+    for number in sorted(spans):
+        shard = _read(kept, number)
+        if shard is None:
+            continue
+        if channels is None:
+            over_time = [one for one in shard.data_vars.values() if "time" in one.dims]
+            channels = count * sum(one[0].size for one in over_time) <= _MOST_NUMBERS
+        if not channels:
+            shard = shard.drop_dims("time", errors="ignore")
+        if first_shard is None:
+            first_shard = shard
+            found = {
+                str(name): np.empty((count, *one.shape[1:]), dtype=one.dtype if one.dtype.kind in "fi" else object)
+                for name, one in shard.variables.items()
+                if "variant" in one.dims
+            }
+        size = shard.sizes["variant"]
+        for name, values in found.items():
+            values[row : row + size] = shard[name].to_numpy()
+        row, tally = row + size, tally + int(shard.attrs["side_by_side"])
+    if first_shard is None:
+        return xr.Dataset(attrs={"variants": kept.count})
+    variables = {
+        str(name): xr.Variable(one.dims, found[str(name)][:row] if str(name) in found else one.to_numpy(), one.attrs)
+        for name, one in first_shard.variables.items()
+    }
+    coordinates = {name: variables[str(name)] for name in map(str, first_shard.coords)}
+    data = {name: one for name, one in variables.items() if name not in coordinates}
+    attributes = {**to_plain(first_shard.attrs), "side_by_side": tally, "variants": kept.count}
+    return xr.Dataset(data, coordinates, attributes)
+
+
+def read_kept(folder: Path) -> Kept:
+    """Read what a folder says of its sweep."""
+    file = folder / MANIFEST
+    try:
+        about = json.loads(file.read_text(encoding="utf-8"))
+        kept = Kept(folder, about)
+        if about["schema"] == SCHEMA and kept.count >= 1 and int(about["shard"]) >= 1 and "study" in about:
+            return kept
+    except FileNotFoundError:
+        raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}") from None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        pass
+    raise OutputError("this says nothing of a sweep", where=str(file), hint="Begin the sweep anew in another folder.")
+
+
+def _read(kept: Kept, number: int) -> xr.Dataset | None:
+    """Read a shard; none where it is damaged."""
+    import xarray as xr
+
+    for file in kept.names()[number]:
+        content = file.read_bytes()
+        if _checksum(content) == file.name.split(".")[1]:
+            return xr.load_dataset(io.BytesIO(content), engine="h5netcdf")
+    return None
+
+
+def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
+    """Run the variants of a task; give the content of their shard."""
+    return netcdf_of(work.run(task.columns, first=task.first, threads=threads))
+
+
+def _checksum(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:32]
+
+
+def _is_whole(file: Path) -> bool:
+    try:
+        return _checksum(file.read_bytes()) == file.name.split(".")[1]
+    except OSError:
+        return False
+
+
+# what a sweep follows from --------------------------------------------------------------------------------------------
+
+
+def study_of(work: Work, columns: Mapping[str, Array]) -> dict[str, Any]:
+    """All that results follow from, as plain data: files by their content, long lists by their digest."""
+    study = work.study
+    if study.control is not None and callable(getattr(study.control, "function", None)):
+        raise DescriptionError(
+            "a Python function cannot be kept with its results",
+            where="control",
+            allowed="a controller by its name or file",
+            hint="Leave out out=, or write the law as a file.",
+        )
+    described = {"rig": study.rig, "trial": study.trial, "control": study.control}
+    return {
+        **{name: None if one is None else _plain(one.model_dump(by_alias=True)) for name, one in described.items()},
+        "settings": to_plain(study.settings),
+        "metrics": [metric.text for metric in work.metrics],
+        "outputs": list(work.channels),
+        "variants": {
+            **work.design,
+            **{
+                path: f"{len(column)} from {column.min():.6g} to {column.max():.6g}, {_digest(column.tobytes())}"
+                for path, column in columns.items()
+            },
+        },
+        "jounce": _version(),
+    }
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Path):
+        content = value.read_bytes() if value.is_file() else b""
+        return {"file": str(value), "content": _digest(content)}
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        if len(value) > _LONG_LIST:
+            return f"{len(value)} values, {_digest(to_json(value, indent=None).encode())}"
+        return [_plain(item) for item in value]
+    return to_plain(value)
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def _version() -> str:
+    return metadata.version("jounce")
+
+
+def _flat(value: Any, path: str = "") -> dict[str, Any]:
+    if isinstance(value, Mapping):
+        inner = [_flat(item, f"{path}.{key}" if path else str(key)) for key, item in value.items()]
+    elif isinstance(value, list):
+        inner = [_flat(item, f"{path}[{i}]") for i, item in enumerate(value)]
+    else:
+        return {path: value}
+    return {key: item for one in inner for key, item in one.items()}
+
+
+def _check_same(kept: Kept, study: Mapping[str, Any]) -> None:
+    """Refuse to go on with another study, naming what differs."""
+    before, now = _flat(kept.about["study"]), _flat(json.loads(to_json(study)))
+    changed = [path for path in dict.fromkeys([*before, *now]) if before.get(path) != now.get(path)]
+    if not changed:
+        return
+    told = [f"{path}: {_short(before.get(path))} before, {_short(now.get(path))} now" for path in changed]
+    more = f" and {len(told) - _MOST_DIFFERENCES} more" if len(told) > _MOST_DIFFERENCES else ""
+    raise OutputError(
+        "the sweep that is to be resumed was another one",
+        where=str(kept.folder),
+        found=f"{'; '.join(told[:_MOST_DIFFERENCES])}{more}",
+        hint="Take back what was changed, or begin in another folder.",
+    )
+
+
+def _short(value: Any) -> str:
+    text = "nothing" if value is None else str(value)
+    return text if len(text) < 60 else f"{text[:57]}…"
+
+
+# the folder -----------------------------------------------------------------------------------------------------------
+
+
+def _begun(
+    folder: Path, work: Work, columns: Mapping[str, Array], study: Mapping[str, Any], workers: int, command: str
+) -> Kept:
+    """Make the folder of a new sweep: how large shards are, and all that the results follow from."""
+    count = len(next(iter(columns.values())))
+    size = min(_size(work, columns, workers), max(int(_MOST_BYTES / _bytes_of_a_variant(work, columns)), 1))
+    about = {
+        "schema": SCHEMA,
+        "count": count,
+        "shard": size,
+        "jounce": _version(),
+        "command": command or shlex.join(sys.argv),
+        "study": study,
+    }
+    kept = Kept(folder, about)
+    _check_disk(kept, work, kept.spans)
+    folder.mkdir(parents=True, exist_ok=True)
+    for files in Kept(folder, {"count": 10**9, "shard": 1}).names().values() if (folder / SHARDS).is_dir() else ():
+        for file in files:
+            file.unlink()
+    write_atomically(folder / MANIFEST, f"{to_json(about)}\n", force=True)
+    return kept
+
+
+def _size(work: Work, columns: Mapping[str, Array], workers: int) -> int:
+    """Variants in a shard: a power of 2, found by trying how long the first ones take."""
+    count, tried = len(next(iter(columns.values()))), 1
+    work.run({path: column[:1] for path, column in columns.items()})  # whatever is compiled
+    while True:
+        started = time.perf_counter()
+        work.run({path: column[:tried] for path, column in columns.items()})
+        took = time.perf_counter() - started
+        if took > _TRIED or tried >= count:
+            break
+        tried *= 4
+    fair = min(_AIM * min(tried, count) / took, count / (workers * _PER_WORKER) if workers > 1 else math.inf)
+    return int(min(2 ** max(math.floor(math.log2(max(fair, 1.0))), 0), _LARGEST))
+
+
+def _bytes_of_a_variant(work: Work, columns: Mapping[str, Array]) -> int:
+    samples = len(work.study.settings.times(float(columns.get("trial.duration", [work.study.trial.duration])[0])))
+    return 8 * (len(columns) + len(work.metrics) + len(work.channels) * samples + 1) + 32
+
+
+def _check_disk(kept: Kept, work: Work, spans: list[tuple[int, int]]) -> None:
+    """Refuse, before the work, more results than there is room for."""
+    there = next(one for one in (kept.folder, *kept.folder.parents) if one.exists())
+    paths = [path for path in kept.about["study"]["variants"] if path not in ("design", "seed")]
+    each = _bytes_of_a_variant(work, dict.fromkeys(paths, np.array([work.study.trial.duration])))
+    needed = sum(each * (end - first) + _OVERHEAD for first, end in spans)
+    free = shutil.disk_usage(there).free
+    if needed > free:
+        raise OutputError(
+            "the results are more than the disk has room for",
+            where=str(kept.folder),
+            found=f"{needed / 1e9:.3g} GB",
+            allowed=f"{free / 1e9:.3g} GB",
+            hint="Keep metrics, fewer outputs, or a longer output step.",
+        )
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Let one process at a time work on a folder, where the system and the disk can lock it."""
+    if os.name != "posix":
+        yield
+        return
+    import fcntl
+
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)  # which goes with this process, however it ends
+        except BlockingIOError:
+            raise OutputError(
+                "another process works on this sweep", where=str(folder), hint="Wait for it, or end it first."
+            ) from None
+        except OSError:  # a disk without locks
+            pass
+        yield
+    finally:
+        os.close(handle)

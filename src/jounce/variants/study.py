@@ -1,0 +1,283 @@
+"""Sweeps as files: which rig, over what, which numbers vary how, and what is kept of every run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from jounce.core.description import Description, line_of, misplaced, read_description
+from jounce.core.errors import JounceError
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.core.units import PositiveTime, Unit
+from jounce.parts.files import load, rig_named_in
+from jounce.roads import Trial
+from jounce.roads.loading import load_road, read_roads
+from jounce.simulation.settings import Method, RunSettings
+from jounce.variants.designs import DESIGNS, MOST
+from jounce.variants.many import Variants, Work, prepared
+from jounce.variants.shards import Say, keep_in_shards, read_kept
+from jounce.variants.summary import Summary, summarise
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.control import Controller
+
+SCHEMA: Literal["jounce.sweep/1"] = "jounce.sweep/1"
+Layout = Literal["list", "grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
+
+
+class SweepDesign(Description):
+    """How variants are laid out: ``count`` points of a ``kind``, drawn with ``seed``.
+
+    A ``grid`` has every combination of the values, a ``list`` one of each a variant: both have no count. Of ``morris``
+    the count is that of trajectories, of ``saltelli`` that of pairs of points.
+    """
+
+    kind: Layout
+    count: Annotated[int, Field(ge=1, le=MOST)] | None = None
+    seed: Annotated[int, Field(ge=0)] = 0
+
+    @model_validator(mode="after")
+    def _counts_what_is_drawn(self) -> SweepDesign:
+        if (self.kind in ("list", "grid")) != (self.count is None):
+            said = "has as many variants as its values give" if self.kind in ("list", "grid") else "needs a count"
+            raise misplaced(("count",), f"a design of kind {self.kind!r} {said}; found {self.count}")
+        return self
+
+
+class SweepStudy(Description):
+    """A sweep: the ``rig`` (a file, or the name of a shipped one), over what, what varies, what is kept.
+
+    ``trial`` has the keys of a trial; its roads are tables, files, names or classes (``"iso:C"``). ``vary`` has the
+    path of each number and what it is spread over, or its values; ``metrics`` are numbers of each run, ``outputs``
+    channels that are kept over time, ``control`` is a controller by its name or file.
+    """
+
+    schema_: Literal["jounce.sweep/1"] = Field(default=SCHEMA, alias="schema")
+    rig: str
+    trial: dict[str, Any]
+    design: SweepDesign
+    vary: dict[str, Any] = Field(min_length=1)
+    metrics: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()
+    control: str | None = None
+    output_step: PositiveTime = 1e-3
+    tolerance: Annotated[float, Unit("1", above=0.0)] = 1e-5
+    method: Method = "auto"
+
+    @model_validator(mode="after")
+    def _keeps_something(self) -> SweepStudy:
+        if not self.metrics and not self.outputs:
+            raise misplaced(
+                ("metrics",), "nothing is kept of the runs; give metrics, e.g. ['rms sprung.az'], or outputs"
+            )
+        return self
+
+
+@dataclass(frozen=True)
+class ReadSweep:
+    """A sweep whose file was read: the work, and the values (SI) of every variant by path."""
+
+    study: SweepStudy
+    work: Work
+    columns: dict[str, Array]
+
+    @property
+    def count(self) -> int:
+        """Variants of the sweep."""
+        return len(next(iter(self.columns.values())))
+
+
+@dataclass(frozen=True)
+class SweepResult(Plain):
+    """What a sweep gave.
+
+    Attributes
+    ----------
+    study : str
+        The file of the study.
+    out : str
+        Folder of the results.
+    command : str
+        What began the sweep.
+    seed : int or None
+        From which its variants follow, where they are drawn.
+    summary : Summary
+        Statistics of every metric, what they depend on, and why variants have no run.
+    data : xarray.Dataset
+        As :func:`load_sweep` gives it.
+    """
+
+    left_out = ("data",)
+    study: str
+    out: str
+    command: str
+    seed: int | None
+    summary: Summary
+    data: xr.Dataset = field(repr=False)
+
+
+def run_sweep(
+    study: Path | str,
+    out: Path | str,
+    *,
+    resume: bool = False,
+    force: bool = False,
+    workers: int = 1,
+    client: Any = None,
+    say: Say = lambda _done, _count: None,
+    command: str = "",
+) -> SweepResult:
+    """Run the sweep that a file describes into a folder, by shards that outlast whatever stops it.
+
+    Parameters
+    ----------
+    study : path
+        A file of the schema ``jounce.sweep/1``.
+    out : path
+        Folder of the results.
+    resume : bool
+        Go on where it was stopped, or begin.
+    force : bool
+        Take the place of an earlier sweep in the folder, whose shards go.
+    workers : int
+        Processes that share the work; as for :func:`simulate_many`.
+    client : dask.distributed.Client, optional
+        A cluster that does the work.
+    say : callable
+        Is told how many variants are done, and of how many.
+    command : str
+        What was typed, to be kept with the results.
+
+    Returns
+    -------
+    SweepResult
+        Statistics and data.
+
+    Raises
+    ------
+    DescriptionError
+        For a study that cannot be understood, with file and line.
+    OutputError
+        As for :func:`simulate_many`.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> folder = pathlib.Path(tempfile.mkdtemp())
+    >>> text = '''
+    ... schema = "jounce.sweep/1"
+    ... rig = "audi-a6-quarter-car"
+    ... metrics = ["rms sprung.az"]
+    ... trial = {speed = "10 m/s", duration = "1 s", road = {kind = "half-sine", height = "10 mm", length = "1 m"}}
+    ... design = {kind = "grid"}
+    ... vary = {"sprung.mass" = ["400 kg", "500 kg"]}
+    ... '''
+    >>> _ = (folder / "study.toml").write_text(text)
+    >>> result = run_sweep(folder / "study.toml", folder / "out")
+    >>> result.summary.count, result.summary.metrics[0].name
+    (2, 'rms sprung.az')
+    """
+    sweep = read_sweep(study)
+    data = keep_in_shards(
+        sweep.work,
+        sweep.columns,
+        out,
+        resume=resume,
+        force=force,
+        workers=workers,
+        client=client,
+        say=say,
+        command=command,
+    )
+    kept = read_kept(Path(out).expanduser().resolve())
+    seed = sweep.study.design.seed if sweep.study.design.count is not None else None
+    return SweepResult(str(study), str(out), str(kept.about["command"]), seed, summarise(data), data)
+
+
+def read_sweep(path: Path | str) -> ReadSweep:
+    """Read a sweep and all that it names; errors name the file and the line."""
+    study, text = read_description(SweepStudy, path, SCHEMA)
+    file = Path(path)
+    rig = load(rig_named_in(study.rig, file))
+    try:
+        trial = _trial(study.trial, file, text)
+        variants = _variants(study)
+        settings = RunSettings(study.output_step, study.tolerance, study.method)
+        work, columns = prepared(
+            rig, trial, variants, settings, list(study.metrics), list(study.outputs), _control(study, file)
+        )
+    except JounceError as error:
+        raise _placed(error, file, text, study) from None
+    return ReadSweep(study, work, columns)
+
+
+def _variants(study: SweepStudy) -> Variants:
+    design = study.design
+    if design.kind == "list":
+        return study.vary
+    make: Callable[..., Variants] = DESIGNS[design.kind]
+    return make(study.vary) if design.count is None else make(study.vary, design.count, seed=design.seed)
+
+
+def _trial(table: dict[str, Any], file: Path, text: str) -> Trial:
+    """A trial whose roads may be tables, files beside the study, names or classes."""
+    found = dict(table)
+    for side in ("road", "right"):
+        given = table.get(side)
+        if isinstance(given, str):
+            beside = file.parent / given
+            driven = _metres(table) if given.lower().startswith("iso:") else None
+            found[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
+        elif isinstance(given, dict):
+            read = read_roads({side: given}, where=str(file), text=text, folder=file.parent, path=("trial",))
+            found[side] = read[side]
+    given = table.get("excitation")
+    if isinstance(given, str):
+        found["excitation"] = file.parent / given
+    elif isinstance(given, dict) and isinstance(given.get("file"), str):
+        found["excitation"] = {**given, "file": file.parent / given["file"]}
+    return Trial.from_table(found, where=str(file), text=text, path=("trial",))
+
+
+def _metres(table: dict[str, Any]) -> float | None:
+    """How far is driven, where both numbers are right: what is wrong with them is said with the trial."""
+    from jounce.core.units import positive_si
+
+    try:
+        return positive_si(table["speed"], "m/s", where="") * positive_si(table["duration"], "s", where="")
+    except (JounceError, KeyError):
+        return None
+
+
+def _control(study: SweepStudy, file: Path) -> Controller | None:
+    if study.control is None:
+        return None
+    from jounce.control import controller
+
+    beside = file.parent / study.control
+    return controller(beside if beside.suffix == ".toml" else study.control)
+
+
+def _placed(error: JounceError, file: Path, text: str, study: SweepStudy) -> JounceError:
+    """The error with file and line, where its place is one of the study."""
+    place = error.where.removeprefix("variants: ")
+    named = next((path for path in study.vary if place == path or place.startswith((f"{path}:", f"{path}["))), None)
+    head = place.partition("[")[0].partition(":")[0]
+    if named is not None:
+        line = line_of(text, ("vary", named))
+        place = f"vary.{place}"
+    elif head in ("metrics", "outputs", "output_step", "tolerance", "method", "control", "design"):
+        line = line_of(text, (head,))
+    elif head in ("variants", "count", "seed"):
+        line, place = line_of(text, ("design",)), "design"
+    else:
+        return error
+    where = f"{file}{f', line {line}' if line else ''}: {place}"
+    return type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)

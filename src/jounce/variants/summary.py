@@ -1,0 +1,237 @@
+"""What many runs amount to: statistics of every metric, bands over time, and why variants have no run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_PERCENTILES = (5.0, 50.0, 95.0)
+_MOST_REASONS = 20
+_LITTLE = 0.7  # of the variance, below which straight lines are said to explain little
+
+
+@dataclass(frozen=True)
+class MetricSummary(Plain):
+    """One metric over all variants that ran, SI.
+
+    Attributes
+    ----------
+    name, unit : str
+        Which, and its SI unit.
+    mean, standard_deviation : float
+        Over the variants.
+    least, greatest : float
+        Ends.
+    least_at, greatest_at : int
+        Numbers of the variants there.
+    percentiles : dict
+        5th, 50th and 95th: each with the ends of its 95 % interval as a sample of the distribution; None where there
+        are too few variants for it.
+    """
+
+    name: str
+    unit: str
+    mean: float
+    standard_deviation: float
+    least: float
+    least_at: int
+    greatest: float
+    greatest_at: int
+    percentiles: dict[str, dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class Influence(Plain):
+    """What one number is to one metric.
+
+    Attributes
+    ----------
+    metric, number : str
+        Which metric, and the path of the number.
+    measures : dict
+        Every measure of :func:`sensitivity_indices` with the ends of its 95 % interval where it has them.
+    """
+
+    metric: str
+    number: str
+    measures: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Summary(Plain):
+    """Statistics of many runs.
+
+    Attributes
+    ----------
+    count, ran, side_by_side : int
+        Variants; those that ran; those that did so side by side.
+    numbers : dict
+        Path of what varies to its least and greatest value, and its SI unit.
+    metrics : tuple of MetricSummary
+        Statistics of every metric.
+    influences : tuple of Influence
+        What each metric depends on; empty where too few ran to tell.
+    failed : dict
+        Reason why variants have no run to how many these are, and the first of them.
+    findings : tuple of Finding
+        What the reader must know.
+    """
+
+    count: int
+    ran: int
+    side_by_side: int
+    numbers: dict[str, dict[str, Any]]
+    metrics: tuple[MetricSummary, ...]
+    influences: tuple[Influence, ...]
+    failed: dict[str, dict[str, int]]
+    findings: tuple[Finding, ...]
+
+
+def summarise(many: xr.Dataset) -> Summary:
+    """Sum up many runs; reasons that differ in their numbers only after the first twenty are put together."""
+    reasons = many["reason"].to_numpy()
+    failed: dict[str, dict[str, int]] = {}
+    for row in np.flatnonzero(reasons != ""):
+        text = str(reasons[row])
+        if text not in failed and len(failed) >= _MOST_REASONS:
+            text = "other reasons"
+        failed.setdefault(text, {"variants": 0, "first": int(many["variant"][row])})["variants"] += 1
+    ran = int(np.sum(reasons == ""))
+    count = int(many.attrs.get("variants", len(reasons)))
+    numbers = {}
+    for path in numbers_of(many):
+        ends = {"least": float(many[path].min()), "greatest": float(many[path].max())}
+        numbers[path] = {**ends, "unit": str(many[path].attrs["units"])}
+    has_metrics = any(one.dims == ("variant",) and one.dtype.kind in "fi" for one in many.data_vars.values())
+    names = metrics_of(many) if has_metrics and ran else []
+    influences, findings = _influences(many, names) if numbers and names else ((), [])
+    if failed:
+        text = f"{len(reasons) - ran} of {len(reasons)} variants have no run; statistics are of the others"
+        findings.insert(0, Finding("variants", "warning", text, float(len(reasons) - ran)))
+    metrics = tuple(_metric(many, name) for name in names)
+    side_by_side = int(many.attrs.get("side_by_side", 0))
+    return Summary(count, ran, side_by_side, numbers, metrics, influences, failed, tuple(findings))
+
+
+def _metric(many: xr.Dataset, name: str) -> MetricSummary:
+    values = many[name].to_numpy()
+    variants = many["variant"].to_numpy()
+    good = np.flatnonzero(np.isfinite(values))
+    found = values[good]
+    low, high = good[np.argmin(found)], good[np.argmax(found)]
+    percentiles = {f"{level:g}": _percentile(np.sort(found), level) for level in _PERCENTILES}
+    unit = str(many[name].attrs.get("units", "1"))
+    spread = float(np.std(found, ddof=1)) if len(found) > 1 else 0.0
+    return MetricSummary(
+        name, unit, float(np.mean(found)), spread, float(values[low]), int(variants[low]), float(values[high]),
+        int(variants[high]), percentiles,
+    )  # fmt: skip
+
+
+def _percentile(ordered: np.ndarray, level: float) -> dict[str, Any]:
+    """A percentile with its 95 % interval: between which of the ordered values it lies follows from counting alone."""
+    from scipy.stats import binom
+
+    count, share = len(ordered), level / 100.0
+    low = int(binom.ppf(0.025, count, share)) - 1
+    high = int(binom.ppf(0.975, count, share))
+    interval = [float(ordered[low]), float(ordered[high])] if low >= 0 and high < count else None
+    return {"value": float(np.percentile(ordered, level)), "interval": interval}
+
+
+def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence, ...], list[Finding]]:
+    try:
+        indices = sensitivity_indices(many, names)
+    except DescriptionError as error:
+        return (), [Finding("sensitivity", "note", f"{error.what}: what metrics depend on is not told")]
+    found, findings = [], []
+    measures = [str(name) for name in indices.data_vars if not str(name).endswith(("_low", "_high"))]
+    for metric in names:
+        for number in map(str, indices["number"].to_numpy()):
+            at = indices.sel(metric=metric, number=number)
+            told = {name: _measured(at, name) for name in measures if name != "explained"}
+            ends = {name: float(at[name]) for name in ("at_low", "at_high")}
+            found.append(Influence(metric, number, {**told, **ends}))
+        explained = float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
+        if explained < _LITTLE:
+            text = (
+                f"straight lines explain {100.0 * explained:.0f} % of its variance: "
+                "look at the scatter; a design of kind saltelli tells the rest"
+            )
+            findings.append(Finding(metric, "note", text, explained))
+    if indices.attrs["left_out"] and indices.attrs["design"] in ("morris", "saltelli"):
+        text = f"{indices.attrs['left_out']} variants are left out with those that have no run"
+        findings.append(Finding("sensitivity", "warning", text, float(indices.attrs["left_out"])))
+    return tuple(found), findings
+
+
+def _measured(at: xr.Dataset, name: str) -> dict[str, Any]:
+    ends = [float(at[f"{name}_{end}"]) for end in ("low", "high")] if f"{name}_low" in at else None
+    return {"value": float(at[name]), "interval": ends}
+
+
+def bands(many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCENTILES) -> xr.DataArray:
+    """Give percentiles of a channel over the variants at every time: how far apart runs lie.
+
+    A band between two of them is where that share of the variants lies at each time; no single run need follow it.
+
+    Parameters
+    ----------
+    many : xarray.Dataset
+        With the channel on ``variant`` and ``time`` (``outputs=`` of :func:`simulate_many`).
+    channel : str
+        Its name.
+    percentiles : sequence of float
+        In percent, 0 to 100.
+
+    Returns
+    -------
+    xarray.DataArray
+        On ``percentile`` (percent) and ``time`` (s), in the channel's SI unit; variants without a run are left out.
+
+    Raises
+    ------
+    DescriptionError
+        For a channel that was not kept over time, or percentiles that are none.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("audi-a6-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="1 s")
+    >>> many = jn.simulate_many(rig, trial, jn.sobol({"sprung.mass": "10 %"}, 16), outputs="sprung.z")
+    >>> band = jn.bands(many, "sprung.z")
+    >>> bool((band.sel(percentile=5) <= band.sel(percentile=95)).all())
+    True
+    """
+    import xarray as xr
+
+    known = [str(name) for name, one in many.data_vars.items() if one.dims == ("variant", "time")]
+    if channel not in known:
+        raise unknown(channel, known, what="channel over time", where="channel")
+    levels = np.asarray(percentiles, dtype=float)
+    if levels.ndim != 1 or not len(levels) or not np.all((levels >= 0.0) & (levels <= 100.0)):
+        raise DescriptionError("not percentiles", where="percentiles", found=percentiles, allowed="0 to 100")
+    values = many[channel].to_numpy()
+    values = values[np.all(np.isfinite(values), axis=1)]
+    if not len(values):
+        raise DescriptionError("no variant has a run", where=channel)
+    about: Mapping[Any, Any] = many[channel].attrs
+    return xr.DataArray(
+        np.percentile(values, levels, axis=0),
+        {"percentile": levels, "time": many["time"]},
+        ("percentile", "time"),
+        channel,
+        about,
+    )

@@ -1,0 +1,204 @@
+"""Long sweeps: shards, what stops a sweep, and what a resumed one must agree with."""
+
+from __future__ import annotations
+
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.variants import shards
+
+RIG = jn.load("audi-a6-quarter-car")
+TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="0.5 s")
+METRICS = ["rms sprung.az", "max tyre.force"]
+
+
+def design(count: int = 40, seed: int = 1) -> jn.sobol:
+    return jn.sobol({"strut.damper.coefficient": "40 %", "sprung.mass": ["400 kg", "520 kg"]}, count, seed=seed)
+
+
+def sweep(out: Path, variants=None, **options):
+    return jn.simulate_many(RIG, TRIAL, variants or design(), metrics=METRICS, out=out, **options)
+
+
+@pytest.fixture
+def small(monkeypatch):
+    """Shards of eight variants."""
+    monkeypatch.setattr(shards, "_size", lambda *_: 8)
+
+
+def files(out: Path) -> list[str]:
+    return sorted(file.name for file in (out / "shards").iterdir())
+
+
+def test_shards_hold_what_one_call_gives(tmp_path: Path, small) -> None:
+    found = sweep(tmp_path / "out")
+    whole = jn.simulate_many(RIG, TRIAL, design(), metrics=METRICS)
+    assert len(files(tmp_path / "out")) == 5
+    assert found.attrs == {**whole.attrs, "variants": 40}
+    for name in (*METRICS, "sprung.mass", "variant"):
+        np.testing.assert_array_equal(found[name].values, whole[name].values)
+        assert found[name].attrs == whole[name].attrs
+    assert set(found["reason"].values) == {""}
+    assert jn.load_sweep(tmp_path / "out").identical(found)
+
+
+def test_a_reason_of_a_later_shard_is_whole(tmp_path: Path, small) -> None:
+    masses = [450.0] * 20
+    masses[17] = -1.0
+    found = sweep(tmp_path / "out", {"sprung.mass": masses})
+    assert "sprung.mass" in found["reason"].values[17]
+    assert found["reason"].values[17].endswith(".")
+    assert np.isnan(found["rms sprung.az"].values[17])
+    assert np.isfinite(found["rms sprung.az"].values[[16, 18]]).all()
+
+
+def test_a_variant_that_ends_in_an_unforeseen_way_is_a_row_with_its_reason(monkeypatch) -> None:
+    from jounce.variants import many
+
+    monkeypatch.setattr(many._Group, "_run", lambda *_: 1 / 0)
+    found = jn.simulate_many(RIG, TRIAL, {"sprung.mass": [400.0, 500.0]}, metrics="Wk sprung.az")
+    assert all("division by zero" in text for text in found["reason"].values)
+
+
+def test_channels_over_time_are_kept_by_shards(tmp_path: Path, small) -> None:
+    found = jn.simulate_many(RIG, TRIAL, design(20), outputs="sprung.z", out=tmp_path)
+    whole = jn.simulate_many(RIG, TRIAL, design(20), outputs="sprung.z")
+    assert found["sprung.z"].dims == ("variant", "time")
+    np.testing.assert_array_equal(found["sprung.z"].values, whole["sprung.z"].values)
+    assert "sprung.z" not in jn.load_sweep(tmp_path, channels=False)
+
+
+@pytest.mark.parametrize("damage", ["gone", "cut", "changed"])
+def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(tmp_path: Path, small, monkeypatch, damage) -> None:
+    before = sweep(tmp_path)
+    chosen = sorted((tmp_path / "shards").iterdir())[2]
+    content = chosen.read_bytes()
+    if damage == "gone":
+        chosen.unlink()
+    else:
+        chosen.write_bytes(content[:-50] if damage == "cut" else content[:-50] + b"!" + content[-49:])
+    assert jn.load_sweep(tmp_path).sizes["variant"] == 32  # what is damaged is not read
+    worked: list[int] = []
+    run = shards.shard_of
+    monkeypatch.setattr(
+        shards, "shard_of", lambda work, task, threads: worked.append(task.number) or run(work, task, threads)
+    )
+    after = sweep(tmp_path, resume=True)
+    assert worked == [2]
+    assert after.identical(before)
+    assert len(files(tmp_path)) == 5
+
+
+def test_what_is_full_keeps_what_is_finished(tmp_path: Path, small, monkeypatch) -> None:
+    write = shards.write_atomically
+
+    def full(path: Path, content, **options):
+        if Path(path).name.startswith("000003"):
+            raise OutputError("the file cannot be written", where=str(path), found="No space left on device")
+        return write(path, content, **options)
+
+    monkeypatch.setattr(shards, "write_atomically", full)
+    with pytest.raises(OutputError, match="No space"):
+        sweep(tmp_path)
+    assert len(files(tmp_path)) == 3
+    monkeypatch.undo()
+    found = sweep(tmp_path, resume=True)
+    assert found.identical(jn.load_sweep(tmp_path))
+    np.testing.assert_array_equal(found["variant"], np.arange(40))
+
+
+def test_more_results_than_the_disk_holds_are_refused_before_the_work(tmp_path: Path, small, monkeypatch) -> None:
+    usage = namedtuple("usage", "total used free")
+    monkeypatch.setattr(shards.shutil, "disk_usage", lambda _: usage(1e6, 1e6 - 2e5, 2e5))
+    with pytest.raises(OutputError, match="more than the disk has room for"):
+        sweep(tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def changed_rig(out: Path) -> None:
+    jn.simulate_many(
+        RIG.with_changes({"tyre.stiffness": 3.1e5}), TRIAL, design(), metrics=METRICS, out=out, resume=True
+    )
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        (changed_rig, "rig.tyre.stiffness: 300000.0 before, 310000.0 now"),
+        (lambda out: sweep(out, design(seed=2), resume=True), "variants.seed: 1 before, 2 now"),
+        (lambda out: sweep(out, design(48), resume=True), "sprung.mass: 40 from"),
+        (lambda out: sweep(out, resume=True, output_step=2e-3), "settings.output_step: 0.001 before, 0.002 now"),
+        (
+            lambda out: jn.simulate_many(RIG, TRIAL, design(), metrics=METRICS[:1], out=out, resume=True),
+            r"metrics\[1\]: max tyre.force before, nothing now",
+        ),
+    ],
+)
+def test_another_study_is_refused_naming_what_changed(tmp_path: Path, small, change, named) -> None:
+    sweep(tmp_path)
+    before = files(tmp_path)
+    with pytest.raises(OutputError, match=named):
+        change(tmp_path)
+    assert files(tmp_path) == before
+
+
+def test_a_file_that_the_trial_reads_belongs_to_the_study(tmp_path: Path, small) -> None:
+    base = tmp_path / "base.csv"
+
+    def run(height: float):
+        rows = "".join(f"{k / 100},{height * (k % 7)}\n" for k in range(40))
+        base.write_text(f"time [s], road.z [m]\n{rows}", encoding="utf-8")
+        trial = jn.Trial(excitation=base)
+        return jn.simulate_many(
+            RIG, trial, {"sprung.mass": [400.0, 450.0]}, metrics=METRICS, out=tmp_path / "out", resume=True
+        )
+
+    run(1e-3)
+    run(1e-3)
+    with pytest.raises(OutputError, match=r"trial.excitation.file.content"):
+        run(2e-3)
+
+
+def test_a_folder_with_other_things_is_left_alone(tmp_path: Path, small) -> None:
+    (tmp_path / "notes.txt").write_text("mine", encoding="utf-8")
+    for resume in (False, True):
+        with pytest.raises(OutputError, match="not empty"):
+            sweep(tmp_path, resume=resume)
+    assert [file.name for file in tmp_path.iterdir()] == ["notes.txt"]
+    with pytest.raises(OutputError, match="holds no sweep"):
+        jn.load_sweep(tmp_path)
+
+
+@pytest.mark.parametrize("content", [b"", b"\xff", b"[]", b"{}", b'{"schema": "jounce.sweep-results/1", "count": "x"}'])
+def test_a_manifest_that_says_nothing_is_told(tmp_path: Path, small, content) -> None:
+    sweep(tmp_path)
+    (tmp_path / "sweep.json").write_bytes(content)
+    for read in (jn.load_sweep, lambda out: sweep(out, resume=True)):
+        with pytest.raises(OutputError, match="says nothing of a sweep"):
+            read(tmp_path)
+
+
+@pytest.mark.parametrize("options", [{"resume": True}, {"workers": 2}, {"client": object()}])
+def test_what_goes_with_a_folder_only(options) -> None:
+    with pytest.raises(DescriptionError, match=next(iter(options))):
+        jn.simulate_many(RIG, TRIAL, design(), metrics=METRICS, **options)
+
+
+def test_a_function_is_no_part_of_a_file(tmp_path: Path) -> None:
+    with pytest.raises(DescriptionError, match="Python function"):
+        jn.simulate_many(
+            RIG, TRIAL, {"sprung.mass": [450.0]}, metrics=METRICS, control=lambda _m, _t: 0.0, out=tmp_path / "out"
+        )
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="locks of folders are a thing of POSIX")
+def test_two_at_once_on_one_folder(tmp_path: Path, small) -> None:
+    sweep(tmp_path)
+    with shards._alone(tmp_path), pytest.raises(OutputError, match="another process works"):
+        sweep(tmp_path, resume=True)
