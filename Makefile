@@ -3,7 +3,7 @@
 #   make demo      set up and run the shipped campaign        make lint    style, types, import contract
 #   make setup     only prepare .venv                         make bench   times against peers
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
-#   make quick     the tests that compile nothing             make clean   remove what was made here
+#   make quick     the tests that answer at once              make clean   remove what was made here
 #   make test-pages  what the documentation says is run, pages are opened in a browser
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1

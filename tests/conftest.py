@@ -5,8 +5,11 @@ from __future__ import annotations
 import gc
 import os
 import shutil
+import subprocess
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import hypothesis
 import pytest
@@ -14,6 +17,7 @@ import pytest
 for _library in ("OPENBLAS", "OMP", "MKL"):  # before NumPy comes: on small matrices threads only wait for each other
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, max_examples=60)
+hypothesis.settings.register_profile("quick", derandomize=True, deadline=None, max_examples=15)
 hypothesis.settings.load_profile("jounce")
 
 _CACHE = pytest.StashKey[str]()
@@ -22,7 +26,7 @@ QUICK = ("unit", "properties")  # the other kinds of test run models, which are 
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--quick", action="store_true", help="only what needs no compiler: `make quick`")
+    parser.addoption("--quick", action="store_true", help="only what answers at once: `make quick`")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -30,7 +34,8 @@ def pytest_configure(config: pytest.Config) -> None:
         config.stash[_CACHE] = os.environ["JOUNCE_CACHE_DIR"] = tempfile.mkdtemp(prefix="jounce-tests-")
     config.stash[COLLECTED] = set()
     if config.getoption("--quick"):
-        _skip_where_something_is_compiled()
+        hypothesis.settings.load_profile("quick")
+        _skip_where_something_is_compiled_or_drawn()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
@@ -42,8 +47,10 @@ def pytest_itemcollected(item: pytest.Item) -> None:
     item.config.stash[COLLECTED].add(item.nodeid.partition("[")[0])  # slow ones, too: they are deselected later
 
 
-def pytest_collection_finish() -> None:
+def pytest_collection_finish(session: pytest.Session) -> None:
     """Thousands of tests are no garbage, and models are made of a million small objects: collections are rare."""
+    if session.config.getoption("--quick"):  # not earlier: so are the processes started that run the tests
+        subprocess.Popen.__init__ = _left_out("starts a process")  # type: ignore[method-assign]
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)
@@ -63,13 +70,22 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     return True if below and below[0] not in QUICK else None
 
 
-def _skip_where_something_is_compiled() -> None:
-    """Skip a test where it would wait for LLVM or for a typeset page, so that no list of such tests must be kept."""
+def _skip_where_something_is_compiled_or_drawn() -> None:
+    """Skip a test where it would wait for LLVM, a typeset page or a drawn figure: no list of such tests is kept."""
+    from matplotlib.figure import Figure
+
     from jounce.kernel import call, native
+    from jounce.kinematics import model
     from jounce.report import protocol
 
-    def skip(*_: object, **__: object) -> None:
-        raise pytest.skip.Exception("compiles: left out of the quick tests", allow_module_level=True)
+    native.told = call.object_for = call.bitcode_from_sources = _left_out("compiles")
+    model._build = _left_out("forms equations that are compiled at once")
+    protocol.compiled = _left_out("typesets")
+    Figure.draw = _left_out("draws")  # type: ignore[method-assign]
 
-    native._emit = call.object_for = call.bitcode_from_sources = skip
-    protocol.compiled = skip
+
+def _left_out(why: str) -> Callable[..., Any]:
+    def skip(*_: object, **__: object) -> None:
+        raise pytest.skip.Exception(f"{why}: left out of the quick tests", allow_module_level=True)
+
+    return skip
