@@ -18,7 +18,8 @@ def test_json_holds_every_setting_with_its_range_and_effect(cli) -> None:
     assert outcome.exit_code == 0
     assert outcome.err == ""
     found = outcome.json
-    assert [effect["setting"] for effect in found["effects"]] == [name for name in SETTINGS if name != "pushrod_length"]
+    own = [name for name, setting in SETTINGS.items() if setting.fits(jn.load(RIG))]
+    assert [effect["setting"] for effect in found["effects"]] == own
     arm = next(effect for effect in found["effects"] if effect["setting"] == "upper_arm_length")
     assert (arm["unit"], arm["lowest"], arm["highest"]) == ("m", 0.0, 0.02)
     assert "section 4" in arm["source"]
@@ -90,7 +91,16 @@ def test_mistakes_are_one_message(cli, tmp_path: Path, words, message) -> None:
 def test_lumped_rigs_have_no_arms(cli) -> None:
     outcome = cli("adjust", "kart-quarter-car", "--json")
     assert outcome.exit_code == 2
-    assert "double wishbone" in outcome.json["error"]["message"]
+    assert "only a rig with hardpoints" in outcome.json["error"]["message"]
+
+
+def test_other_suspensions_have_their_own_settings(cli) -> None:
+    outcome = cli("adjust", "semi-trailing-arm", "--set", "toe_wedge=0.2 deg", "--json")
+    assert outcome.exit_code == 0
+    assert np.degrees(outcome.json["after"]["toe"] - outcome.json["before"]["toe"]) == pytest.approx(0.2)
+    assert outcome.json["after"]["caster"] is None
+    shown = cli("adjust", "semi-trailing-arm", "--set", "toe_wedge=0.2 deg")
+    assert "nan" not in shown.out.lower()
 
 
 def test_steep_struts_are_warned_of(cli) -> None:

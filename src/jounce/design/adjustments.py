@@ -1,25 +1,22 @@
-"""Adjustments of a double wishbone: what can be set, its effect on the wheel, lengths for a wanted camber and toe."""
+"""Adjustments of a suspension: what can be set, its effect on the wheel, lengths for a wanted camber and toe."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
-from typing import cast
+from typing import TypeVar, cast
 
-import casadi as ca
 import numpy as np
 
-from jounce.core.errors import AssemblyError, DescriptionError, JounceError, unknown
+from jounce.core.errors import DescriptionError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.design.poses import moved_rig, rigid_motion, spin_axis
+from jounce.design.poses import spin_axis
+from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, rods, triple
 from jounce.kinematics import sweep_travel
-from jounce.mechanics import Mechanism, Model, assemble
-from jounce.parts import DoubleWishbone, Rig
-from jounce.parts.bodies import Triple, distance
+from jounce.parts import Corner, DoubleWishbone, McPherson, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
 from jounce.simulation import equilibrium
@@ -29,14 +26,7 @@ PUBLISHED_ANGLES = (10.0, 16.0, 21.0, 26.0)
 """Strut angles of the prototype, degrees."""
 BLOCK_MASS = 2.6
 """Mass of the block that carries a short upper arm, kg."""
-_RODS = {
-    "lower_arm_front": "lower_ball_joint",
-    "lower_arm_rear": "lower_ball_joint",
-    "upper_arm_front": "upper_ball_joint",
-    "upper_arm_rear": "upper_ball_joint",
-    "tie_rod_inner": "tie_rod_outer",
-}
-_UPRIGHT = ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer", "wheel_centre")
+C = TypeVar("C", bound=Corner)
 
 
 @dataclass(frozen=True)
@@ -53,29 +43,38 @@ class Setting:
     highest: float
     text: str
     source: str
-    base: Callable[[DoubleWishbone], float] = field(default_factory=lambda: _unchanged)
-    ends: Callable[[DoubleWishbone], tuple[float, float]] | None = None
-    fits: Callable[[DoubleWishbone], bool] = field(default_factory=lambda: _always)
+    base: Callable[[Corner], float] = field(default_factory=lambda: _unchanged)
+    ends: Callable[[Corner], tuple[float, float]] | None = None
+    fits: Callable[[Corner], bool] = field(default_factory=lambda: _always)
 
-    def range_for(self, rig: DoubleWishbone) -> tuple[float, float]:
+    def range_for(self, rig: Corner) -> tuple[float, float]:
         """Lowest and highest value for a rig, SI."""
         return (self.lowest, self.highest) if self.ends is None else self.ends(rig)
 
 
-def _unchanged(_rig: DoubleWishbone) -> float:
+def _unchanged(_rig: Corner) -> float:
     """Value that a change has in a rig as it is."""
     return 0.0
 
 
-def _always(_rig: DoubleWishbone) -> bool:
+def _always(_rig: Corner) -> bool:
     return True
 
 
-def _has_rocker(rig: DoubleWishbone) -> bool:
-    return rig.hardpoints.rocker_pivot is not None
+def _has(point: str) -> Callable[[Corner], bool]:
+    """Tell of a rig whether it has a hardpoint."""
+    return lambda rig: hasattr(rig.hardpoints, point)
 
 
-def _preload(rig: DoubleWishbone) -> float:
+def _is_double_wishbone(rig: Corner) -> bool:
+    return isinstance(rig, DoubleWishbone)
+
+
+def _has_coil(rig: Corner) -> bool:
+    return "spring" not in rig.without
+
+
+def _preload(rig: Corner) -> float:
     """Spring force at design length, N."""
     spring = rig.strut.spring
     if spring.free_length is None:
@@ -87,19 +86,19 @@ def _preload(rig: DoubleWishbone) -> float:
     return spring.rate * (spring.free_length - rig.hardpoints.length("spring"))
 
 
-def arm_length(rig: DoubleWishbone, arm: str) -> float:
+def arm_length(rig: Corner, arm: str) -> float:
     """Length of the ``"lower"`` or ``"upper"`` arm: distance of its ball joint from its inner axis, m."""
     front, rear, ball = _arm(rig, arm)
     _, along, _ = _foot(front, rear, ball)
     return float(np.linalg.norm(along))
 
 
-def _preloads(rig: DoubleWishbone) -> tuple[float, float]:
+def _preloads(rig: Corner) -> tuple[float, float]:
     """From no load to twice what the spring carries at rest, N."""
     return 0.0, 2.0 * static_spring_force(rig)
 
 
-def _short_arms(rig: DoubleWishbone) -> tuple[float, float]:
+def _short_arms(rig: Corner) -> tuple[float, float]:
     """From half of the upper arm's length to all of it, m."""
     return 0.5 * arm_length(rig, "upper"), arm_length(rig, "upper")
 
@@ -112,11 +111,51 @@ _TURNBUCKLE = "lengthening of the {} arm at its turnbuckle"
 SETTINGS: dict[str, Setting] = {
     item.name: item
     for item in (
-        Setting("lower_arm_length", "m", 0.0, 0.020, _TURNBUCKLE.format("lower"), _PAPER),
-        Setting("upper_arm_length", "m", 0.0, 0.020, _TURNBUCKLE.format("upper"), _PAPER),
-        Setting("tie_rod_length", "m", -0.020, 0.020, "lengthening of the tie rod", f"toe of 10.5 deg: {_PAPER}"),
-        Setting("lower_arm_support", "m", -0.030, 0.030, "rise of the lower arm's inner supports", _ESTIMATED),
-        Setting("upper_arm_support", "m", -0.030, 0.030, "rise of the upper arm's inner supports", _ESTIMATED),
+        Setting(
+            "lower_arm_length",
+            "m",
+            0.0,
+            0.020,
+            _TURNBUCKLE.format("lower"),
+            _PAPER,
+            fits=_has("lower_arm_front"),
+        ),
+        Setting(
+            "upper_arm_length",
+            "m",
+            0.0,
+            0.020,
+            _TURNBUCKLE.format("upper"),
+            _PAPER,
+            fits=_has("upper_arm_front"),
+        ),
+        Setting(
+            "tie_rod_length",
+            "m",
+            -0.020,
+            0.020,
+            "lengthening of the tie rod",
+            f"toe of 10.5 deg: {_PAPER}",
+            fits=_has("tie_rod_inner"),
+        ),
+        *(
+            Setting(
+                f"link_{i}_length", "m", -0.010, 0.010, f"lengthening of link {i}", _SHIMS, fits=_has("link_1_inner")
+            )
+            for i in range(1, 6)
+        ),
+        *(
+            Setting(
+                f"{arm}_arm_support",
+                "m",
+                -0.030,
+                0.030,
+                f"rise of the {arm} arm's inner supports",
+                _ESTIMATED,
+                fits=_has(f"{arm}_arm_front"),
+            )
+            for arm in ("lower", "upper")
+        ),
         Setting(
             "strut_angle",
             "rad",
@@ -125,12 +164,38 @@ SETTINGS: dict[str, Setting] = {
             "angle of the strut to the vertical, top inboard",
             f"10, 16, 21, 26 deg: {_PAPER}",
             strut_angle,
+            fits=_is_double_wishbone,
         ),
         Setting(
-            "spring_preload", "N", 0.0, 361.7, "spring force at design length", _ESTIMATED, _preload, ends=_preloads
+            "spring_preload",
+            "N",
+            0.0,
+            361.7,
+            "spring force at design length",
+            _ESTIMATED,
+            _preload,
+            ends=_preloads,
+            fits=_has_coil,
         ),
-        Setting("camber_shim", "m", -0.010, 0.010, "shims between upright and upper ball joint, wheel outward", _SHIMS),
-        Setting("pushrod_length", "m", -0.010, 0.010, "lengthening of the push rod", _SHIMS, fits=_has_rocker),
+        Setting(
+            "camber_shim",
+            "m",
+            -0.010,
+            0.010,
+            "shims between the upright and its joints above the wheel centre, wheel outward",
+            _SHIMS,
+            fits=lambda rig: bool(_shimmed(rig)),
+        ),
+        Setting(
+            "camber_plate",
+            "m",
+            -0.020,
+            0.020,
+            "move of the strut's top mount outward",
+            _SHIMS,
+            fits=lambda rig: isinstance(rig, McPherson),
+        ),
+        Setting("pushrod_length", "m", -0.010, 0.010, "lengthening of the push rod", _SHIMS, fits=has_rocker),
         Setting("camber_wedge", "rad", -_FIVE, _FIVE, "tilt of the wheel on the upright, top outward", _ESTIMATED),
         Setting("toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED),
         Setting(
@@ -142,6 +207,7 @@ SETTINGS: dict[str, Setting] = {
             f"block: {_PAPER}; lengths estimated",
             lambda rig: arm_length(rig, "upper"),
             ends=_short_arms,
+            fits=_is_double_wishbone,
         ),
     )
 }
@@ -149,14 +215,15 @@ SETTINGS: dict[str, Setting] = {
 
 def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
     """Check settings (a strut angle only has to be possible, all else lies in its range); give their values in SI."""
-    corner = _double_wishbone(rig)
+    corner = _corner(rig)
     found = {}
     for name, given in settings.items():
         if name not in SETTINGS:
             raise unknown(name, SETTINGS, what="setting", where="adjust")
         setting = SETTINGS[name]
         if not setting.fits(corner):
-            raise DescriptionError("this rig has nothing to set there", where=name, hint="It needs a rocker.")
+            allowed = ", ".join(item.name for item in SETTINGS.values() if item.fits(corner))
+            raise DescriptionError("this rig has nothing to set there", where=name, allowed=allowed)
         value = to_si(given, setting.unit, where=name)
         low, high = (-LARGEST, LARGEST) if name == "strut_angle" else setting.range_for(corner)
         if not low - 1e-12 <= value <= high + 1e-12:
@@ -189,29 +256,30 @@ def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
     return [Finding("strut_angle", "note", text, float(angle))]
 
 
-def adjusted(rig: Rig, settings: Mapping[str, Value]) -> DoubleWishbone:
+def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
     """Give the rig with some adjustments made.
 
     Parameters
     ----------
     rig : Rig
-        A double wishbone; it is not changed.
+        A rig with hardpoints; it is not changed.
     settings : dict
         Setting to value, text with a unit or SI; see ``SETTINGS``. Lengths and supports of arms are changes.
 
     Returns
     -------
-    DoubleWishbone
+    Corner
         Its design is the newly assembled pose: the height of the wheel centre is kept, the upright moved as a rigid
         body, arms (with the foot of the strut) turned about their inner axes; camber and toe are those of the moved
-        upright. The spring keeps its free length. A preload is set last.
+        upright. The spring keeps its free length, a torsion bar and a third spring what they are; push rod and link of
+        the anti-roll bar keep their lengths; a Z-bar is set without torque. A preload of the spring is set last.
 
     Raises
     ------
     DescriptionError
-        For another rig, an unknown setting, or a value out of its range.
+        For a rig without hardpoints, a setting that it does not have, or a value out of its range.
     AssemblyError
-        When arms, upright and tie rod do not go together.
+        When arms, upright and rods do not go together.
 
     Examples
     --------
@@ -221,8 +289,7 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> DoubleWishbone:
     >>> round(float(np.degrees(rig.wheel.camber)), 1)   # the paper gives 5 deg
     5.2
     """
-    corner, values = _double_wishbone(rig), read_settings(rig, settings)
-    corner.require_strut_alone("an adjustment")
+    corner, values = _corner(rig), read_settings(rig, settings)
     corner = _assembled(corner, values)
     wedges = {
         f"wheel.{name}": getattr(corner.wheel, name) + values[f"{name}_wedge"]
@@ -236,18 +303,18 @@ def adjusted(rig: Rig, settings: Mapping[str, Value]) -> DoubleWishbone:
     return _preloaded(corner, values["spring_preload"]) if "spring_preload" in values else corner
 
 
-def _double_wishbone(rig: Rig) -> DoubleWishbone:
-    if not isinstance(rig, DoubleWishbone):
+def _corner(rig: Rig) -> Corner:
+    if not isinstance(rig, Corner):
         raise DescriptionError(
-            "these adjustments are for a double wishbone",
+            "only a rig with hardpoints is adjusted",
             where="rig",
             found=f'model = "{getattr(rig, "model", "")}"',
-            allowed='model = "double-wishbone", e.g. kart-double-wishbone of `jounce library`',
+            allowed="double-wishbone, mcpherson, five-link, trailing-arm; such as kart-double-wishbone of the library",
         )
     return rig
 
 
-def _preloaded(rig: DoubleWishbone, force: float) -> DoubleWishbone:
+def _preloaded(rig: C, force: float) -> C:
     """Turn the spring's seat until its force at design length is ``force`` (N)."""
     spring = rig.strut.spring
     if spring.free_length is None:
@@ -256,7 +323,7 @@ def _preloaded(rig: DoubleWishbone, force: float) -> DoubleWishbone:
     return rig.with_changes({"strut.spring.free_length": spring.free_length + longer})
 
 
-def _arm(rig: DoubleWishbone, arm: str) -> tuple[Array, Array, Array]:
+def _arm(rig: Corner, arm: str) -> tuple[Array, Array, Array]:
     """Front and rear support and ball joint of an arm."""
     names = (f"{arm}_arm_front", f"{arm}_arm_rear", f"{arm}_ball_joint")
     front, rear, ball = (np.array(getattr(rig.hardpoints, name)) for name in names)
@@ -270,67 +337,14 @@ def _foot(front: Array, rear: Array, ball: Array) -> tuple[Array, Array, Array]:
     return foot, ball - foot, axis
 
 
-def _assembled(rig: DoubleWishbone, values: Mapping[str, float]) -> DoubleWishbone:
+def _assembled(rig: C, values: Mapping[str, float]) -> C:
     """Make the changes of the linkage, if there are any."""
     geometry = [name for name in values if name.endswith(("_length", "_support")) or name in _OTHER_GEOMETRY]
     if not any(values[name] != SETTINGS[name].base(rig) for name in geometry):
         return rig
-    before = rig.hardpoints.given()
-    inner, lengths = _supports_and_lengths(rig, values)
-    upright = np.array(before["upper_ball_joint"]) - values.get("camber_shim", 0.0) * spin_axis(rig)
-    before["upper_ball_joint"] = _triple(upright)  # where the upright has it; the arm's end is found
-    places: dict[str, Triple] = {**before, **inner}
-    places |= _upright_places(places, lengths)
-    turn, shift = rigid_motion(np.array([before[n] for n in _UPRIGHT]), np.array([places[n] for n in _UPRIGHT]))
-    places |= {name: _triple(turn @ np.array(before[name]) + shift) for name in _on(rig, "upright")}
-    before = rig.hardpoints.given()
-    for arm in ("lower_arm", "upper_arm"):
-        places |= _carried(rig, arm, before, places)
-    if _has_rocker(rig):
-        places |= _rocker_places(rig, before, places, values.get("pushrod_length", 0.0))
-    return moved_rig(rig, places, (turn, shift) if "camber_shim" in values else None)
-
-
-_OTHER_GEOMETRY = ("short_upper_arm", "camber_shim")
-
-
-def _rocker_places(
-    rig: DoubleWishbone, before: Mapping[str, Triple], places: Mapping[str, Triple], longer: float
-) -> dict[str, Triple]:
-    """Places of the rocker's points where the push rod fits, the nearer of both ways to turn it."""
-    pivot, end, inner = (np.array(before[name]) for name in ("rocker_pivot", "rocker_axis", "pushrod_inner"))
-    outer = np.array(places["pushrod_outer"]) - pivot
-    length = distance(before["pushrod_outer"], before["pushrod_inner"]) + longer
-    axis = (end - pivot) / np.linalg.norm(end - pivot)
-    arm = inner - pivot
-    along = (arm @ axis) * axis
-    flat = arm - along
-    across = np.cross(axis, flat)
-    # |arm turned - outer| = length is a cos(turn) + b sin(turn) = needed
-    a, b = float(flat @ outer), float(across @ outer)
-    needed = 0.5 * float(arm @ arm + outer @ outer - length**2) - float(along @ outer)
-    if abs(needed) > np.hypot(a, b):
-        raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=shown(longer, "m"))
-    middle, half = np.arctan2(b, a), np.arccos(needed / np.hypot(a, b))
-    turns = [(middle + sign * half + np.pi) % (2.0 * np.pi) - np.pi for sign in (1.0, -1.0)]
-    turn = min(turns, key=abs)
-
-    def turned(name: str) -> Triple:
-        away = np.array(before[name]) - pivot
-        on_axis = (away @ axis) * axis
-        rest = away - on_axis
-        return _triple(pivot + on_axis + rest * np.cos(turn) + np.cross(axis, rest) * np.sin(turn))
-
-    return {name: turned(name) for name in ("pushrod_inner", *_on(rig, "rocker"))}
-
-
-def _supports_and_lengths(
-    rig: DoubleWishbone, values: Mapping[str, float]
-) -> tuple[dict[str, Triple], dict[str, float]]:
-    """Moved inner points, and lengths of the five rods that hold the upright."""
-    inner: dict[str, Triple] = {}
+    inner: dict[str, Array] = {}
     lengths: dict[str, float] = {}
-    for arm in ("lower", "upper"):
+    for arm in _arms(rig):
         front, rear, ball = _arm(rig, arm)
         foot, along, axis = _foot(front, rear, ball)
         own = float(np.linalg.norm(along))
@@ -340,79 +354,36 @@ def _supports_and_lengths(
             shift = shift + along * (own - values["short_upper_arm"]) / own
             reach -= own - values["short_upper_arm"]
         for name, end in (("front", front), ("rear", rear)):
-            inner[f"{arm}_arm_{name}"] = _triple(end + shift)
+            inner[f"{arm}_arm_{name}"] = end + shift
             lengths[f"{arm}_arm_{name}"] = float(np.hypot((end - foot) @ axis, reach))
-    points = rig.hardpoints
-    lengths["tie_rod_inner"] = distance(points.tie_rod_inner, points.tie_rod_outer) + values.get("tie_rod_length", 0.0)
-    return inner, lengths
+    for name, length in rod_lengths(rig).items():
+        link = name.removesuffix("_inner")
+        if f"{link}_length" in values:
+            lengths[name] = length + values[f"{link}_length"]
+    if "camber_plate" in values:
+        outward = np.array([0.0, rig.sign * values["camber_plate"], 0.0])
+        tops = {f"{element}_top" for element in ("strut", "spring", "damper")} & rig.hardpoints.given().keys()
+        inner |= {name: getattr(rig.hardpoints, name) + outward for name in tops}
+    shims = {name: -values["camber_shim"] * spin_axis(rig) for name in _shimmed(rig)} if "camber_shim" in values else {}
+    changes = Changes({k: triple(v) for k, v in inner.items()}, lengths, shims, values.get("pushrod_length", 0.0))
+    return refitted(rig, changes)
 
 
-@cache
-def _upright_on_rods() -> tuple[Model, ca.Function, dict[str, float]]:
-    """Upright that flies, held by five rods, its wheel centre at one height; places of its points; values of it all."""
-    mechanism = Mechanism()
-    origin = (0.0, 0.0, 0.0)
-    upright = mechanism.body("upright", 1.0, origin, (1.0, 1.0, 1.0))
-    mechanism.free("upright", upright)
-    points = {name: mechanism.vector(name, origin) for name in _UPRIGHT}
-    for inner, outer in _RODS.items():
-        mechanism.rod(inner, mechanism.ground, upright, origin, points[outer], length=1.0)
-    places = [upright.frame.point(points[name]).value for name in _UPRIGHT]
-    mechanism.condition("wheel_centre_height", places[-1][2] - mechanism.number("height", 0.0))
-    model = mechanism.finish()
-    return model, ca.Function("places", [model.x, model.p], [ca.horzcat(*places)]), mechanism.values
+def _arms(rig: Corner) -> list[str]:
+    """Arms that hang on an axis: ``"lower"`` and ``"upper"``, as many as the suspension has."""
+    return [arm for arm in ("lower", "upper") if hasattr(rig.hardpoints, f"{arm}_arm_front")]
 
 
-def _upright_places(places: Mapping[str, Triple], lengths: Mapping[str, float]) -> dict[str, Triple]:
-    """Places of the upright's points where all rods fit and the wheel centre keeps its height."""
-    model, function, known = _upright_on_rods()
-    values = {**known, "height": places["wheel_centre"][2]}
-    for name, length in lengths.items():
-        values[f"{name}.length"] = length
-        values |= {f"{name}.at[{i}]": places[name][i] for i in range(3)}
-    for name in _UPRIGHT:
-        values |= {f"{name}[{i}]": places[name][i] for i in range(3)}
-    p = np.array([values[path] for path in model.parameters])
-    try:
-        pose = assemble(model, p, np.zeros(model.u.shape[0]))
-    except AssemblyError as error:
-        raise AssemblyError(
-            "the linkage cannot be assembled with these settings",
-            where=error.where,
-            found=error.found,
-            hint="Make smaller changes.",
-        ) from None
-    found = function(pose.x, p).full()
-    return {name: _triple(found[:, i]) for i, name in enumerate(_UPRIGHT)}
+def _shimmed(rig: Corner) -> list[str]:
+    """Joints of the upright above the wheel centre, but for the tie rod's, where shims change the camber."""
+    height, points = rig.hardpoints.wheel_centre[2], rig.hardpoints.given()
+    joints = [name for name in dict.fromkeys(rods(rig).values()) if name not in _TIE_RODS]
+    above = [name for name in joints if points[name][2] > height]
+    return above if 0 < len(above) < len(joints) else []
 
 
-def _on(rig: DoubleWishbone, body: str) -> list[str]:
-    """Points besides its joints that move with a body."""
-    names = []
-    if rig.strut.on == body:
-        ends = ("strut_bottom", "spring_bottom", "damper_bottom")
-        names += [name for name in ends if getattr(rig.hardpoints, name) is not None]
-    if rig.anti_roll_bar is not None and rig.anti_roll_bar.on == body:
-        names.append("arb_link_end")
-    if _has_rocker(rig) and getattr(rig.strut, "pushrod_on", "upright") == body:
-        names.append("pushrod_outer")
-    return names
-
-
-def _carried(
-    rig: DoubleWishbone, arm: str, before: Mapping[str, Triple], after: Mapping[str, Triple]
-) -> dict[str, Triple]:
-    """Points on an arm: they turn with it and keep their distance from its ball joint."""
-    ball = arm.replace("arm", "ball_joint")
-    names = (f"{arm}_front", f"{arm}_rear", ball)
-    turn, _ = rigid_motion(np.array([before[n] for n in names]), np.array([after[n] for n in names]))
-    old, new = np.array(before[ball]), np.array(after[ball])
-    return {name: _triple(new + turn @ (np.array(before[name]) - old)) for name in _on(rig, arm)}
-
-
-def _triple(place: Array) -> Triple:
-    x, y, z = (float(value) for value in place)
-    return x, y, z
+_TIE_RODS = ("tie_rod_outer", "link_5_outer")
+_OTHER_GEOMETRY = ("short_upper_arm", "camber_shim", "camber_plate")
 
 
 QUANTITIES: Mapping[str, str] = {
@@ -447,25 +418,27 @@ class WheelState:
 
     Attributes
     ----------
-    camber, toe, caster : float
-        rad; top outward, toe-in, top rearward positive.
+    camber, toe : float
+        rad; top outward and toe-in positive.
+    caster : float or None
+        rad, top rearward positive; None without a steering axis.
     camber_gain : float
         Change of camber with travel, rad/m, positive where the top goes outward in bump.
     roll_centre_height : float
         Above the ground, m.
     ride_height : float or None
         Rise of the body from design at rest, m; None for a fixed body.
-    wheel_rate : float
-        N/m, with its preload term.
+    wheel_rate : float or None
+        N/m, with its preload term; None where no spring is described.
     """
 
     camber: float
     toe: float
-    caster: float
+    caster: float | None
     camber_gain: float
     roll_centre_height: float
     ride_height: float | None
-    wheel_rate: float
+    wheel_rate: float | None
 
 
 @dataclass(frozen=True)
@@ -516,7 +489,7 @@ class AdjustReport(Shown):
     settings: dict[str, float]
     before: WheelState
     after: WheelState
-    rig: DoubleWishbone
+    rig: Corner
     effects: tuple[Effect, ...]
     over_travel: OverTravel
     findings: tuple[Finding, ...] = field(default_factory=tuple)
@@ -538,8 +511,8 @@ class Lengths(Shown):
         return {name: value for name, value in found.items() if value != 0.0}
 
 
-def wheel_state(rig: DoubleWishbone) -> WheelState:
-    """Give how the wheel of a double wishbone stands."""
+def wheel_state(rig: Corner) -> WheelState:
+    """Give how the wheel of a corner stands."""
     if rig.guide == "fixed":
         ride, travel = None, 0.0
     else:
@@ -548,10 +521,10 @@ def wheel_state(rig: DoubleWishbone) -> WheelState:
     points = sorted({0.0, travel})
     sweep = sweep_travel(rig, points)
     design, at_rest = (sweep.isel(wheel_travel=points.index(value)) for value in (0.0, travel))
-    camber, toe, caster, gain, centre = (
-        float(design[name]) for name in ("camber", "toe", "caster", "camber_gain", "roll_centre_height")
-    )
-    return WheelState(camber, toe, caster, gain, centre, ride, float(at_rest["wheel_rate"]))
+    camber, toe, gain, centre = (float(design[name]) for name in ("camber", "toe", "camber_gain", "roll_centre_height"))
+    caster = float(design["caster"]) if "caster" in design else None
+    rate = float(at_rest["wheel_rate"]) if "wheel_rate" in at_rest else None
+    return WheelState(camber, toe, caster, gain, centre, ride, rate)
 
 
 def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effects: bool = True) -> AdjustReport:
@@ -560,7 +533,7 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     Parameters
     ----------
     rig : Rig
-        A double wishbone; it is not changed.
+        A rig with hardpoints; it is not changed.
     settings : dict, optional
         Settings to make: name to value, text with a unit or SI.
     effects : bool
@@ -573,9 +546,9 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     Raises
     ------
     DescriptionError
-        For another rig, an unknown setting, or a value out of its range.
+        For a rig without hardpoints, a setting that it does not have, or a value out of its range.
     AssemblyError
-        When arms, upright and tie rod do not go together with the settings.
+        When arms, upright and rods do not go together with the settings.
 
     Examples
     --------
@@ -586,8 +559,7 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     10.7
     """
     values = read_settings(rig, settings or {})
-    changed = adjusted(rig, values)
-    assert isinstance(rig, DoubleWishbone)
+    changed, rig = adjusted(rig, values), _corner(rig)
     before = wheel_state(rig)
     findings = adjustment_findings(values)
     found: list[Effect] = []
@@ -602,7 +574,7 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     return AdjustReport(values, before, after, changed, tuple(found), over, tuple(findings))
 
 
-def _over_travel(rig: DoubleWishbone) -> dict[str, tuple[float, ...]]:
+def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
     """Quantities at all travels that the linkage reaches."""
     rows = []
     for travel in _TRAVELS:
@@ -611,7 +583,7 @@ def _over_travel(rig: DoubleWishbone) -> dict[str, tuple[float, ...]]:
         except JounceError:
             rows.append(dict.fromkeys(OVER_TRAVEL, float("nan")))
         else:
-            rows.append({name: float(pose[name]) for name in OVER_TRAVEL})
+            rows.append({name: float(pose[name]) if name in pose else float("nan") for name in OVER_TRAVEL})
     return {name: tuple(row[name] for row in rows) for name in OVER_TRAVEL}
 
 
@@ -649,8 +621,13 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     """
     if camber is None and toe is None:
         raise DescriptionError("no target is given", where="lengths_for", allowed="camber, toe, or both")
-    read_settings(rig, {})
-    assert isinstance(rig, DoubleWishbone)
+    if not isinstance(rig, DoubleWishbone):
+        raise DescriptionError(
+            "lengths for a camber and a toe are found for a double wishbone",
+            where="rig",
+            found=f'model = "{getattr(rig, "model", "")}"',
+            allowed='model = "double-wishbone"; others by settings, or `jounce design kinematics`',
+        )
     wished = {
         name: to_si(value, "rad", where=name) for name, value in (("camber", camber), ("toe", toe)) if value is not None
     }
@@ -716,7 +693,7 @@ def _out_of_reach(rig: DoubleWishbone, wished: Mapping[str, float]) -> Descripti
     )
 
 
-def _effect(rig: DoubleWishbone, setting: Setting, findings: list[Finding]) -> Effect:
+def _effect(rig: Corner, setting: Setting, findings: list[Finding]) -> Effect:
     """Take a setting over its range; notes where the linkage does not go together are added to ``findings``."""
     base, (lowest, highest) = setting.base(rig), setting.range_for(rig)
 

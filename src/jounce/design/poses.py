@@ -10,9 +10,11 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
+from jounce.kinematics.loads import bump_axis
 from jounce.parts import Corner
 from jounce.parts.advice import BODY_POINTS
 from jounce.parts.bodies import Triple, distance
+from jounce.parts.leverage import AXES
 
 C = TypeVar("C", bound=Corner)
 _STRAIGHT = 1e-6
@@ -39,8 +41,9 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     """Give the rig with hardpoints in other ``places`` (m; the others stay), as it would be described there.
 
     Bodies follow their hardpoints as rigid ones, but for an ``upright`` whose motion is given because its points move
-    on it; the wheel's camber and toe follow the body that carries it. The spring keeps its free length and the stops
-    their places: preload and gaps count from the new design length.
+    on it; the wheel's camber and toe follow the body that carries it. The springs keep their free length and the stops
+    their places: preload and gaps count from the new design length. A torsion bar has wound up by as much as its arm
+    has turned. A Z-bar carries no torque in the new design, as in the old one.
     """
     table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
     before = rig.hardpoints.given()
@@ -57,6 +60,10 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     camber, toe = wheel_angles(rig, turn @ spin_axis(rig))
     table["wheel"] |= {"camber": camber, "toe": toe}
     _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))
+    if rig.third_spring is not None:
+        _keep_spring(table["third_spring"], *(2.0 * abs(points["third_spring_end"][1]) for points in (before, after)))
+    if rig.torsion_bar is not None:
+        table["torsion_bar"]["preload"] += rig.torsion_bar.stiffness * _wound(rig, rig.torsion_bar.on, before, after)
     return type(rig).from_table(table)
 
 
@@ -107,6 +114,16 @@ def _body_motion(
     if body == "strut":  # and hangs on the car's body
         shift = np.array(after["strut_top"]) - turn @ np.array(before["strut_top"])
     return turn, shift
+
+
+def _wound(rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> float:
+    """Turn (rad) of an arm, or the rocker, about its axis, positive in bump."""
+    levers = []
+    for points in (before, after):
+        one, other, tip = (np.array(points[name]) for name in AXES[body])
+        axis = (other - one) / np.linalg.norm(other - one)
+        levers.append(tip - one - ((tip - one) @ axis) * axis)
+    return float(np.arctan2(np.cross(*levers) @ bump_axis(rig, body), levers[0] @ levers[1]))
 
 
 def _length(points: Mapping[str, Triple], element: str) -> float:

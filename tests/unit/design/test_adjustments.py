@@ -175,7 +175,8 @@ def report():
 
 
 def test_report_covers_every_setting_and_quantity(report):
-    assert [effect.setting for effect in report.effects] == [name for name in SETTINGS if name != "pushrod_length"]
+    assert [effect.setting for effect in report.effects] == [item.name for item in SETTINGS.values() if item.fits(KART)]
+    assert len(report.effects) == 11
     assert report.findings == ()
     for effect in report.effects:
         assert effect.at_lowest is not None
@@ -275,10 +276,13 @@ def test_settings_that_cannot_be_made_are_refused(settings, message):
         adjusted(KART, settings)
 
 
-@pytest.mark.parametrize("name", ["kart-quarter-car", "generic-mcpherson"])
-def test_other_suspensions_are_refused(name):
-    with pytest.raises(DescriptionError, match="are for a double wishbone"):
-        adjust_report(jn.load(name))
+def test_other_rigs_are_refused():
+    with pytest.raises(DescriptionError, match="only a rig with hardpoints"):
+        adjust_report(jn.load("kart-quarter-car"))
+    with pytest.raises(DescriptionError, match="are found for a double wishbone"):
+        lengths_for(jn.load("generic-mcpherson"), camber="-1 deg")
+    with pytest.raises(DescriptionError, match=r"nothing to set there.*allowed: lower_arm_length, tie_rod_length"):
+        adjusted(jn.load("generic-mcpherson"), {"pushrod_length": "1 mm"})
 
 
 def test_nothing_wished_is_refused():
@@ -340,3 +344,110 @@ def test_a_rig_without_rocker_has_no_push_rod_to_set():
     in_line = {"hardpoints.rocker_pivot": [0.0, 0.2361, 0.4569], "hardpoints.rocker_axis": [0.1, 0.2361, 0.4569]}
     with pytest.raises(AssemblyError, match="do not go together"):  # the rod points at the pivot: it cannot be shorter
         adjusted(jn.load("formula-student-front").with_changes(in_line), {"pushrod_length": "-5 mm"})
+
+
+# every suspension -----------------------------------------------------------------------------------------------------
+
+
+def rod_lengths(rig) -> dict[str, float]:
+    points = rig.hardpoints
+    return {inner: distance(getattr(points, inner), getattr(points, outer)) for outer, inner in points.rods}
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_shims_of_links_and_plates_change_what_they_say_and_nothing_else(side: str):
+    links = jn.load("sedan-multi-link") if side == "left" else jn.load("sedan-multi-link").mirrored()
+    before = rod_lengths(links)
+    longer = adjusted(links, {"link_2_length": "3 mm"})
+    for name, length in rod_lengths(longer).items():
+        assert length == pytest.approx(before[name] + 3e-3 * (name == "link_2_inner"), abs=1e-10), name
+    shimmed = adjusted(links, {"camber_shim": "-2 mm"})
+    assert rod_lengths(shimmed) == pytest.approx(before, abs=1e-10)
+    assert -1.0 < degrees(shimmed.wheel.camber - links.wheel.camber) < -0.2  # the top of the wheel inwards
+    strut = jn.load("generic-mcpherson") if side == "left" else jn.load("generic-mcpherson").mirrored()
+    plated = adjusted(strut, {"camber_plate": "-8 mm"})
+    assert rod_lengths(plated) == pytest.approx(rod_lengths(strut), abs=1e-10)
+    moved = np.subtract(plated.hardpoints.strut_top, strut.hardpoints.strut_top)
+    assert moved == pytest.approx([0.0, -8e-3 * strut.sign, 0.0], abs=1e-12)
+    height = strut.hardpoints.strut_top[2] - strut.hardpoints.lower_ball_joint[2]
+    turned = plated.wheel.camber - strut.wheel.camber  # the upright about its ball joint, toe aside
+    assert turned == pytest.approx(-8e-3 / height, rel=0.2)
+    # the strut's line is fixed to the upright: seen from there, it has not turned
+    for one, other in (("lower_ball_joint", "tie_rod_outer"), ("wheel_centre", "tie_rod_outer")):
+        angles = []
+        for rig in (strut, plated):
+            points = rig.hardpoints
+            line = np.subtract(points.strut_top, points.strut_bottom)
+            edge = np.subtract(getattr(points, other), getattr(points, one))
+            angles.append(float(line @ edge / np.linalg.norm(line) / np.linalg.norm(edge)))
+        assert angles[1] == pytest.approx(angles[0], abs=1e-10)
+    arm = jn.load("semi-trailing-arm")
+    turned = adjusted(arm, {"camber_wedge": "-0.5 deg", "toe_wedge": "0.1 deg"})
+    assert degrees(turned.wheel.camber - arm.wheel.camber) == pytest.approx(-0.5)
+    assert turned.hardpoints == arm.hardpoints
+
+
+def test_settings_fit_the_suspension():
+    fitting = {
+        name: {item.name for item in SETTINGS.values() if item.fits(jn.load(name))}
+        for name in ("generic-mcpherson", "sedan-multi-link", "semi-trailing-arm", "formula-student-front")
+    }
+    wedges = {"camber_wedge", "toe_wedge", "spring_preload"}
+    assert fitting["semi-trailing-arm"] == wedges
+    arm = {"lower_arm_length", "lower_arm_support", "tie_rod_length", "camber_plate"}
+    assert fitting["generic-mcpherson"] == wedges | arm
+    assert fitting["sedan-multi-link"] == wedges | {f"link_{i}_length" for i in range(1, 6)} | {"camber_shim"}
+    links = {f"link_{i}_length" for i in range(1, 6)}
+    assert fitting["formula-student-front"] == SETTINGS.keys() - links - {"camber_plate"}
+
+
+def test_what_has_no_steering_axis_has_no_caster():
+    report = adjust_report(jn.load("semi-trailing-arm"), {"camber_wedge": "-1 deg"}, effects=False)
+    assert degrees(report.after.camber - report.before.camber) == pytest.approx(-1.0)
+    assert report.after.caster is None
+
+
+def test_hardpoints_alone_are_adjusted_and_have_no_wheel_rate():
+    table = KART.model_dump(by_alias=True, exclude_none=True, exclude={"bodies", "sprung", "guide", "strut", "tyre"})
+    report = adjust_report(type(KART).from_table(table), {"upper_arm_length": "20 mm"}, effects=False)
+    assert degrees(report.after.camber) == pytest.approx(5.244, abs=1e-3)
+    assert (report.after.wheel_rate, report.after.ride_height) == (None, None)
+
+
+BESIDE_STRUT = {
+    "torsion_bar": {"stiffness": 60.0, "preload": 3.0, "on": "lower_arm"},
+    "third_spring": {"spring": {"rate": 2e3, "preload": 10.0}, "on": "lower_arm"},
+    "anti_roll_bar": {"stiffness": 8.0, "on": "lower_arm"},
+    "hardpoints.third_spring_end": [0.0, 0.12, 0.125],
+    "hardpoints.arb_pivot": [-0.1, 0.1, 0.12],
+    "hardpoints.arb_arm_end": [-0.02, 0.12, 0.12],
+    "hardpoints.arb_link_end": [0.0, 0.2, 0.06],
+}
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_bars_and_third_springs_go_along(side: str):
+    """The link of the bar keeps its length, the third spring's end stays on its arm, what is wound up is kept."""
+    rig = KART.with_changes(BESIDE_STRUT)
+    rig = rig if side == "left" else rig.mirrored()
+    new = adjusted(rig, {"lower_arm_support": "20 mm", "upper_arm_length": "5 mm"})
+    assert new.wheel.camber != rig.wheel.camber
+    for one, other in (
+        ("arb_arm_end", "arb_link_end"),
+        ("arb_pivot", "arb_arm_end"),
+        ("arb_link_end", "lower_ball_joint"),
+        ("arb_link_end", "lower_arm_front"),
+        ("third_spring_end", "lower_ball_joint"),
+        ("third_spring_end", "lower_arm_rear"),
+    ):
+        lengths = [distance(getattr(r.hardpoints, one), getattr(r.hardpoints, other)) for r in (rig, new)]
+        assert lengths[1] == pytest.approx(lengths[0], abs=1e-9), (one, other)
+    arms = [np.subtract(r.hardpoints.lower_ball_joint, r.hardpoints.lower_arm_front)[1:] for r in (rig, new)]
+    slopes = [float(np.arctan2(z, rig.sign * y)) for y, z in arms]  # of the arm in front view, about its level axis
+    wound = 60.0 * (slopes[1] - slopes[0])
+    assert new.torsion_bar.preload == pytest.approx(3.0 + wound, abs=1e-9)
+    assert wound < -3.0  # the inner supports rise: the arm falls outward
+    ends = [abs(r.hardpoints.third_spring_end[1]) for r in (rig, new)]
+    assert new.third_spring.spring.preload == pytest.approx(10.0 - 2e3 * 2.0 * (ends[1] - ends[0]), abs=1e-9)
+    with pytest.raises(AssemblyError, match="does not reach its arm"):
+        adjusted(rig.with_changes({"hardpoints.arb_arm_end[0]": -0.09}), {"lower_arm_support": "-30 mm"})

@@ -30,6 +30,21 @@ def test_kinematics_go_on_from_the_new_pose(name, side):
         assert float(now[quantity][0]) == pytest.approx(float(then[quantity][0]), rel=close, abs=1e-9), quantity
 
 
+def test_springs_beside_the_strut_go_on_from_the_new_pose():
+    """A torsion bar stays wound up and a third spring compressed, whichever pose describes the rig."""
+    rig = KART.with_changes(
+        {
+            "torsion_bar": {"stiffness": 60.0, "preload": 3.0, "on": "lower_arm"},
+            "third_spring": {"spring": {"rate": 2e3, "preload": 10.0}, "on": "lower_arm"},
+            "hardpoints.third_spring_end": [0.0, 0.12, 0.125],
+        }
+    )
+    (posed,) = rigs_along(rig, [0.02])
+    then, now = jn.sweep_travel(rig, [0.02]), jn.sweep_travel(posed, [0.0])
+    for quantity in ("torsion_bar_torque", "third_spring_force", "heave_force", "heave_rate", "wheel_rate"):
+        assert float(now[quantity][0]) == pytest.approx(float(then[quantity][0]), rel=1e-9), quantity
+
+
 @pytest.mark.parametrize("name", MODELS)
 def test_bodies_keep_their_masses_and_principal_moments(name):
     rig = jn.load(name)

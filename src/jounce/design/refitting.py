@@ -1,0 +1,222 @@
+"""A linkage put together again: rods of other lengths, moved supports, shims on the upright; everything else follows.
+
+The wheel centre keeps its height. The upright moves as a rigid body, arms, links and the rocker turn about what holds
+them, and the links of push rod and anti-roll bar keep their lengths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import TypeVar, cast
+
+import casadi as ca
+import numpy as np
+
+from jounce.core.errors import AssemblyError
+from jounce.core.types import Array
+from jounce.design.poses import moved_rig, rigid_motion
+from jounce.mechanics import Mechanism, Model, assemble
+from jounce.parts import Corner
+from jounce.parts.advice import BODY_POINTS
+from jounce.parts.bodies import Triple, distance
+from jounce.parts.corners import Hardpoints, McPhersonHardpoints
+
+C = TypeVar("C", bound=Corner)
+
+
+@dataclass(frozen=True)
+class Changes:
+    """What changes: places of points on the car's body (m), lengths of rods (m) by their inner points, shims (m).
+
+    ``shims`` says by how much points of the upright move on it; ``pushrod`` by how much that rod becomes longer (m).
+    """
+
+    inner: Mapping[str, Triple] = field(default_factory=dict)
+    lengths: Mapping[str, float] = field(default_factory=dict)
+    shims: Mapping[str, Array] = field(default_factory=dict)
+    pushrod: float = 0.0
+
+
+def refitted(rig: C, changes: Changes) -> C:
+    """Give the rig put together again with some changes; those that do not go together are an ``AssemblyError``."""
+    given = rig.hardpoints.given()
+    shimmed = dict(given) | {name: triple(np.array(given[name]) + shift) for name, shift in changes.shims.items()}
+    places: dict[str, Triple] = {**shimmed, **changes.inner}
+    places |= _upright_places(rig, places, changes.lengths)
+    outer = _outer(rig)
+    turn, shift = rigid_motion(*(np.array([points[name] for name in outer]) for points in (shimmed, places)))
+    places |= {name: triple(turn @ np.array(given[name]) + shift) for name in points_on(rig, "upright")}
+    for body, names in BODY_POINTS.items():
+        if body.endswith("_arm") or body.startswith("link_"):
+            places |= _carried(rig, body, names, given, places)
+    if has_rocker(rig):
+        places |= _rocker_places(rig, given, places, changes.pushrod)
+    if rig.anti_roll_bar is not None:
+        places |= _bar_places(rig, given, places)
+    return moved_rig(rig, places, (turn, shift) if changes.shims else None)
+
+
+def has_rocker(rig: Corner) -> bool:
+    """Tell whether a push rod and a rocker move the strut."""
+    return getattr(rig.hardpoints, "rocker_pivot", None) is not None
+
+
+def rods(rig: Corner) -> dict[str, str]:
+    """Rods that hold the upright: inner point to outer point."""
+    return {inner: outer for outer, inner in rig.hardpoints.rods}
+
+
+def rod_lengths(rig: Corner) -> dict[str, float]:
+    """Lengths of the rods that hold the upright, m, by their inner points."""
+    given = rig.hardpoints.given()
+    return {inner: distance(given[inner], given[outer]) for inner, outer in rods(rig).items()}
+
+
+def points_on(rig: Corner, body: str) -> list[str]:
+    """Points besides its joints that move with a body."""
+    names = []
+    if rig.strut.on == body:
+        names += ["strut_bottom", "spring_bottom", "damper_bottom"]
+    for name, element in (("arb_link_end", rig.anti_roll_bar), ("third_spring_end", rig.third_spring)):
+        if element is not None and element.on == body:
+            names.append(name)
+    if has_rocker(rig) and getattr(rig.strut, "pushrod_on", "upright") == body:
+        names.append("pushrod_outer")
+    return [name for name in names if getattr(rig.hardpoints, name) is not None and name not in rig.hardpoints.outer]
+
+
+def triple(place: Array) -> Triple:
+    """A place (m, shape (3,)) as descriptions hold it."""
+    x, y, z = (float(value) for value in place)
+    return x, y, z
+
+
+# the upright on its rods ----------------------------------------------------------------------------------------------
+
+
+def _outer(rig: Corner) -> tuple[str, ...]:
+    """Joints of the upright and the wheel centre, which is the last."""
+    return (*(name for name in rig.hardpoints.outer if name != "wheel_centre"), "wheel_centre")
+
+
+@cache
+def _upright_on_rods(kind: type[Hardpoints]) -> tuple[Model, ca.Function, dict[str, float]]:
+    """Upright that flies, held by its rods, its wheel centre at one height; places of its points; values of it all.
+
+    The line of a McPherson strut is fixed to it and passes the strut's top.
+    """
+    mechanism = Mechanism()
+    origin = (0.0, 0.0, 0.0)
+    upright = mechanism.body("upright", 1.0, origin, (1.0, 1.0, 1.0))
+    mechanism.free("upright", upright)
+    names = (*(name for name in kind.outer if name != "wheel_centre"), "wheel_centre")
+    points = {name: mechanism.vector(name, origin) for name in names}
+    for outer, inner in kind.rods:
+        mechanism.rod(inner, mechanism.ground, upright, origin, points[outer], length=1.0)
+    if issubclass(kind, McPhersonHardpoints):
+        top = mechanism.vector("strut_top", origin)
+        away = top - upright.frame.point(points["strut_bottom"]).value
+        for k in range(2):
+            across = upright.frame.direction(mechanism.vector(f"across_{k}", origin)).value
+            mechanism.condition(f"strut_line_{k}", ca.dot(across, away))
+    places = [upright.frame.point(points[name]).value for name in names]
+    mechanism.condition("wheel_centre_height", places[-1][2] - mechanism.number("height", 0.0))
+    model = mechanism.finish()
+    return model, ca.Function("places", [model.x, model.p], [ca.horzcat(*places)]), mechanism.values
+
+
+def _upright_places(rig: Corner, places: Mapping[str, Triple], lengths: Mapping[str, float]) -> dict[str, Triple]:
+    """Places of the upright's points where all rods fit and the wheel centre keeps its height."""
+    model, function, known = _upright_on_rods(type(rig.hardpoints))
+    values = {**known, "height": places["wheel_centre"][2]}
+    for name, length in {**rod_lengths(rig), **lengths}.items():
+        values[f"{name}.length"] = length
+        values |= {f"{name}.at[{i}]": places[name][i] for i in range(3)}
+    vectors: dict[str, Triple] = {name: places[name] for name in _outer(rig)}
+    if isinstance(rig.hardpoints, McPhersonHardpoints):
+        vectors["strut_top"] = places["strut_top"]
+        line = np.subtract(rig.hardpoints.strut_top, rig.hardpoints.strut_bottom)
+        vectors |= {f"across_{k}": triple(row) for k, row in enumerate(np.linalg.svd(line[None, :])[2][1:])}
+    values |= {f"{name}[{i}]": value for name, vector in vectors.items() for i, value in enumerate(vector)}
+    p = np.array([values[path] for path in model.parameters])
+    try:
+        pose = assemble(model, p, np.zeros(model.u.shape[0]))
+    except AssemblyError as error:
+        raise AssemblyError(
+            "the linkage cannot be assembled with these settings",
+            where=error.where,
+            found=error.found,
+            hint="Make smaller changes.",
+        ) from None
+    found = function(pose.x, p).full()
+    return {name: triple(found[:, i]) for i, name in enumerate(_outer(rig))}
+
+
+# what hangs on it -----------------------------------------------------------------------------------------------------
+
+
+def _carried(
+    rig: Corner, body: str, names: tuple[str, ...], before: Mapping[str, Triple], after: Mapping[str, Triple]
+) -> dict[str, Triple]:
+    """Points on an arm or a link: they turn with it and keep their distance from its outer end."""
+    own = points_on(rig, body)
+    if not own:
+        return {}
+    turn, _ = rigid_motion(*(np.array([points[name] for name in names]) for points in (before, after)))
+    old, new = (np.array(points[names[-1]]) for points in (before, after))
+    return {name: triple(new + turn @ (np.array(before[name]) - old)) for name in own}
+
+
+def _rocker_places(
+    rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple], longer: float
+) -> dict[str, Triple]:
+    """Places of the rocker's points where the push rod fits."""
+    pivot, end, inner = (np.array(before[name]) for name in ("rocker_pivot", "rocker_axis", "pushrod_inner"))
+    length = distance(before["pushrod_outer"], before["pushrod_inner"]) + longer
+    turn = _turn_to(inner - pivot, end - pivot, np.array(after["pushrod_outer"]) - pivot, length)
+    if turn is None:
+        found = f"{1e3 * longer:.4g} mm"
+        raise AssemblyError("rocker and push rod do not go together", where="pushrod_length", found=found)
+    names = ("pushrod_inner", *points_on(rig, "rocker"))
+    return {name: triple(pivot + _turned(np.array(before[name]) - pivot, end - pivot, turn)) for name in names}
+
+
+def _bar_places(rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> dict[str, Triple]:
+    """Places of the anti-roll bar's arm (and a T-bar's stem) where its link keeps its length."""
+    bar = rig.anti_roll_bar
+    pivot, arm_end, link_end = (np.array(before[f"arb_{name}"]) for name in ("pivot", "arm_end", "link_end"))
+    stem = bar is not None and bar.kind == "t"
+    axis = np.array([0.0, 1.0, 0.0])
+    if "arb_axis" in before and not stem:
+        axis = np.array(before["arb_axis"]) - pivot
+    length = float(np.linalg.norm(link_end - arm_end))
+    turn = _turn_to(arm_end - pivot, axis, np.array(after["arb_link_end"]) - pivot, length)
+    if turn is None:
+        raise AssemblyError("the link of the anti-roll bar does not reach its arm", where="hardpoints.arb_arm_end")
+    names = ("arb_arm_end", *(("arb_axis",) if stem else ()))
+    return {name: triple(pivot + _turned(np.array(before[name]) - pivot, axis, turn)) for name in names}
+
+
+def _turn_to(arm: Array, axis: Array, end: Array, length: float) -> float | None:
+    """Least turn (rad) of an arm about an axis that brings it to a distance from another point; None without."""
+    axis = axis / np.linalg.norm(axis)
+    along = (arm @ axis) * axis
+    flat = arm - along
+    # |arm turned - end| = length is a cos(turn) + b sin(turn) = needed
+    a, b = float(flat @ end), float(np.cross(axis, flat) @ end)
+    needed = 0.5 * float(arm @ arm + end @ end - length**2) - float(along @ end)
+    if abs(needed) > np.hypot(a, b):
+        return None
+    middle, half = np.arctan2(b, a), np.arccos(needed / np.hypot(a, b))
+    turns = [(middle + sign * half + np.pi) % (2.0 * np.pi) - np.pi for sign in (1.0, -1.0)]
+    return cast(float, min(turns, key=abs))
+
+
+def _turned(away: Array, axis: Array, turn: float) -> Array:
+    """A vector turned about an axis (rad)."""
+    axis = axis / np.linalg.norm(axis)
+    along = (away @ axis) * axis
+    rest = away - along
+    return np.asarray(along + rest * np.cos(turn) + np.cross(axis, rest) * np.sin(turn))
