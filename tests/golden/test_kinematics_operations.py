@@ -6,6 +6,7 @@ with masses in the equations, which do not matter here).
 spring length; links steer about the pure turn that rack and travel can make.
 2026-11-22: 67 quantities. Kingpin inclination gain, camber per steer, ride height, tyre stiffness; three
 more of a rocker.
+2026-11-23: 68 quantities. Motion of the wheel centre per rise of the contact patch.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ import jounce as jn
 from jounce.kinematics.model import kinematic_model
 
 PINNED = {
-    "reference-double-wishbone": {"pose": 972, "output": 1840},
-    "formula-student-front": {"pose": 1244, "output": 2291},
-    "generic-mcpherson": {"pose": 1051, "output": 2084},
-    "sedan-multi-link": {"pose": 2664, "output": 7391},
-    "semi-trailing-arm": {"pose": 60, "output": 562},
+    "reference-double-wishbone": {"pose": 972, "output": 1842},
+    "formula-student-front": {"pose": 1244, "output": 2293},
+    "generic-mcpherson": {"pose": 1051, "output": 2086},
+    "sedan-multi-link": {"pose": 2664, "output": 7394},
+    "semi-trailing-arm": {"pose": 60, "output": 517},
 }
 
 

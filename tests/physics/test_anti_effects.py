@@ -40,8 +40,6 @@ def test_the_geometry_takes_what_the_springs_are_spared(axle: str, where: str, l
         for load in (jn.ContactLoad(vertical_force=3000.0), pulled)
     ]
     spared = 1.0 - (forces[1] - forces[0]) * float(swept["motion_ratio_contact"][0]) / (-front * way * transfer)
-    if where == "wheel_centre":  # the share counts the rise of the wheel centre, the load that of the contact patch
-        spared *= float(swept["motion_ratio"][0] / swept["motion_ratio_contact"][0])
     assert float(swept[name][0]) == pytest.approx(spared, rel=1e-9)
     assert set(car.effects) & {"anti_dive", "anti_lift", "anti_squat"} == {
         n for n in swept.data_vars if n.startswith("anti_")

@@ -340,7 +340,7 @@ class Evaluator:
             row = self.names[item.quantity]
             return outputs[row, i], None if moved is None else moved[row][:, i].T
         assert self.vehicle is not None
-        contact, centre = (self.names[name] for name in ("contact_patch_recession", "wheel_centre_longitudinal_slope"))
+        contact, centre = (self.names[name] for name in ("contact_patch_recession", "wheel_centre_recession"))
         value = shares(self.vehicle, outputs[contact, i], outputs[centre, i])[item.quantity]
         if moved is None:
             return value, None

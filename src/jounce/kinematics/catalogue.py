@@ -303,6 +303,8 @@ CATALOGUE: tuple[Quantity, ...] = (
         lambda v: v.patch[0] / v.patch[2], "positive: forward in bump"),
     Quantity("wheel_centre_longitudinal_slope", "1", "wheel centre, dx/dz",
         lambda v: v.centre.rate[0] / v.centre.rate[2], "positive: forward in bump"),
+    Quantity("wheel_centre_recession", "1", "wheel centre recession: its dx over the rise dz of the contact patch",
+        lambda v: v.centre.rate[0] / v.patch[2], "positive: forward in bump"),
     Quantity("wheel_centre_lateral_slope", "1", "lateral motion of the wheel centre over its rise",
         lambda v: v.centre.rate[1] / v.centre.rate[2], "positive: outward in bump"),
     Quantity("spring_length", "m", "spring length", lambda v: v.spring.length, "never negative"),

@@ -243,8 +243,9 @@ _MOVES = {"dive": "sinking", "squat": "sinking", "lift": "rising"}
 def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Array]:
     """Shares of load transfer that the geometry carries, 1 being all of it.
 
-    ``contact`` and ``centre`` are dx/dz [1] of the contact patch with the wheel locked, for torques that the wheel
-    carrier takes (outboard brakes, hub motors), and of the wheel centre, for those that come over a shaft.
+    The transfer acts at the contact patch; ``contact`` and ``centre`` are dx [1] for its rise with the wheel locked: of
+    the patch itself, for torques that the wheel carrier takes (outboard brakes, hub motors), and of the wheel centre,
+    where the force of torques over a shaft reaches the carrier. By virtual work this is what the spring is spared.
     """
     lever = vehicle.wheelbase / vehicle.centre_of_mass_height
     way = 1.0 if vehicle.axle == "front" else -1.0
@@ -687,7 +688,7 @@ def _add_further(
 ) -> None:
     """Add what only some sweeps have: shares of load transfer, places of points."""
     if vehicle is not None:
-        slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_longitudinal_slope"])
+        slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_recession"])
         taken = shares(vehicle, *slopes)
         for name, share in taken.items():
             found.add(name, share, "1", _ANTI_EFFECTS[vehicle.axle, name], _ANTI_SIGN)

@@ -78,6 +78,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "side_view_swing_arm_angle",
         "contact_patch_recession",
         "wheel_centre_longitudinal_slope",
+        "wheel_centre_recession",
         "anti_dive",
         "anti_lift",
         "anti_squat",
