@@ -52,7 +52,7 @@ def test_targets_that_can_be_met(cli, study, tmp_path: Path) -> None:
     assert len(changed) == 1
     assert changed[0].startswith("tie_rod_inner = [")
     assert "# on the rocker" in text
-    for name in ("targets.csv", "sensitivity.csv", "targets.png", "sensitivity.png"):
+    for name in ("targets.csv", "sensitivity.csv", "targets.png", "sensitivity.png", "geometry.png"):
         assert (tmp_path / "out" / name).stat().st_size > 200
 
 
@@ -73,6 +73,25 @@ def test_the_rig_may_lie_beside_the_study(cli, study, tmp_path: Path) -> None:
     outcome = cli("design", "kinematics", study((HEAD + FREE + CURVE).replace("formula-student-front", "mine.toml")))
     assert outcome.exit_code == 0
     assert "150" in outcome.out
+
+
+def test_a_study_of_both_axles_writes_both_rigs(cli, study, tmp_path: Path) -> None:
+    head = 'schema = "jounce.design/1"\nstarts = 1\n[rigs]\nfront = "formula-student-front"\nrear = "mine.toml"\n'
+    rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "150 mm"})
+    jn.save(rig, tmp_path / "mine.toml", like="formula-student-front")
+    free = FREE.replace('"hardpoints.tie_rod_inner"', '"front.hardpoints.tie_rod_inner[2]"')
+    free += free.replace("front.", "rear.")
+    curves = [CURVE + f'rig = "{name}"\nmust = true\n' for name in ("front", "rear")]
+    outcome = cli("design", "kinematics", study(head + free + "".join(curves)), "--out", "out", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert set(outcome.json["moved"]) == {f"{name}.hardpoints.tie_rod_inner[2]" for name in ("front", "rear")}
+    assert [target["rig"] for target in outcome.json["targets"]] == ["front", "rear"]
+    for name in ("front", "rear"):
+        moved = jn.load(tmp_path / "out" / f"{name}.toml").parameters()["hardpoints.tie_rod_inner[2]"]
+        assert moved == outcome.json["moved"][f"{name}.hardpoints.tie_rod_inner[2]"]["after"]
+        assert (tmp_path / "out" / f"geometry-{name}.png").stat().st_size > 10_000
+    assert (tmp_path / "out" / "identified.csv").read_text(encoding="utf-8").count("tie_rod_inner[2],m,") == 2
+    assert (tmp_path / "out" / "tradeoffs.csv").read_text(encoding="utf-8").count("front.toe 0") == 2
 
 
 def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
@@ -108,6 +127,17 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         (HEAD + FREE + CURVE.replace('value = "0 deg"', ""), ["value"]),
         (HEAD + FREE + GAIN.replace("camber_gain", "anti_dive"), ["anti_dive", "vehicle"]),
         (HEAD + FREE + GAIN.replace("camber_gain", "ackermann"), ["ackermann", "vehicle"]),
+        (HEAD + FREE + CURVE + 'rig = "rear"\n', ["target[0].rig", "the study has one rig"]),
+        (HEAD.replace("rig =", "# rig =") + FREE + CURVE, ["rig", "[rigs]"]),
+        (
+            HEAD + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_outr"') + CURVE,
+            ["tie_rod_outer"],
+        ),
+        (
+            HEAD + FREE.replace('within = "15 mm"', "box = [[40, 200, 130], [90, 240, 170]]") + CURVE,
+            ["240 m", "metres"],
+        ),
+        (HEAD + FREE + 'tied = ["-hardpoints.tie_rod_inner"]\n' + CURVE, ["free twice"]),
         (HEAD + FREE, ["target"]),
         (HEAD + CURVE, ["free"]),
         (HEAD.replace("front", "frnt") + FREE + CURVE, ["formula-student-frnt"]),

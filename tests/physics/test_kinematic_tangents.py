@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.design.free_points import Numbering
 from jounce.design.kinematic_study import KinematicTarget
-from jounce.design.kinematic_targets import Evaluator, read_targets
+from jounce.design.kinematic_targets import Evaluators, read_targets
 from jounce.kinematics.model import kinematic_model
 from jounce.kinematics.sweeps import prepare_sweep
 from jounce.kinematics.tangents import Tangents
@@ -90,15 +91,16 @@ def test_slopes_along_travel_and_rack() -> None:
 def test_slopes_of_targets_are_those_of_their_values(target: dict) -> None:
     rig = jn.load("formula-student-front")
     car = jn.AxleLayout(axle="front", wheelbase=1.55, centre_of_mass_height=0.3, brake_share=0.6)
-    wanted = read_targets(rig, [KinematicTarget(**target)], car)
+    wanted = read_targets({"": rig}, [KinematicTarget(**target)], {"": car})
     model = kinematic_model(rig)
     paths = ["hardpoints.tie_rod_inner[2]", "hardpoints.upper_ball_joint[1]", "hardpoints.wheel_centre[0]"]
     paths += ["hardpoints.lower_arm_front[2]", "wheel.radius"]
     directions = np.zeros((len(model.parameters), len(paths)))
     for j, path in enumerate(paths):
         directions[model.parameters.index(path), j] = 1.0
-    evaluator = Evaluator(rig, wanted, directions, np.full(len(paths), 0.01), car)
-    numbers = evaluator.numbers
+    numbering = Numbering.of({"": rig})
+    evaluator = Evaluators(numbering, wanted, directions, np.full(len(paths), 0.01), {"": car})
+    numbers = numbering.values()
     _, slopes = evaluator.at(numbers)
     assert np.max(np.abs(slopes[0])) > 0.0
     step = 2e-5

@@ -162,3 +162,159 @@ def test_rows_of_third_spring_rocker_handwheel_and_roll_caster_are_targets_too()
     target = {"quantity": "roll_moment", "over": "-1 deg:1 deg:1 deg", "value": 0.0, "tolerance": 1.0}
     with pytest.raises(jn.DescriptionError, match="roll_moment"):
         jn.design_kinematics(rig, dict.fromkeys(moved, "12 mm"), [target])
+
+
+def test_what_must_hold_does_in_a_compromise() -> None:
+    rig = jn.load("formula-student-front")
+    free = {"hardpoints.upper_arm_front[2]": "20 mm", "hardpoints.lower_arm_front[2]": "20 mm"}
+    targets = [
+        {"quantity": "camber_gain", "value": "-45 deg/m", "tolerance": "0.1 deg/m"},
+        {"quantity": "roll_centre_height", "at_most": "31 mm", "tolerance": "0.1 mm", "must": True},
+    ]
+    found = jn.design_kinematics(rig, free, targets, starts=2)
+    assert not found.met
+    assert [target.met for target in found.targets] == [False, True]
+    assert any(start.holds for start in found.starts)
+    loose = [targets[0], {**targets[1], "must": False}]
+    without = jn.design_kinematics(rig, free, loose, starts=2)
+    assert [target.met for target in without.targets] == [False, False]
+    # on the constraint no other place of the boxes has more camber gain
+    edges = np.linspace(-0.02, 0.02, 13)
+    start = rig.parameters()
+    best = 0.0
+    for front in edges:
+        changes = {"hardpoints.upper_arm_front[2]": start["hardpoints.upper_arm_front[2]"] + front}
+        for lower in edges:
+            changes["hardpoints.lower_arm_front[2]"] = start["hardpoints.lower_arm_front[2]"] + lower
+            swept = jn.sweep_travel(rig.with_changes(changes), [0.0])
+            if float(swept["roll_centre_height"][0]) <= 0.0311:
+                best = min(best, float(swept["camber_gain"][0]))
+    assert float(found.targets[0].after) <= best * (1.0 - 1e-4)
+
+
+def test_a_constraint_that_cannot_hold_is_told() -> None:
+    rig = jn.load("formula-student-front")
+    free = {"hardpoints.upper_arm_front[2]": "2 mm"}
+    target = {"quantity": "roll_centre_height", "at_most": "-200 mm", "tolerance": "1 mm", "must": True}
+    found = jn.design_kinematics(rig, free, [target], starts=2)
+    assert not found.met
+    assert not any(start.holds for start in found.starts)
+    assert any("must hold" in str(finding) for finding in found.findings)
+
+
+def test_points_tied_against_each_other_and_a_link_that_gets_longer() -> None:
+    rig = jn.load("formula-student-front")
+    free = [
+        {"point": "hardpoints.lower_arm_front[2]", "tied": ["-hardpoints.lower_arm_rear[2]"], "within": "20 mm"},
+        {"point": "hardpoints.tie_rod_inner", "along": "tie_rod_outer", "within": "20 mm"},
+    ]
+    targets = [
+        {"quantity": "contact_patch_recession", "value": 0.08, "tolerance": 0.002},
+        {"quantity": "distance(tie_rod_inner, tie_rod_outer)", "value": "340 mm", "tolerance": "0.1 mm"},
+    ]
+    found = jn.design_kinematics(rig, free, targets, starts=2)
+    assert found.met
+    shift = {path: one.after - one.before for path, one in found.moved.items()}
+    assert shift["hardpoints.lower_arm_front[2]"] == pytest.approx(-shift["hardpoints.lower_arm_rear[2]"], abs=2e-9)
+    rod = np.array(rig.hardpoints.tie_rod_outer) - np.array(rig.hardpoints.tie_rod_inner)
+    moved = np.array([shift[f"hardpoints.tie_rod_inner[{i}]"] for i in range(3)])
+    assert np.linalg.norm(np.cross(rod, moved)) < 1e-9
+    assert np.linalg.norm(rod - moved) == pytest.approx(0.34, abs=1e-4)
+    assert found.identified[1].number == "hardpoints.tie_rod_inner along tie_rod_outer"
+
+
+def test_both_axles_are_designed_together_and_their_points_are_tied() -> None:
+    front = jn.load("formula-student-front")
+    rear = front.with_changes({"hardpoints.upper_arm_front[2]": "300 mm", "wheel.camber": "-1 deg"})
+    car = {"wheelbase": "1.55 m", "centre_of_mass_height": "300 mm"}
+    cars = {
+        "front": jn.AxleLayout(axle="front", brake_share=0.6, **car),
+        "rear": jn.AxleLayout(axle="rear", brake_share=0.4, **car),
+    }
+    free = [
+        {
+            "point": "front.hardpoints.lower_arm_front[2]",
+            "tied": ["rear.hardpoints.lower_arm_rear[2]"],
+            "within": "30 mm",
+        },
+        {"point": "front.hardpoints.upper_arm_front[2]", "within": "30 mm"},
+        {"point": "rear.hardpoints.upper_arm_front[2]", "within": "30 mm"},
+    ]
+    targets = [
+        {"rig": "front", "quantity": "anti_dive", "value": 0.1, "tolerance": 0.01},
+        {"rig": "rear", "quantity": "camber_gain", "value": "-30 deg/m", "tolerance": "0.1 deg/m"},
+        {"rig": "front", "quantity": "camber_gain", "value": "-35 deg/m", "tolerance": "0.1 deg/m"},
+    ]
+    found = jn.design_kinematics({"front": front, "rear": rear}, free, targets, vehicle=cars, starts=2)
+    assert found.met
+    shift = {path: one.after - one.before for path, one in found.moved.items()}
+    tied = "front.hardpoints.lower_arm_front[2]", "rear.hardpoints.lower_arm_rear[2]"
+    assert shift[tied[0]] == pytest.approx(shift[tied[1]], abs=2e-9)
+    for name, rate in (("front", -35.0), ("rear", -30.0)):
+        swept = jn.sweep_travel(found.rigs[name], [0.0], vehicle=cars[name])
+        assert np.degrees(float(swept["camber_gain"][0])) == pytest.approx(rate, abs=0.1 + 1e-6)
+    assert found.before()["rear"].parameters()["hardpoints.upper_arm_front[2]"] == 0.3
+    with pytest.raises(jn.DescriptionError, match="several rigs"):
+        _ = found.rig
+    with pytest.raises(jn.DescriptionError, match=r"target\[0\].rig"):
+        jn.design_kinematics({"front": front, "rear": rear}, free, [{**targets[0], "rig": "middle"}])
+    with pytest.raises(jn.DescriptionError, match="fron"):
+        jn.design_kinematics({"front": front, "rear": rear}, {"fron.hardpoints.tie_rod_inner": "5 mm"}, targets[1:])
+
+
+@pytest.mark.slow  # a right corner is another model to compile
+def test_left_and_right_are_tied_as_in_a_mirror() -> None:
+    left = jn.load("formula-student-front")
+    points = {name: [x, -y, z] for name, (x, y, z) in left.hardpoints.given().items()}
+    table = left.model_dump(by_alias=True, exclude_none=True) | {"side": "right"}
+    table["hardpoints"] = points
+    for name in left.body_masses():
+        x, y, z = table["bodies"][name]["centre_of_mass"]
+        table["bodies"][name]["centre_of_mass"] = (x, -y, z)
+    right = type(left).from_table(table)
+    free = [{"point": "left.hardpoints.tie_rod_inner", "tied": ["right.hardpoints.tie_rod_inner"], "within": "15 mm"}]
+    target = {"quantity": "toe", "over": "-30 mm:30 mm:15 mm", "value": 0.0, "tolerance": "0.01 deg"}
+    sides = [{**target, "rig": "left"}, {**target, "rig": "right"}]
+    found = jn.design_kinematics({"left": left, "right": right}, free, sides, starts=2)
+    assert found.met
+    (x, y, z), other = (found.rigs[side].hardpoints.tie_rod_inner for side in ("left", "right"))
+    assert y != left.hardpoints.tie_rod_inner[1]
+    assert other == pytest.approx((x, -y, z), abs=2e-9)
+
+
+def test_trade_offs_say_what_is_shared() -> None:
+    rig = jn.load("formula-student-front")
+    gain = {"quantity": "camber_gain", "tolerance": "0.1 deg/m"}
+    twice = [{**gain, "value": "-30 deg/m"}, {**gain, "value": "-34 deg/m"}]
+    toe = {"quantity": "bump_steer", "value": 0.0, "tolerance": "0.1 deg/m"}
+    free = {"hardpoints.upper_arm_front[2]": "20 mm", "hardpoints.tie_rod_inner[2]": "20 mm"}
+    found = jn.design_kinematics(rig, free, [*twice, toe], starts=1)
+    table = np.array(found.tradeoffs)
+    assert table[:2, :2] == pytest.approx(np.full((2, 2), 0.5), abs=1e-6)  # one number, asked for twice
+    assert table[2, 2] == pytest.approx(1.0, abs=1e-6)
+    assert table[:2, 2] == pytest.approx(0.0, abs=1e-6)
+    assert found.tradeoff_table().count("\n") == 4
+
+
+def test_what_curves_tell_of_points_and_what_they_leave_open() -> None:
+    rig = jn.load("formula-student-front")
+    free = {"hardpoints.tie_rod_inner": "15 mm", "hardpoints.strut_top[0]": "5 mm"}
+    curve = {"quantity": "toe", "over": "-30 mm:30 mm:5 mm", "value": 0.0, "tolerance": "0.01 deg"}
+    lengths = {"quantity": "spring_length", "at_least": "10 mm", "tolerance": "1 mm"}
+    found = jn.design_kinematics(rig, free, [curve, lengths], starts=1)
+    told = {one.number: one for one in found.identified}
+    height = told["hardpoints.tie_rod_inner[2]"]
+    assert height.alone is not None
+    assert height.together is not None
+    assert height.alone < 1e-3
+    assert height.together > height.alone
+    assert told["hardpoints.strut_top[0]"].together is None
+    assert found.open[0].change == 0.0
+    assert found.open[0].shares["hardpoints.strut_top[0]"] == pytest.approx(1.0)
+    # the number alone, by brute force: a change by one standard deviation changes the curve by one tolerance in all
+    moved = found.rig.with_changes(
+        {"hardpoints.tie_rod_inner[2]": found.rig.parameters()["hardpoints.tie_rod_inner[2]"] + 0.1 * height.alone}
+    )
+    over = "-30 mm:30 mm:5 mm"
+    change = jn.sweep_travel(moved, over)["toe"].to_numpy() - jn.sweep_travel(found.rig, over)["toe"].to_numpy()
+    assert np.linalg.norm(change) / np.radians(0.01) == pytest.approx(0.1, rel=0.01)

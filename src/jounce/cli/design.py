@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.design.kinematics import KinematicDesign
+    from jounce.design.kinematics import KinematicDesign, TargetResult
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
     from jounce.design.springs import SpringDesign
@@ -249,37 +249,44 @@ def kinematics(
     check_outputs(folder=out, force=force)
     with progress() as say:
         say("searching")
-        from jounce.design.kinematics import design_study
+        from jounce.design.kinematics import design, run_study
 
-        found, file = design_study(study, starts=starts)
+        found, sources = run_study(study, lambda asked, task: design(task, starts or asked.starts, asked.seed))
         missing: Sequence[Finding] = ()
         if out is not None:
             say("drawing")
-            missing = _write_kinematics(found, file, out, force=force)
+            missing = _write_kinematics(found, sources, study.stem, out, force=force)
     plain = {**found.to_dict(), "out": out and str(out)}
     code = DONE if found.met else FAILED
     return Reply(plain, lambda console: draw_kinematics(console, plain, found), as_json, code, missing)
 
 
-def _write_kinematics(found: KinematicDesign, file: Path, out: Path, *, force: bool) -> Sequence[Finding]:
+def _write_kinematics(
+    found: KinematicDesign, sources: Mapping[str, Path], title: str, out: Path, *, force: bool
+) -> Sequence[Finding]:
     """Write what was found, and then its page; give what could not be drawn."""
     from jounce.core.serialise import to_json
     from jounce.parts.files import updated_text
-    from jounce.plots.kinematic_design import sensitivity_bars, target_curves
+    from jounce.plots.kinematic_design import design_pictures
     from jounce.plots.style import rendered
     from jounce.report import kinematic_design_page, write_page
 
     computed: dict[str, bytes | str] = {
-        "rig.toml": updated_text(file.read_text(encoding="utf-8"), found.rig),
+        f"{name or 'rig'}.toml": updated_text(sources[name].read_text(encoding="utf-8"), rig)
+        for name, rig in found.rigs.items()
+    }
+    computed |= {
         "results.json": to_json(found.results()) + "\n",
         "targets.csv": found.curve_table(),
         "sensitivity.csv": found.sensitivity_table(),
+        "tradeoffs.csv": found.tradeoff_table(),
+        "identified.csv": found.identified_table(),
     }
 
     def page() -> Page:
-        whole = kinematic_design_page(found, title=f"Kinematics of {file.stem}")
-        pictures = {"targets.png": target_curves(found), "sensitivity.png": sensitivity_bars(found)}
-        drawn = {name: rendered(picture, [".png"])[".png"] for name, picture in pictures.items()}
+        one = next(iter(sources.values())).stem
+        whole = kinematic_design_page(found, title=f"Kinematics of {one if len(sources) == 1 else title}")
+        drawn = {f"{name}.png": rendered(draw(), [".png"])[".png"] for name, draw in design_pictures(found).items()}
         return replace(whole, files=tuple(drawn.items()))
 
     with drawing() as missing:
@@ -294,21 +301,23 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
     rows = []
     for target in found.targets:
         unit = display_unit(target.unit)
-        ends = [_worst(value, target.wanted) * unit.factor for value in (target.before, target.after)]
-        name = target.quantity if isinstance(target.after, float) else f"{target.quantity}, worst of its curve"
-        wanted = _wanted_text(target.wanted, unit.factor)
+        ends = [_worst(value, target) * unit.factor for value in (target.before, target.after)]
+        name = f"{target.rig} {target.quantity}".strip()
+        name = name if isinstance(target.after, float) else f"{name}, worst of its curve"
         met = "met" if target.met else "missed"
+        met += ", must hold" if target.must else ""
+        wanted = _wanted_text(target, unit.factor)
         rows.append((name, unit.name or "1", *ends, wanted, target.tolerance * unit.factor, met))
     header = ("target", "unit", "before", "after", "wanted", "tolerance", "")
     console.print(table("Targets", header, rows, text=(0, 1, 4, 6)))
     moved = []
     for path, change in found.moved.items():
-        unit = display_unit("m" if path.startswith("hardpoints.") else "1")
+        unit = display_unit("m" if "hardpoints." in path else "1")
         numbers = (change.before, change.after, change.after - change.before)
         moved.append((path, unit.name or "SI", *(round(value * unit.factor, 6) for value in numbers)))
     console.print(table("Moved", ("number", "unit", "before", "after", "by"), moved, text=(0, 1)))
     for fight in found.fights:
-        missed, other = (f"{found.targets[i].quantity} (target {i})" for i in (fight.missed, fight.other))
+        missed, other = (f"{found.targets[i].label} (target {i})" for i in (fight.missed, fight.other))
         console.print(f"{missed} fights {other}: what brings one nearer takes the other away ({fight.cosine:.2f})")
     good = sum(start.met for start in found.starts)
     console.print(f"{good} of {len(found.starts)} starts met all targets; {found.evaluations} designs computed")
@@ -316,27 +325,19 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
     show_written(console, plain)
 
 
-def _worst(value: float | list[float], wanted: Any) -> float:
+def _worst(value: float | list[float], target: TargetResult) -> float:
     """A value, or of a curve the one farthest from what is wanted."""
     if isinstance(value, float):
         return value
-    if isinstance(wanted, float):
-        aims = [wanted] * len(value)
-    elif len(wanted) == len(value) and None not in wanted:
-        aims = wanted
-    else:
-        ends = [end for end in wanted if end is not None]
-        aims = [sum(ends) / len(ends)] * len(value)
-    return max(zip(value, aims, strict=True), key=lambda pair: abs(pair[0] - pair[1]))[0]
+    low, high = target.bounds()
+    return max(zip(value, low, high, strict=True), key=lambda one: max(one[1] - one[0], one[0] - one[2]))[0]
 
 
-def _wanted_text(wanted: Any, factor: float) -> str:
-    if isinstance(wanted, float):
-        return f"{wanted * factor:.5g}"
-    if len(wanted) == 2:
-        low, high = (None if end is None else f"{end * factor:.5g}" for end in wanted)
+def _wanted_text(target: TargetResult, factor: float) -> str:
+    if target.limits:
+        low, high = (None if end is None else f"{end * factor:.5g}" for end in target.wanted)
         return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} … {high}"
-    return "a curve"
+    return "a curve" if isinstance(target.wanted, list) else f"{target.wanted * factor:.5g}"
 
 
 def _pair(text: str) -> tuple[str | float, str | float] | None:

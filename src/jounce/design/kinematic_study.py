@@ -23,14 +23,17 @@ class FreePoint(Description):
 
     ``point`` is its path: ``hardpoints.tie_rod_inner`` for all three coordinates, ``hardpoints.tie_rod_inner[2]`` for
     one. ``within`` (m) is how far each coordinate may go to either side; ``box`` has its lower and its upper corner
-    instead. ``along`` is a direction, x, y, z, of any length: the point moves on that line, ``within`` to either side.
-    ``tied`` lists points (or coordinates) that move by the same.
+    instead. ``along`` is a direction, x, y, z, of any length, or the name of a hardpoint towards which it shows: the
+    point moves on that line, ``within`` to either side; towards the other end of a link that is the link's length.
+    ``tied`` lists points (or coordinates) that move by the same, on the other side of a car as in a mirror; with a
+    minus before it, ``-hardpoints.lower_arm_rear[2]``, by the opposite. In a study of several rigs a path begins with
+    the name of one: ``front.hardpoints.tie_rod_inner``.
     """
 
     point: str
     within: Any = None
     box: Corners | None = Field(default=None, min_length=2, max_length=2)
-    along: tuple[Share, Share, Share] | None = None
+    along: str | tuple[Share, Share, Share] | None = None
     tied: tuple[str, ...] = ()
 
     @model_validator(mode="after")
@@ -40,7 +43,7 @@ class FreePoint(Description):
         if self.along is not None:
             if self.box is not None:
                 raise misplaced(("box",), "a line has no box; allowed: within, to either side along it")
-            if not any(self.along):
+            if not any(self.along) and not isinstance(self.along, str):
                 raise misplaced(("along",), "not a direction; found [0, 0, 0]")
             if self.point.endswith("]"):
                 raise misplaced(("along",), "one coordinate moves along its axis; allowed: a point of three")
@@ -54,7 +57,8 @@ class KinematicTarget(Description):
     and ``at_most`` are limits. ``at`` is a pose: a travel, or ``{travel = ..., rack = ..., roll = ...}``; ``over`` a
     range, of wheel travel (m) or of roll (an angle), or of the rack with ``along = "rack"``. Without both it is the
     design pose. ``slope`` wants the value of the slope of a straight line through the curve instead. ``weight``
-    multiplies its share in a compromise.
+    multiplies its share in a compromise, ``must`` makes it a constraint that holds in one. ``goal`` names what it
+    belongs to where goals compete. ``rig`` says whose target it is in a study of several.
     """
 
     quantity: str
@@ -68,6 +72,9 @@ class KinematicTarget(Description):
     over: str | tuple[Quantitative, ...] | None = None
     along: Literal["travel", "rack", "roll"] | None = None
     slope: bool = False
+    must: bool = False
+    goal: str | None = None
+    rig: str | None = None
 
     @model_validator(mode="after")
     def _asks_one_thing(self) -> KinematicTarget:
@@ -90,17 +97,39 @@ class KinematicTarget(Description):
 class KinematicStudy(Description):
     """A study of hardpoints from targets: the ``rig`` (a file, or the name of a shipped one), what is free, wanted.
 
-    ``vehicle`` is the car around the axle, for anti-effects and Ackermann; ``starts`` searches begin at the rig and at
-    places of the boxes drawn with ``seed``.
+    ``rigs`` are several by name instead, both axles of a car or both sides of an axle, whose points may be tied.
+    ``vehicle`` is the car around the axle, for anti-effects and Ackermann; ``vehicles`` has one by the name of a rig.
+    ``starts`` searches begin at the rig and at places of the boxes drawn with ``seed``. ``spread`` says how exactly
+    the parts are made.
     """
 
     schema_: Literal["jounce.design/1"] = Field(default=SCHEMA, alias="schema")
-    rig: str
+    rig: str | None = None
+    rigs: dict[str, str] | None = None
     free: tuple[FreePoint, ...] = Field(min_length=1)
     target: tuple[KinematicTarget, ...] = Field(min_length=1)
     vehicle: AxleLayout | None = None
+    vehicles: dict[str, AxleLayout] | None = None
     starts: Annotated[int, Field(ge=1, le=10_000)] = 8
     seed: Annotated[int, Field(ge=0)] = 0
+
+    @model_validator(mode="after")
+    def _has_rigs(self) -> KinematicStudy:
+        if (self.rig is None) == (not self.rigs):
+            raise ValueError('give either rig = "front.toml", or a table [rigs] with a name for each')
+        if self.rigs is None and self.vehicles is not None:
+            raise misplaced(("vehicles",), "only several rigs have several; allowed: a table [vehicle]")
+        if self.rigs is not None and self.vehicle is not None:
+            raise misplaced(("vehicle",), "whose is it?; allowed: tables [vehicles.<name of a rig>]")
+        return self
+
+    def named(self) -> dict[str, str]:
+        """Files by the name of each rig; one alone has no name."""
+        return dict(self.rigs) if self.rigs else {"": str(self.rig)}
+
+    def around(self) -> dict[str, AxleLayout]:
+        """Cars by the name of the rig."""
+        return {"": self.vehicle} if self.vehicle is not None else dict(self.vehicles or {})
 
 
 def coordinate(path: str) -> int | None:

@@ -7,7 +7,7 @@ slopes of both wheels' rows.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
-from jounce.core.units import conversion_factor, positive_si, to_si
+from jounce.core.units import positive_si, to_si
+from jounce.design.free_points import Numbering, Rigs
 from jounce.design.kinematic_study import KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
@@ -38,6 +39,7 @@ class Wanted:
     """A target in SI: the values of ``quantity`` at ``poses`` (k, 3: travel m, rack m, roll rad), along one of them.
 
     ``low`` and ``high`` (n,) bound what is wanted, and are the same where it is a value; n is 1 for a slope, else k.
+    ``rig`` names the rig of a study of several.
     """
 
     text: KinematicTarget
@@ -48,6 +50,7 @@ class Wanted:
     low: Array
     high: Array
     tolerance: float
+    rig: str = ""
 
     @property
     def at(self) -> Array:
@@ -62,6 +65,11 @@ class Wanted:
         away = self.at - self.at.mean()
         return np.asarray((away / (away @ away))[None, :])
 
+    @property
+    def label(self) -> str:
+        """Quantity, with the name of its rig in a study of several."""
+        return f"{self.rig} {self.quantity}" if self.rig else self.quantity
+
     def is_met_by(self, values: Array) -> bool:
         """Tell whether values (n,) are all within the tolerance."""
         return bool(np.all(np.abs(self.off(values)) <= self.tolerance * (1.0 + 1e-9)))
@@ -74,12 +82,21 @@ class Wanted:
 # reading --------------------------------------------------------------------------------------------------------------
 
 
-def read_targets(rig: Corner, targets: Sequence[KinematicTarget], vehicle: AxleLayout | None) -> list[Wanted]:
-    """Read the targets of a study into SI; what cannot be asked of this rig is refused, with its place."""
-    return [_read(rig, target, vehicle, f"target[{i}]") for i, target in enumerate(targets)]
+def read_targets(rigs: Rigs, targets: Sequence[KinematicTarget], vehicles: Mapping[str, AxleLayout]) -> list[Wanted]:
+    """Read the targets of a study into SI; what cannot be asked of its rigs is refused, with its place."""
+    for name in vehicles:
+        if name not in rigs:
+            raise unknown(name, rigs, what="rig", where="vehicles")
+    return [_read(rigs, target, vehicles, f"target[{i}]") for i, target in enumerate(targets)]
 
 
-def _read(rig: Corner, target: KinematicTarget, vehicle: AxleLayout | None, where: str) -> Wanted:
+def _read(rigs: Rigs, target: KinematicTarget, vehicles: Mapping[str, AxleLayout], where: str) -> Wanted:
+    name = target.rig or ""
+    if name not in rigs:
+        if "" in rigs:
+            raise DescriptionError("the study has one rig", where=f"{where}.rig", found=name, hint="Leave it out.")
+        raise unknown(name, rigs, what="rig", where=f"{where}.rig")
+    rig, vehicle = rigs[name], vehicles.get(name)
     poses, along = _poses(rig, target, where)
     unit = quantity_unit(rig, target.quantity, along if _is_of_axle(target, along) else "", vehicle, where)
     if target.slope:
@@ -106,7 +123,7 @@ def _read(rig: Corner, target: KinematicTarget, vehicle: AxleLayout | None, wher
         if np.any(low > high):
             raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
     tolerance = positive_si(target.tolerance, unit, where=f"{where}.tolerance")
-    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance)
+    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name)
 
 
 def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
@@ -224,7 +241,7 @@ class _CornerPoses:
 class Evaluator:
     """Values of all targets for the numbers of a rig, and their slopes along ``directions`` (parameters, n).
 
-    ``lengths`` (n,) are how far each direction may go; ``evaluations`` counts.
+    ``lengths`` (n,) are how far each direction may go.
     """
 
     def __init__(
@@ -233,26 +250,15 @@ class Evaluator:
         self.rig, self.wanted, self.vehicle = rig, list(wanted), vehicle
         self.model: KinematicModel = kinematic_model(rig)
         self.names = {row.name: i for i, row in enumerate(self.model.rows)}
-        self.directions, self.lengths, self.evaluations = directions, lengths, 0
+        self.directions, self.lengths = directions, lengths
         self._padded = np.vstack([np.zeros((len(self.model.tracks), directions.shape[1])), directions])
         self._grids: dict[tuple[str, float], _CornerPoses] = {}
         for key in dict.fromkeys(self._key(item) for item in wanted if self._kind(item) == "corner"):
             self._grids[key] = self._grid(key)
         self._laid_out()
 
-    @property
-    def numbers(self) -> Array:
-        """Numbers of the description, in the order of the model's parameters."""
-        return self.model.parameter_values(self.rig)
-
-    def at(self, numbers: Array, *, slopes: bool = True) -> tuple[list[Array], list[Array]]:
-        """Values of each target (n,), NaN where a pose is out of reach, and slopes (n, directions), when wanted."""
-        values, along = self.together(numbers, slopes=slopes)
-        return [values[part] for part in self.parts], [along[part] for part in self.parts if slopes]
-
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
         """Values of all targets one after the other, see ``parts``, and slopes (all, directions), when wanted."""
-        self.evaluations += 1
         count = self.parts[-1].stop
         values, along = np.empty(count), np.empty((count if slopes else 0, self.directions.shape[1]))
         moved: dict[tuple[str, float], Array | None] = {}
@@ -453,6 +459,54 @@ class Evaluator:
         return 0.0 if index is None else float(self.directions[index, k])
 
 
+class Evaluators:
+    """Values of all targets of a study for the numbers of its rigs, and their slopes along ``directions``, as one.
+
+    ``parts`` says where each target's values stand, ``paths`` which numbers they are computed from.
+    """
+
+    def __init__(
+        self,
+        numbering: Numbering,
+        wanted: Sequence[Wanted],
+        directions: Array,
+        lengths: Array,
+        vehicles: Mapping[str, AxleLayout],
+    ) -> None:
+        self.numbering, self.wanted, self.paths, self.evaluations = numbering, list(wanted), numbering.paths, 0
+        self._count = directions.shape[1]
+        ends = np.cumsum([len(item.low) for item in wanted])
+        self.parts = [slice(int(end) - len(item.low), int(end)) for item, end in zip(wanted, ends, strict=True)]
+        self._members = []
+        for name, rig in numbering.rigs.items():
+            part = numbering.parts[name]
+            mine = [i for i, item in enumerate(wanted) if item.rig == name]
+            if mine:
+                into = np.concatenate([np.arange(self.parts[i].start, self.parts[i].stop) for i in mine])
+                own = [wanted[i] for i in mine]
+                self._members.append((part, into, Evaluator(rig, own, directions[part], lengths, vehicles.get(name))))
+
+    def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
+        """Values of all targets one after the other, NaN out of reach, and slopes (all, directions), when wanted."""
+        self.evaluations += 1
+        count = self.parts[-1].stop
+        values, along = np.empty(count), np.zeros((count if slopes else 0, self._count))
+        for part, into, member in self._members:
+            values[into], moved = member.together(numbers[part], slopes=slopes)
+            if slopes:
+                along[into] = moved
+        return values, along
+
+    def at(self, numbers: Array, *, slopes: bool = True) -> tuple[list[Array], list[Array]]:
+        """Values of each target (n,), NaN where a pose is out of reach, and slopes (n, directions), when wanted."""
+        values, along = self.together(numbers, slopes=slopes)
+        return [values[part] for part in self.parts], [along[part] for part in self.parts if slopes]
+
+    def unreached(self) -> list[str]:
+        """Where the last poses ended, in words."""
+        return [end for *_, member in self._members for end in member.unreached()]
+
+
 def _swept(item: Wanted, kind: str) -> Array:
     """Roll angles (rad) or rack travels (m) of a target of an axle."""
     return item.poses[:, 1 if kind == "steering" else 2]
@@ -460,8 +514,3 @@ def _swept(item: Wanted, kind: str) -> Array:
 
 def _fixed(item: Wanted, kind: str) -> float:
     return float(item.poses[0, 0 if kind == "steering" else 1])
-
-
-def shown_in(value: float, unit: str, si: str) -> float:
-    """A value in another unit than SI."""
-    return value / conversion_factor(unit, si)

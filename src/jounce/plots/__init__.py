@@ -15,6 +15,7 @@ from jounce.plots.fits import damper_loops, decay_fit, objectives, stiffness_fit
 from jounce.plots.kinematics import kinematic_curves, write_kinematics
 from jounce.plots.mechanisms.animation import animate
 from jounce.plots.mechanisms.drawing import mechanism
+from jounce.plots.mechanisms.geometry import suspension_geometry
 from jounce.plots.paper_figures import adjusted_and_not, paper_figures, update_on_every_trial
 from jounce.plots.signals import frequency_response, modes, road_profile, sweep, time_history
 from jounce.plots.style import add_note, new_figure, rendered, style, styled, write_figure
@@ -46,6 +47,7 @@ __all__ = [
     "stiffness_fit",
     "style",
     "styled",
+    "suspension_geometry",
     "sweep",
     "time_history",
     "trial_matrix",

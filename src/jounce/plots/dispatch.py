@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
 from jounce.core.writing import lasting_folder
-from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematics, signals
+from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals
 from jounce.plots.mechanisms import mechanism
 from jounce.plots.style import write_figure
 
@@ -26,7 +26,7 @@ def figure_of(result: object, **options: Any) -> Figure:
     result : object
         A 3-D rig, a recording, a ride or several controllers side by side, an Audi A6 study, a study over speed, a
         road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a campaign's
-        result, a linear model, modes, an optimisation, a Pareto front.
+        result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets.
     **options
         Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 
@@ -92,6 +92,7 @@ def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.kinematics import KinematicDesign
     from jounce.design.model_comparison import ModelComparison
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
@@ -145,6 +146,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(Road, signals.road_profile)
     draw.register(LinearModel, signals.frequency_response)
     draw.register(Corner, mechanism)
+    draw.register(KinematicDesign, kinematic_design.target_curves)
     draw.register(StiffnessResult, fits.stiffness_fit)
     draw.register(PressureStiffness, fits.tyre_pressure)
     draw.register(DecayResult, fits.decay_fit)

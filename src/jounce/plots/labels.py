@@ -25,6 +25,11 @@ def column_width(names: Mapping[str, object]) -> float:
     return 0.22 + max(map(len, names)) * 0.6 * COLUMN_SIZE / 72.0
 
 
+def column_height(names: Mapping[str, object]) -> float:
+    """Height in inches that these names need in two columns."""
+    return (len(names) // 2 + 1) * 1.35 * COLUMN_SIZE / 72.0
+
+
 def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: float = 0.0) -> None:
     """Write names at the left and right edges of axes, each with a line to its place, shape (2,), mm.
 

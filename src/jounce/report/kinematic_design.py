@@ -9,13 +9,11 @@ import numpy as np
 from jounce.core.display import display_unit
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import number
-from jounce.plots.kinematic_design import sensitivity_bars, target_curves
+from jounce.plots.kinematic_design import design_pictures
 from jounce.report.page import Block, Bullets, Cell, Fact, Facts, Findings, Page, Picture, Section, Table
 from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
-    import xarray as xr
-
     from jounce.design.kinematics import KinematicDesign, TargetResult
 
 _POINTS = 41
@@ -60,21 +58,32 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
         answer.append(Bullets(tuple(_fight(found, fight) for fight in found.fights)))
     if found.findings:
         answer.append(Findings(found.findings))
-    wanted = "Every wanted curve before and after with its band; single values in tolerances from what is wanted."
     one = f"1 {display_unit('m').name}"
-    matter = f"What {one} of the coordinates that matter most changes of each target, in its tolerances."
-    sections = (
+    words = {
+        "targets": "Wanted curves before and after with their bands; single values in tolerances from what is wanted.",
+        "sensitivity": f"What {one} of the coordinates that matter most changes of each target, in its tolerances.",
+        "tradeoffs": "Which targets answer when one tolerance more of one is asked: 1 is free to have, less is shared.",
+        "geometry": "Instant centres, roll centre and steering axis of the rig before and after.",
+    }
+    drawn = {
+        name: Picture(draw(), name, words[name.partition("-")[0]], words[name.partition("-")[0]])
+        for name, draw in design_pictures(found).items()
+    }
+    sections = [
         Section("Answer", tuple(answer)),
-        Section("Targets", (Picture(target_curves(found), "targets", wanted, wanted),)),
+        Section("Targets", (drawn.pop("targets"),)),
         Section("Curves", _curves(found, title)),
-        Section("Moved", (_moved(found),)),
-        Section("Sensitivity", (Picture(sensitivity_bars(found), "sensitivity", matter, matter),)),
-    )
-    return Page(title, sections, "Hardpoints from kinematic targets")
+        Section("Geometry", tuple(drawn[name] for name in drawn if name.startswith("geometry"))),
+        Section("Moved", (_moved(found), _identified(found))),
+        Section("Sensitivity", (drawn["sensitivity"],)),
+    ]
+    if "tradeoffs" in drawn:
+        sections.append(Section("Trade-offs", (drawn["tradeoffs"],)))
+    return Page(title, tuple(sections), "Hardpoints from kinematic targets")
 
 
 def _fight(found: KinematicDesign, fight: Any) -> str:
-    missed, other = (found.targets[i].quantity.replace("_", " ") for i in (fight.missed, fight.other))
+    missed, other = (found.targets[i].label for i in (fight.missed, fight.other))
     return f"{missed} fights {other}: what brings one nearer takes the other away ({number(fight.cosine, 2)})."
 
 
@@ -84,7 +93,7 @@ def _targets(found: KinematicDesign) -> Table:
         unit = display_unit(target.unit, float(np.max(np.abs(target.after))))
         rows.append(
             (
-                target.quantity.replace("_", " "),
+                target.label + (", must hold" if target.must else ""),
                 unit.name or "–",
                 *(_span(value, unit.factor) for value in (target.before, target.after)),
                 _wanted(target, unit.factor),
@@ -102,33 +111,49 @@ def _span(value: float | list[float], factor: float) -> str:
 
 
 def _wanted(target: TargetResult, factor: float) -> str:
-    wanted = target.wanted
-    if isinstance(wanted, list) and (len(wanted) != 2 or None not in wanted):
-        return _span([float(one) for one in wanted], factor)
-    if isinstance(wanted, list):
-        low, high = wanted
-        return f"at most {number(high * factor)}" if low is None else f"at least {number(low * factor)}"
-    return number(float(wanted) * factor)
+    if target.limits:
+        low, high = (None if end is None else number(end * factor) for end in target.wanted)
+        return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} to {high}"
+    return _span(target.wanted, factor)
 
 
 def _moved(found: KinematicDesign) -> Table:
     rows = []
     for path, change in found.moved.items():
-        unit = display_unit("m" if path.startswith("hardpoints.") else "1", 0.1)
+        unit = display_unit("m" if "hardpoints." in path else "1", 0.1)
         ends = (change.before, change.after, change.after - change.before)
         rows.append((path, unit.name or "SI", *(f"{value * unit.factor:.3f}".replace("-", "−") for value in ends)))
     return Table("Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr")
 
 
+def _identified(found: KinematicDesign) -> Table:
+    rows = []
+    for one in found.identified:
+        unit = display_unit(one.unit, 0.1)
+        ends = ("–" if end is None else number(end * unit.factor, 2) for end in (one.alone, one.together))
+        rows.append((one.number, unit.name or one.unit, *ends))
+    note = (
+        "Standard deviation of each number where the curves are known to their tolerances: all others known, and all "
+        "sought at once. A dash: the curves do not tell it."
+    )
+    return Table("What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note)
+
+
 def _curves(found: KinematicDesign, title: str) -> tuple[Block, ...]:
-    """Sweeps of the rig found and of the rig that it was begun with, over what the targets are wanted over."""
-    start = found.rig.with_changes({path: one.before for path, one in found.moved.items()})
-    rigs = {"after": found.rig, "before": start}
-    groups: dict[str, dict[str, xr.Dataset]] = {}
-    at = [place for target in found.targets if target.along == "travel" for place in target.at]
-    ends = (min([*at, -_SMALLEST]), max([*at, _SMALLEST]))
-    groups["over travel"] = {name: sweep_travel(rig, np.linspace(*ends, _POINTS)) for name, rig in rigs.items()}
-    names = dict.fromkeys(target.quantity for target in found.targets)
-    held = set.intersection(*(set(map(str, sweep.data_vars)) for sweep in groups["over travel"].values()))
-    first = [name for name in names if name in held][:4]
-    return curve_blocks(groups, first or None, title=title, rig=found.rig)
+    """Sweeps of the rigs found and of those begun with, over what the targets are wanted over."""
+    blocks: list[Block] = []
+    for name, start in found.before().items():
+        rig = found.rigs[name]
+        mine = [target for target in found.targets if target.rig == name]
+        at = [place for target in mine if target.along == "travel" for place in target.at]
+        ends = (min([*at, -_SMALLEST]), max([*at, _SMALLEST]))
+        swept = {
+            label: sweep_travel(one, np.linspace(*ends, _POINTS)) for label, one in (("after", rig), ("before", start))
+        }
+        held = set.intersection(*(set(map(str, sweep.data_vars)) for sweep in swept.values()))
+        first = [one for one in dict.fromkeys(target.quantity for target in mine) if one in held][:4]
+        label = f"{name} over travel".strip()
+        shown = f"{title}, {name}" if name else title
+        file = f"curves-{name}" if name else "curves"
+        blocks += curve_blocks({label: swept}, first or None, title=shown, name=file, rig=rig)
+    return tuple(blocks)

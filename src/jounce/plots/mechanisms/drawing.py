@@ -11,7 +11,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.types import Array
-from jounce.plots.labels import column_width, write_names
+from jounce.plots.labels import column_height, column_width, write_names
 from jounce.plots.mechanisms.scene import Pose, Poses, Scene, poses_of, scene_of
 from jounce.plots.style import INK, MUTED, figure_type, styled
 
@@ -266,8 +266,9 @@ def ground_corners(scene: Scene, pose: Pose) -> Array:
     return np.array([(x + i * reach, y + j * across, pose.ground) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
 
 
-_PAPER = (11.0, 8.8)  # inches; all below too
+_WIDTH, _TALLEST = 11.0, 8.8  # inches of paper; all below too
 _LEFT, _RIGHT, _BETWEEN = 0.62, 0.15, 0.72
+_INSIDE = 0.3  # free between what is drawn and the edges of its axes
 _BOTTOM, _TOP, _ABOVE = 0.98, 0.72, 0.72
 ARROWS = 0.85
 """Height in inches kept free in the last view for the directions of the axes."""
@@ -295,22 +296,33 @@ class Sheet:
     middles: tuple[Array, ...]  # what stands in the middle of each, shape (2,), mm
     scale: float  # mm per inch of the first three
     oblique_scale: float  # mm per inch of the last
+    heights: tuple[float, float]  # of the upper and the lower two axes, inches
 
     @classmethod
     def for_poses(cls, scene: Scene, poses: Sequence[Pose], *, names: bool) -> Sheet:
-        """Find scales with which all poses fit, beside the names of the hardpoints."""
+        """Find scales with which all poses fill the width, beside the names of the hardpoints, and heights for them."""
         views = views_of(scene)
         cloud = np.vstack([everything(scene, pose) for pose in poses])
-        width, height = _panel()
-        margin = 2.0 * column_width({**scene.design.points, "contact point": None}) if names else 0.1
-        room = np.array([width - margin - 0.3, height - 0.3])
+        written = {**scene.design.points, "contact point": None}
+        across = _panel_width() - (2.0 * column_width(written) if names else 0.1) - _INSIDE
+        tallest = (_TALLEST - _BOTTOM - _TOP - _ABOVE) / 2.0 - _INSIDE
+        column = column_height(written) if names else 0.0
         spans, middles = [], []
         for view in views:
             flat = MM * view.flat(cloud)
             low, high = flat.min(axis=0), flat.max(axis=0)
-            spans.append((high - low) / room)
+            spans.append(high - low)
             middles.append(0.5 * (low + high))
-        return cls(views, tuple(middles), float(np.max(spans[:3])), float(np.max(spans[3])))
+        scale = float(np.max(np.array(spans[:3]) / (across, tallest)))
+        upper = max(spans[0][1] / scale, spans[1][1] / scale, column)
+        lower = max(spans[2][1] / scale, column + ARROWS)
+        oblique = float(np.max(spans[3] / (across, lower)))
+        return cls(views, tuple(middles), scale, oblique, (float(upper) + _INSIDE, float(lower) + _INSIDE))
+
+    @property
+    def paper(self) -> tuple[float, float]:
+        """Width and height in inches."""
+        return _WIDTH, _BOTTOM + self.heights[1] + _ABOVE + self.heights[0] + _TOP
 
     def scale_of(self, view: View) -> float:
         """Millimetres per inch."""
@@ -318,13 +330,13 @@ class Sheet:
 
     def panels(self, figure: Figure) -> list[Axes]:
         """Add the axes, two by two."""
-        width, height = _panel()
-        size = np.array(_PAPER)
+        width, size = _panel_width(), np.array(self.paper)
         labels = [tuple(display_unit("m").label(word) for word in pair) for pair in ("yz", "xz", "yx")]
         labels.append(("", ""))
         found = []
         for k, view in enumerate(self.views):
-            corner = (_LEFT + (k % 2) * (width + _BETWEEN), _BOTTOM + (1 - k // 2) * (height + _ABOVE))
+            height = self.heights[k // 2]
+            corner = (_LEFT + (k % 2) * (width + _BETWEEN), _BOTTOM + (1 - k // 2) * (self.heights[1] + _ABOVE))
             box = (*(np.array(corner) / size), *(np.array([width, height]) / size))
             axes = figure.add_axes(box, label=("front", "side", "top", "space")[k])
             half = 0.5 * np.array([width, height]) * self.scale_of(view)
@@ -336,11 +348,8 @@ class Sheet:
         return found
 
 
-def _panel() -> tuple[float, float]:
-    return (
-        (_PAPER[0] - _LEFT - _RIGHT - _BETWEEN) / 2.0,
-        (_PAPER[1] - _BOTTOM - _TOP - _ABOVE) / 2.0,
-    )
+def _panel_width() -> float:
+    return (_WIDTH - _LEFT - _RIGHT - _BETWEEN) / 2.0
 
 
 def show_ticks(axes: Axes, view: View) -> None:
@@ -372,14 +381,14 @@ def _place(value: float, _: int | None = None, *, factor: float) -> str:
     return f"{factor * value + 0.0:g}".replace("-", "−")
 
 
-def new_sheet(title: str, scene: Scene) -> Figure:
-    """Give an empty sheet with its title."""
-    figure = figure_type()(figsize=_PAPER)
+def new_sheet(title: str, scene: Scene, paper: tuple[float, float]) -> Figure:
+    """Give an empty sheet of this ``paper`` (inches) with its title."""
+    figure = figure_type()(figsize=paper)
     words = scene.title[0].upper() + scene.title[1:]
     figure.suptitle(
         f"{title}: {scene.title}" if title else words,
-        x=_LEFT / _PAPER[0],
-        y=1.0 - 0.14 / _PAPER[1],
+        x=_LEFT / paper[0],
+        y=1.0 - 0.14 / paper[1],
         ha="left",
         va="top",
         fontsize=11.5,
@@ -494,7 +503,7 @@ def mechanism(
     looks = [Look(colour, ghost=True) for colour in _colours(tracks, chosen)]
     handles = handles_of(scene) if tracks is None else pose_handles(scene, shown, looks)
     sheet = Sheet.for_poses(scene, [scene.design, *shown], names=names)
-    figure = new_sheet(title, scene)
+    figure = new_sheet(title, scene, sheet.paper)
     for axes, view in zip(sheet.panels(figure), sheet.views, strict=True):
         draw_ground(axes, view, scene, scene.design)
         for pose, look in zip(shown, looks, strict=True):

@@ -1,0 +1,232 @@
+"""What a search for hardpoints may move: numbers of one rig or of several, tied, on lines, within boxes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.types import Array
+from jounce.core.units import positive_si, to_si
+from jounce.design.kinematic_study import FreePoint, coordinate
+from jounce.kinematics.model import KinematicModel, kinematic_model
+from jounce.parts import Corner
+from jounce.parts.advice import LONGEST
+from jounce.parts.rig import unit_of, unknown_path
+
+Rigs = Mapping[str, Corner]
+"""Rigs of a study by name; one alone has the name ''."""
+_FAR = 1.0  # m: no hardpoint moves that far
+_AXES = "xyz"
+_LATERAL = 1  # of x, y, z
+
+
+def full_path(name: str, path: str) -> str:
+    """Path of a number of the rig of that name in a study of several."""
+    return f"{name}.{path}" if name else path
+
+
+@dataclass(frozen=True)
+class Numbering:
+    """Numbers that enter the kinematics of the rigs of a study, one rig after the other: ``paths`` in their order."""
+
+    rigs: Rigs
+    models: Mapping[str, KinematicModel]
+    parts: Mapping[str, slice]
+    paths: tuple[str, ...]
+
+    @staticmethod
+    def of(rigs: Rigs) -> Numbering:
+        """Number the rigs of a study."""
+        models = {name: kinematic_model(rig) for name, rig in rigs.items()}
+        parts, paths = dict[str, slice](), list[str]()
+        for name, model in models.items():
+            parts[name] = slice(len(paths), len(paths) + len(model.parameters))
+            paths += [full_path(name, path) for path in model.parameters]
+        return Numbering(rigs, models, parts, tuple(paths))
+
+    def values(self, rigs: Rigs | None = None) -> Array:
+        """Numbers of rigs that differ from those of the study in numbers only, by default of the study's own."""
+        chosen = self.rigs if rigs is None else rigs
+        return np.concatenate([self.models[name].parameter_values(rig) for name, rig in chosen.items()])
+
+    def owner(self, path: str, where: str) -> tuple[str, str]:
+        """Name of the rig that a path of the study belongs to, and its path there."""
+        if "" in self.rigs:
+            return "", path
+        name, _, rest = path.partition(".")
+        if name not in self.rigs:
+            raise unknown(name, self.rigs, what="rig", where=where)
+        return name, rest
+
+    def unit(self, path: str) -> str:
+        """SI unit of a number of the study."""
+        name, own = self.owner(path, path)
+        return unit_of(self.rigs[name], own)
+
+
+@dataclass(frozen=True)
+class FreeNumbers:
+    """What the search moves: x (n,) in SI, the numbers of the models being ``origin + directions @ x``.
+
+    ``owners`` says which entry of the study each belongs to, ``paths`` which numbers move at all; ``firsts`` is the
+    path of each x (the first of those that are tied), ``labels`` what it is called.
+    """
+
+    origin: Array
+    directions: Array
+    lower: Array
+    upper: Array
+    owners: tuple[int, ...]
+    paths: tuple[str, ...]
+    firsts: tuple[str, ...]
+    labels: tuple[str, ...]
+
+    @property
+    def lengths(self) -> Array:
+        """Half the way that each may go."""
+        return 0.5 * (self.upper - self.lower)
+
+
+def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "free") -> FreeNumbers:
+    """Read what may move; paths that do not exist, move nothing, or are given twice are refused."""
+    origin, index = numbering.values(), {path: i for i, path in enumerate(numbering.paths)}
+    columns, lower, upper, owners, taken = [], [], [], [], dict[str, str]()
+    firsts, labels = list[str](), list[str]()
+    for k, entry in enumerate(free):
+        where = f"{key}[{k}]"
+        groups = [(_paths(numbering, index, name, f"{where}.{part}"), name, sign) for part, name, sign in _named(entry)]
+        first = groups[0][0]
+        size = len(first)
+        matrix = np.zeros((len(origin), size))
+        for paths, name, sign in groups:
+            if len(paths) != size:
+                raise DescriptionError("is tied to something of another size", where=f"{where}.tied", found=name)
+            for j, path in enumerate(paths):
+                if path in taken:
+                    raise DescriptionError("is free twice", where=where, found=path, allowed="each number once")
+                taken[path] = where
+                matrix[index[path], j] = sign * _mirrored(numbering, first[j], path)
+        at = np.array([origin[index[path]] for path in first])
+        if entry.along is not None:
+            if size != 3:
+                raise DescriptionError("only a point moves along a line", where=f"{where}.along", found=entry.point)
+            direction = _direction(numbering, entry, at, f"{where}.along")
+            matrix, at, size = matrix @ direction[:, None], np.zeros(1), 1
+        bounds = _bounds(numbering, entry, first, at, size, where)
+        columns.append(matrix)
+        lower.append(bounds[0] - at)
+        upper.append(bounds[1] - at)
+        owners += [k] * size
+        firsts += first[:size]
+        labels += first if entry.along is None else [f"{entry.point} along {_line(entry.along)}"]
+    return FreeNumbers(
+        origin,
+        np.hstack(columns),
+        np.concatenate(lower),
+        np.concatenate(upper),
+        tuple(owners),
+        tuple(taken),
+        tuple(firsts),
+        tuple(labels),
+    )
+
+
+def _line(along: str | tuple[float, ...]) -> str:
+    return along if isinstance(along, str) else " ".join(f"{one:g}" for one in along)
+
+
+def _named(entry: FreePoint) -> list[tuple[str, str, float]]:
+    """Keys and paths of an entry, and whether each moves with the first or against it."""
+    tied = [
+        (f"tied[{i}]", name.removeprefix("-"), -1.0 if name[:1] == "-" else 1.0) for i, name in enumerate(entry.tied)
+    ]
+    return [("point", entry.point, 1.0), *tied]
+
+
+def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str) -> list[str]:
+    """Paths of a point's coordinates, or of one number."""
+    owner, own = numbering.owner(name, where)
+    known = numbering.rigs[owner].parameters()
+    paths = [own] if own in known else [f"{own}[{i}]" for i in range(3)]
+    if any(path not in known for path in paths):
+        raise unknown_path(where, [*known, *{path[:-3] for path in known if coordinate(path) is not None}], name=own)
+    paths = [full_path(owner, path) for path in paths]
+    if any(path not in index for path in paths):
+        raise DescriptionError(
+            "does nothing: it does not enter the kinematics", where=where, found=name, hint="Leave it out."
+        )
+    return paths
+
+
+def _mirrored(numbering: Numbering, first: str, other: str) -> float:
+    """-1 for a lateral coordinate on the other side of the car than the first one, else 1."""
+    sides = [numbering.rigs[numbering.owner(path, path)[0]].sign for path in (first, other)]
+    return sides[0] * sides[1] if coordinate(other) == _LATERAL else 1.0
+
+
+def _direction(numbering: Numbering, entry: FreePoint, at: Array, where: str) -> Array:
+    """Unit vector of the line that a point moves on."""
+    along = entry.along
+    if isinstance(along, str):
+        rig = numbering.rigs[numbering.owner(entry.point, where)[0]]
+        points = rig.hardpoints.given()
+        name = along.removeprefix("hardpoints.")
+        if name not in points:
+            raise unknown(name, points, what="hardpoint", where=where)
+        towards = np.array(points[name]) - at
+    else:
+        towards = np.array(along, dtype=float)
+    length = float(np.linalg.norm(towards))
+    if length == 0.0:
+        raise DescriptionError("not a direction", where=where, found=str(along), allowed="another point")
+    return np.asarray(towards / length)
+
+
+def _bounds(
+    numbering: Numbering, entry: FreePoint, paths: list[str], at: Array, size: int, where: str
+) -> tuple[Array, Array]:
+    unit = numbering.unit(paths[0])
+    if entry.box is None:
+        given = entry.within if isinstance(entry.within, (list, tuple)) else [entry.within] * size
+        if len(given) != size:
+            raise DescriptionError("not one width a coordinate", where=f"{where}.within", found=len(given))
+        width = np.array([positive_si(one, unit, where=f"{where}.within") for one in given])
+        if unit == "m" and np.max(width) > _FAR:
+            raise DescriptionError(
+                "farther than a hardpoint moves",
+                where=f"{where}.within",
+                found=f"{np.max(width):g} m",
+                allowed=f"up to {_FAR:g} m",
+                hint='A bare number is in metres; write "15 mm".',
+            )
+        return at - width, at + width
+    corners = [list(corner) if isinstance(corner, (list, tuple)) else [corner] for corner in entry.box]
+    if any(len(corner) != size for corner in corners):
+        raise DescriptionError(
+            "not a box of this point",
+            where=f"{where}.box",
+            found=f"{[len(corner) for corner in corners]} numbers",
+            allowed=f"lower and upper corner of {size} each",
+        )
+    low, high = (np.array([to_si(one, unit, where=f"{where}.box") for one in corner]) for corner in corners)
+    farthest = float(max(np.max(np.abs(low)), np.max(np.abs(high))))
+    if unit == "m" and farthest > LONGEST:
+        raise DescriptionError(
+            "farther away than a hardpoint is",
+            where=f"{where}.box",
+            found=f"{farthest:g} m",
+            allowed=f"up to {LONGEST:g} m",
+            hint='A bare number is in metres; write "40 mm".',
+        )
+    if np.any(low >= high):
+        j = int(np.argmax(low >= high))
+        raise DescriptionError(
+            "the box is empty",
+            where=f"{where}.box",
+            found=f"{low[j]:g} to {high[j]:g} {unit}" + (f" in {_AXES[j]}" if size == 3 else ""),
+            allowed="a lower corner below the upper one in every coordinate",
+        )
+    return low, high

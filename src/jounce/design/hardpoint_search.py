@@ -1,0 +1,258 @@
+"""The search for hardpoints: least squares of all targets in tolerances, from many places of the boxes.
+
+Every free number counts in shares of how far it may go, every target in tolerances. A search is a Levenberg-Marquardt
+descent within the boxes, from the rig itself and from places of the boxes; a slight pull towards the rig keeps what
+the targets leave open where it is. Where the best compromise misses a target, a second search asks only that all are
+within their tolerances; where it cannot, a third one seeks the compromise within what must hold (sequential quadratic
+programming: constraints are no least squares).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
+from jounce.design.free_points import FreeNumbers
+from jounce.design.kinematic_study import FreePoint
+from jounce.design.kinematic_targets import Evaluators, Wanted
+
+_STEPS = 60
+_PULL = 1e-4  # tolerances for a number moved as far as it may go
+_DAMPING, _LARGEST_DAMPING = 1e-3, 1e10
+_SETTLED = 1e-10  # share of the cost below which a step has gained nothing
+_INSIDE = 0.95  # share of the tolerance that the second search asks for
+_MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6
+_NOTHING = 1e-9  # tolerances that a number changes from one end of its box to the other when it does nothing
+_WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
+
+
+class Asked(NamedTuple):
+    """What a search asks of each value: how far within the tolerance nothing counts, and how much the rest does."""
+
+    inside: Array
+    share: Array
+    pull: float
+
+
+@dataclass
+class Search:
+    """Residuals of all targets in tolerances, for free numbers in shares of their boxes."""
+
+    evaluator: Evaluators
+    free: FreeNumbers
+    wanted: Sequence[Wanted]
+    scale: Array = field(init=False)
+    lower: Array = field(init=False)
+    upper: Array = field(init=False)
+    low: Array = field(init=False)
+    high: Array = field(init=False)
+    tolerance: Array = field(init=False)
+    share: Array = field(init=False)
+    must: Array = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.low, self.high = (np.concatenate([getattr(item, end) for item in self.wanted]) for end in ("low", "high"))
+        counts = [len(item.low) for item in self.wanted]
+        self.tolerance = np.repeat([item.tolerance for item in self.wanted], counts)
+        self.share = np.repeat([item.text.weight / np.sqrt(len(item.low)) for item in self.wanted], counts)
+        self.must = np.repeat([item.text.must for item in self.wanted], counts)
+        self.scale = self.free.lengths
+        self.lower, self.upper = self.free.lower / self.scale, self.free.upper / self.scale
+
+    def numbers(self, x: Array) -> Array:
+        """Numbers of the models for free numbers in shares of their boxes."""
+        return np.asarray(self.free.origin + self.free.directions @ (self.scale * x))
+
+    def off(self, values: Array) -> Array:
+        """How far values are above (positive) or below what is wanted, in tolerances."""
+        far = np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0))
+        return np.asarray(far / self.tolerance)
+
+    @property
+    def compromise(self) -> Asked:
+        """All targets, each in tolerances."""
+        return Asked(np.zeros_like(self.share), self.share, _PULL)
+
+    @property
+    def bands(self) -> Asked:
+        """Only that all are within their tolerances."""
+        return Asked(np.full_like(self.share, _INSIDE), self.share, 0.0)
+
+    def residuals(self, x: Array, asked: Asked, *, slopes: bool) -> tuple[Array, Array, bool]:
+        """Residuals (and slopes), and whether every target is within its tolerance."""
+        values, along = self.evaluator.together(self.numbers(x), slopes=slopes)
+        off = self.off(values)
+        met = bool(np.all(np.abs(off) <= _WITHIN))
+        over = np.sign(off) * np.maximum(np.abs(off) - asked.inside, 0.0)
+        if not slopes:
+            return asked.share * over, along, met
+        active = (over != 0.0) | ((self.low == self.high) & (asked.inside == 0.0))
+        rows = (active * asked.share / self.tolerance)[:, None] * along * self.scale
+        return asked.share * over, rows, met
+
+    def judged(self, x: Array) -> tuple[float, bool, bool]:
+        """Cost of the compromise at a place, whether all targets are met, and whether what must hold does."""
+        values, _ = self.evaluator.together(self.numbers(x), slopes=False)
+        off = self.off(values)
+        met = np.abs(off) <= _WITHIN
+        return float(0.5 * np.sum((self.share * off) ** 2)), bool(met.all()), bool(met[self.must].all())
+
+    def descend(self, x: Array, asked: Asked) -> tuple[Array, float, bool, int, str]:
+        """Levenberg-Marquardt from x: the place reached, its cost, whether all is met, steps, why it ended."""
+        x, pull = np.clip(x, self.lower, self.upper), asked.pull
+        found, jacobian, met = self.residuals(x, asked, slopes=True)
+        if not np.all(np.isfinite(found)):
+            return x, np.inf, False, 0, "a pose is out of reach"
+        damping, why, steps = _DAMPING, "no more steps", 0
+
+        def cost_of(residuals: Array, at: Array) -> float:
+            return float(0.5 * (residuals @ residuals + pull**2 * (at @ at)))
+
+        cost = cost_of(found, x)
+        for steps in range(1, _STEPS + 1):
+            if pull == 0.0 and cost == 0.0:
+                return x, cost, met, steps, "all targets are met"
+            gradient = jacobian.T @ found + pull**2 * x
+            held = ((x <= self.lower) & (gradient > 0.0)) | ((x >= self.upper) & (gradient < 0.0))
+            free = np.flatnonzero(~held)
+            if not len(free) or np.max(np.abs(gradient[free])) < 1e-14:
+                why = "no direction makes it better"
+                break
+            normal = jacobian[:, free].T @ jacobian[:, free] + pull**2 * np.eye(len(free))
+            gained = 0.0
+            while damping < _LARGEST_DAMPING:
+                step = np.zeros_like(x)
+                size = damping * np.maximum(np.diag(normal), 1e-9 * np.max(np.diag(normal)))
+                step[free] = np.linalg.solve(normal + np.diag(size + 1e-300), -gradient[free])
+                tried = np.clip(x + step, self.lower, self.upper)
+                residuals, _, _ = self.residuals(tried, asked, slopes=False)
+                other = cost_of(residuals, tried) if np.all(np.isfinite(residuals)) else np.inf
+                if other < cost:
+                    gained, x, cost = cost - other, tried, other
+                    damping = max(damping / 5.0, 1e-12)
+                    break
+                damping *= 4.0
+            if gained <= _SETTLED * cost:
+                why = "no step makes it better"
+                break
+            found, jacobian, met = self.residuals(x, asked, slopes=True)
+        return x, cost, met, steps, why
+
+    def constrained(self, x: Array) -> tuple[Array, int, str]:
+        """The compromise within what must hold, from x: the place reached, rounds, why it ended."""
+        from scipy.optimize import minimize
+
+        seen: dict[bytes, tuple[float, Array, Array, Array]] = {}
+
+        def at(place: Array) -> tuple[float, Array, Array, Array]:
+            """Cost and its slopes, room that constraints leave and its slopes."""
+            key = place.tobytes()
+            if key not in seen:
+                values, along = self.evaluator.together(self.numbers(place))
+                off, along = self.off(values), along * self.scale / self.tolerance[:, None]
+                if not np.all(np.isfinite(off)):
+                    size = len(place)
+                    seen[key] = np.inf, np.zeros(size), np.full(2 * len(firm), -1.0), np.zeros((2 * len(firm), size))
+                else:
+                    rows = self.share**2 * off
+                    from_above = (values - self.high)[firm] / self.tolerance[firm]
+                    from_below = (self.low - values)[firm] / self.tolerance[firm]
+                    room = _INSIDE - np.concatenate([from_above, from_below])
+                    cost = float(0.5 * (rows @ off + _PULL**2 * (place @ place)))
+                    slopes = np.vstack([-along[firm], along[firm]])
+                    seen[key] = cost, rows @ along + _PULL**2 * place, np.where(np.isfinite(room), room, 1.0), slopes
+            return seen[key]
+
+        firm = np.flatnonzero(self.must)
+        begin = np.clip(x, self.lower, self.upper)
+        size = max(at(begin)[0], _PRECISION)
+        found = minimize(
+            lambda place: at(place)[0] / size if np.isfinite(at(place)[0]) else _FORBIDDEN,
+            begin,
+            jac=lambda place: at(place)[1] / size,
+            bounds=list(zip(self.lower, self.upper, strict=True)),
+            constraints={"type": "ineq", "fun": lambda place: at(place)[2], "jac": lambda place: at(place)[3]},
+            method="SLSQP",
+            options={"maxiter": _MOST_ROUNDS, "ftol": _PRECISION},
+        )
+        ended = "no step makes it better" if found.success else "no more steps"
+        return np.clip(np.asarray(found.x, dtype=float), self.lower, self.upper), int(found.nit), ended
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Where a search ended, x in shares of the boxes; ``holds`` says whether what must hold does."""
+
+    x: Array
+    cost: float
+    met: bool
+    holds: bool
+    steps: int
+    ended: str
+
+    @property
+    def travelled(self) -> float:
+        """Mean distance from the rig."""
+        return float(np.sqrt(np.mean(self.x**2)))
+
+    @property
+    def rank(self) -> tuple[bool, bool, float]:
+        """The least is best: targets met by the least movement, else what holds by the least cost."""
+        return not self.met, not self.holds, self.travelled if self.met else self.cost
+
+
+def search_from(search: Search, x: Array) -> Outcome:
+    """Search from a place; where the compromise misses a target, try to bring all within their tolerances."""
+    x, cost, met, steps, ended = search.descend(x, search.compromise)
+    if not np.isfinite(cost):
+        return Outcome(x, cost, False, False, steps, ended)
+    best = Outcome(x, cost, met, search.judged(x)[2], steps, ended)
+    if met:
+        return best
+    x, _, met, more, _ = search.descend(x, search.bands)
+    steps += more
+    if met:
+        return Outcome(x, search.judged(x)[0], True, True, steps, "all targets are met")
+    if search.must.any():
+        for begin in (best.x, x):
+            x, more, ended = search.constrained(begin)
+            steps += more
+            other = Outcome(x, *search.judged(x), steps, ended)
+            best = min(best, other, key=lambda one: one.rank)
+    return best
+
+
+def places(search: Search, starts: int, seed: int) -> list[Array]:
+    """Where searches begin: the rig (or the nearest place of the boxes), then a Latin hypercube of the boxes."""
+    random = np.random.default_rng(seed)
+    size = len(search.scale)
+    first = np.clip(np.zeros(size), search.lower, search.upper)
+    strata = np.array([random.permutation(starts - 1) for _ in range(size)]).T if starts > 1 else np.zeros((0, size))
+    shares = (strata + random.random(strata.shape)) / max(starts - 1, 1)
+    return [first, *(search.lower + shares * (search.upper - search.lower))]
+
+
+def refuse_idle(search: Search, free: Sequence[FreePoint], seed: int) -> None:
+    """Refuse entries of which no number changes any target, at the rig and at another place of the boxes."""
+    random = np.random.default_rng(seed + 1)
+    other = search.lower + random.random(len(search.scale)) * (search.upper - search.lower)
+    effect = np.zeros(len(search.scale))
+    for x in (np.zeros(len(search.scale)), other):
+        values, slopes = search.evaluator.at(search.numbers(x))
+        for item, value, slope in zip(search.wanted, values, slopes, strict=True):
+            if np.all(np.isfinite(value)):
+                effect = np.maximum(effect, np.max(np.abs(slope * search.scale), axis=0) / item.tolerance)
+    for k, entry in enumerate(free):
+        own = [j for j, owner in enumerate(search.free.owners) if owner == k]
+        if np.max(effect[own]) < _NOTHING:
+            raise DescriptionError(
+                "does nothing: it changes none of the targets",
+                where=f"free[{k}].point",
+                found=entry.point,
+                hint="Leave it out, or ask for a quantity that it changes.",
+            )

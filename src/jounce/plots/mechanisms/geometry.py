@@ -1,0 +1,286 @@
+"""What a suspension turns about: instant centres, roll centre and steering axis in side, front and top view."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.display import display_unit
+from jounce.core.types import Array
+from jounce.kinematics import sweep_travel
+from jounce.plots.display import kinematic_value, number
+from jounce.plots.mechanisms.drawing import MM, Look, View, draw_pose, everything, show_ticks, views_of
+from jounce.plots.mechanisms.scene import Pose, Scene, scene_of
+from jounce.plots.style import INK, MUTED, PALETTE, figure_type, styled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.parts.corners import Corner
+
+_WIDTH = 11.0  # inches; all below too
+_LEFT, _RIGHT, _BETWEEN, _BOTTOM, _ABOVE, _TOP = 0.72, 0.15, 0.78, 0.55, 0.8, 0.95
+_ROOM = 0.04  # m around what is drawn
+_NEAR = 1.2  # m: instant centres up to here beside the wheel are drawn where they are
+_CENTRE, _ROLL, _AXIS = PALETTE[1], PALETTE[3], PALETTE[0]
+_OTHER = "#a3aab1"
+_NUMBERS = (
+    "roll_centre_height",
+    "instant_centre_y",
+    "instant_centre_z",
+    "front_view_swing_arm_length",
+    "side_instant_centre_x",
+    "side_instant_centre_z",
+    "camber",
+    "camber_gain",
+    "bump_steer",
+    "caster",
+    "kingpin_inclination",
+    "caster_trail",
+    "scrub_radius",
+    "motion_ratio",
+)
+
+
+@dataclass(frozen=True)
+class _Centres:
+    """Where a corner turns about at design: places of shape (2,), m, NaN where arms are parallel; and all rows."""
+
+    scene: Scene
+    rows: Mapping[str, float]
+    units: Mapping[str, str]
+
+    @property
+    def pose(self) -> Pose:
+        return self.scene.design
+
+    @property
+    def front(self) -> Array:
+        """Place (y, z) of the front-view instant centre."""
+        return np.array([self.rows["instant_centre_y"], self.rows["instant_centre_z"]])
+
+    @property
+    def side(self) -> Array:
+        """Place (x, z) of the side-view instant centre."""
+        return np.array([self.rows["side_instant_centre_x"], self.rows["side_instant_centre_z"]])
+
+    @property
+    def roll(self) -> Array:
+        """Place (y, z) of the roll centre of a symmetric axle."""
+        return np.array([0.0, self.pose.ground + self.rows["roll_centre_height"]])
+
+
+@styled
+def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "") -> Figure:
+    """Draw a corner at design in front, side and top view with instant centres, roll centre and steering axis.
+
+    Parameters
+    ----------
+    rigs : Corner, or mapping of str to Corner
+        A corner with hardpoints; of several by name the last is drawn in full, those before it thinly behind it.
+    title : str
+        Put before the kind of suspension.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Axes ``front``, ``side``, ``top`` to one scale (mm), and a table of the numbers.
+
+    Raises
+    ------
+    DescriptionError
+        For a rig without hardpoints.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> figure = suspension_geometry(jn.load("formula-student-front"))
+    >>> [axes.get_label() for axes in figure.axes]
+    ['front', 'side', 'top', 'numbers']
+    """
+    named = dict(rigs) if isinstance(rigs, Mapping) else {"": rigs}
+    centres = {name: _centres(rig) for name, rig in named.items()}
+    scene = next(reversed(centres.values())).scene
+    front, side, top, _ = views_of(scene)
+    clouds = [np.vstack([everything(one.scene, one.pose) for one in centres.values()])]
+    clouds += [np.array([[0.0, 0.0, one.pose.ground] for one in centres.values()])]
+    clouds += [np.array([[0.0, *one.roll] for one in centres.values()])]
+    drawn = np.vstack([cloud[np.isfinite(cloud).all(axis=1)] for cloud in clouds])
+    wheel = scene.design.points["wheel_centre"]
+    ahead = drawn[drawn[:, 1] * scene.side > 0.0] if scene.side else drawn
+    boxes = {
+        "front": _box(front, drawn, [_in_front(one.front) for one in centres.values()], wheel),
+        "side": _box(side, ahead, [_beside(one.side) for one in centres.values()], wheel),
+        "top": _box(top, drawn, [], wheel),
+    }
+    for name in ("front", "side"):  # they stand in line
+        boxes[name][:, 1] = (
+            min(boxes[one][0, 1] for one in ("front", "side")),
+            max(boxes[one][1, 1] for one in ("front", "side")),
+        )
+    boxes["top"][:, 0] = boxes["front"][:, 0]
+    figure, axes = _paper(boxes)
+    words = scene.title[0].upper() + scene.title[1:]
+    figure.suptitle(
+        f"{title}: {scene.title}" if title else words, x=_LEFT / _WIDTH, ha="left", fontsize=11.5, fontweight="bold"
+    )
+    for name, view in (("front", front), ("side", side), ("top", top)):
+        axes[name].set_title(view.name)
+        show_ticks(axes[name], view)
+        for k, one in enumerate(centres.values()):
+            last = k == len(centres) - 1
+            draw_pose(axes[name], view, one.scene, one.pose, None if last else Look(_OTHER, ghost=True))
+            _construction(axes[name], name, view, one, strong=last)
+    _labels(axes)
+    _numbers(axes["numbers"], centres)
+    _legend(figure, list(centres))
+    return figure
+
+
+def _centres(rig: Corner) -> _Centres:
+    swept = sweep_travel(rig, [0.0]).isel(wheel_travel=0)
+    rows = {str(name): float(swept[name]) for name in swept.data_vars}
+    return _Centres(scene_of(rig), rows, {str(name): str(swept[name].attrs["units"]) for name in swept.data_vars})
+
+
+def _in_front(centre: Array) -> Array:
+    return np.array([0.0, *centre])
+
+
+def _beside(centre: Array) -> Array:
+    return np.array([centre[0], 0.0, centre[1]])
+
+
+def _box(view: View, cloud: Array, centres: list[Array], wheel: Array) -> Array:
+    """Lower and upper corner on paper, shape (2, 2), m, of what is drawn and of the centres that are not far away."""
+    flat = view.flat(cloud)
+    origin = view.flat(wheel)
+    near = [view.flat(one) for one in centres if np.max(np.abs(view.flat(one) - origin)) < _NEAR]
+    points = np.vstack([flat, *(one[None, :] for one in near)])
+    return np.array([points.min(axis=0) - _ROOM, points.max(axis=0) + _ROOM])
+
+
+def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
+    """A figure whose views fill its width to one scale, front and side in line, top below front, a table beside it."""
+    spans = {name: box[1] - box[0] for name, box in boxes.items()}
+    room = _WIDTH - _LEFT - _RIGHT - _BETWEEN
+    scale = room / (spans["front"][0] + spans["side"][0])  # inches of paper for one metre
+    upper, lower = scale * spans["front"][1], max(scale * spans["top"][1], 0.21 * (len(_NUMBERS) + 2))
+    size = np.array([_WIDTH, _BOTTOM + lower + _ABOVE + upper + _TOP])
+    figure = figure_type()(figsize=size)
+    wide = scale * spans["front"][0]
+    places = {
+        "front": (_LEFT, _BOTTOM + lower + _ABOVE, wide, upper),
+        "side": (_LEFT + wide + _BETWEEN, _BOTTOM + lower + _ABOVE, room - wide, upper),
+        "top": (_LEFT, _BOTTOM, wide, lower),
+        "numbers": (_LEFT + wide + 0.3, _BOTTOM, room - wide + _BETWEEN - 0.3, lower),
+    }
+    axes = {}
+    for name, (left, bottom, width, height) in places.items():
+        axes[name] = figure.add_axes((left / size[0], bottom / size[1], width / size[0], height / size[1]), label=name)
+        if name in boxes:
+            middle, half = boxes[name].mean(axis=0), 0.5 * np.array([width, height]) / scale
+            low, high = MM * (middle - half), MM * (middle + half)
+            axes[name].set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    return figure, axes
+
+
+def _construction(axes: Axes, name: str, view: View, one: _Centres, *, strong: bool) -> None:
+    """Draw what the mechanism turns about in one view."""
+    pose, style = one.pose, {"linewidth": 1.1 if strong else 0.7, "zorder": 4.5 if strong else 1.2}
+    colours = (_CENTRE, _ROLL, _AXIS) if strong else (_OTHER,) * 3
+    ends = [*(one.scene.steering_axis or ())]
+    if name in ("front", "side"):
+        axes.axhline(MM * pose.ground, color=MUTED, linewidth=0.7, zorder=0.5)
+        centre = one.front if name == "front" else one.side
+        place = _in_front(centre) if name == "front" else _beside(centre)
+        if np.all(np.isfinite(place)):
+            target = MM * view.flat(place)
+            for start, dash in ((pose.contact, "-"), *((pose.points[end], (0, (1, 2))) for end in ends)):
+                _segment(axes, MM * view.flat(start), target, color=colours[0], linestyle=dash, **style)
+            _mark(axes, target, colours[0], "o", strong=strong)
+            if strong:
+                _outside(axes, target, "y" if name == "front" else "x", float(centre[0]))
+    if name == "front":
+        axes.axvline(0.0, color=MUTED, linewidth=0.7, linestyle=(0, (8, 3, 2, 3)), zorder=0.5)
+        roll = MM * view.flat(np.array([0.0, *one.roll]))
+        _segment(axes, MM * view.flat(pose.contact), roll, color=colours[1], linestyle=(0, (4, 2)), **style)
+        _mark(axes, roll, colours[1], "D", strong=strong)
+    if ends:
+        lower, upper = (pose.points[end] for end in ends)
+        along = upper - lower
+        if abs(along[2]) > 1e-6 * float(np.linalg.norm(along)):
+            ground = lower + along * (pose.ground - lower[2]) / along[2]
+            _segment(axes, MM * view.flat(ground), MM * view.flat(upper + 0.3 * along), color=colours[2],
+                     linestyle=(0, (5, 2, 1, 2)), **style)  # fmt: skip
+            _mark(axes, MM * view.flat(ground), colours[2], "x", strong=strong)
+
+
+def _segment(axes: Axes, start: Array, end: Array, **style: Any) -> None:
+    axes.plot([start[0], end[0]], [start[1], end[1]], scalex=False, scaley=False, clip_on=True, **style)
+
+
+def _mark(axes: Axes, place: Array, colour: str, marker: str, *, strong: bool) -> None:
+    face = {} if marker == "x" else {"markerfacecolor": colour if strong else "white"}
+    axes.plot(*place, marker, color=colour, markersize=6.0, zorder=6.0, scalex=False, scaley=False, **face)
+
+
+def _outside(axes: Axes, target: Array, axis: str, place: float) -> None:
+    """Say at the edge where an instant centre lies (m along an axis) that is not on the paper."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    if left <= target[0] <= right and low <= target[1] <= high:
+        return
+    unit = display_unit("m")
+    arrow = "←" if target[0] < left else "→" if target[0] > right else "↑" if target[1] > high else "↓"
+    on_left = target[0] < 0.5 * (left + right)
+    x, side = (0.01, "left") if on_left else (0.99, "right")
+    text = f"{arrow} instant centre at {axis} = {number(place * unit.factor, 4)} {unit.name}"
+    axes.text(x, 0.97, text, transform=axes.transAxes, ha=side, va="top", fontsize=7.5, color=_CENTRE)
+
+
+def _labels(axes: Mapping[str, Axes]) -> None:
+    unit = display_unit("m")
+    for name, pair in (("front", "yz"), ("side", "xz"), ("top", "yx")):
+        axes[name].set(xlabel=unit.label(pair[0]), ylabel=unit.label(pair[1]))
+
+
+def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
+    """Write the numbers of what is drawn, a column a rig."""
+    axes.axis("off")
+    last = next(reversed(centres.values()))
+    names = [name for name in _NUMBERS if name in last.rows]
+    columns = 1.0 - 0.17 * np.arange(len(centres))[::-1]
+    step = 1.0 / (len(_NUMBERS) + 2)
+    for x, label in zip(columns, centres, strict=True):
+        axes.text(x, 1.0 - 0.5 * step, label, ha="right", va="center", fontsize=8.5, fontweight="bold", color=INK)
+    for k, name in enumerate(names):
+        y = 1.0 - (k + 1.5) * step
+        si = last.units[name]
+        unit = display_unit(si)
+        words = unit.label(name.replace("_", " ")) if unit.name else name.replace("_", " ")
+        axes.text(0.02, y, words, ha="left", va="center", fontsize=8.5, color=INK)
+        for x, one in zip(columns, centres.values(), strict=True):
+            value = kinematic_value(name, one.rows[name], si)
+            text = value if isinstance(value, str) else number(value, 4)
+            axes.text(x, y, text, ha="right", va="center", fontsize=8.5, color=INK)
+    axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+
+
+def _legend(figure: Figure, names: list[str]) -> None:
+    from matplotlib.lines import Line2D
+
+    marks = [
+        Line2D([], [], color=_CENTRE, marker="o", linewidth=1.1, label="instant centre"),
+        Line2D([], [], color=_ROLL, marker="D", linewidth=1.1, linestyle=(0, (4, 2)), label="roll centre"),
+        Line2D([], [], color=_AXIS, marker="x", linewidth=1.1, linestyle=(0, (5, 2, 1, 2)), label="steering axis"),
+    ]
+    if len(names) > 1:
+        marks += [
+            Line2D([], [], color=_OTHER, linewidth=1.6, label=" and ".join(names[:-1])),
+            Line2D([], [], color=INK, linewidth=2.2, label=names[-1]),
+        ]
+    figure.legend(handles=marks, loc="upper right", ncols=len(marks), bbox_to_anchor=(1.0 - _RIGHT / _WIDTH, 1.0))
