@@ -25,6 +25,7 @@ from jounce.campaign.truth import BenchTruth
 from jounce.cli.entry import application
 from jounce.cli.everywhere import completed
 from jounce.control import CONTROLS
+from jounce.control.controller import FILE_CONTROLS
 from jounce.core.kinds import FILE_REF
 from jounce.design.kinematic_study import KinematicStudy
 from jounce.inspection.limits import Limits
@@ -121,13 +122,14 @@ def truth_schema() -> dict[str, Any]:
 
 def control_schema() -> dict[str, Any]:
     """Schema of a control file: any of the laws, by any of the names that stand for it."""
-    laws = {kind.law for kind in CONTROLS.values()}
+    known = {**CONTROLS, **FILE_CONTROLS}
+    laws = {kind.law for kind in known.values()}
     schema: dict[str, Any] = TypeAdapter(reduce(or_, sorted(laws, key=lambda law: law.__name__))).json_schema(
         by_alias=True
     )
     for law in laws:
         definition = schema["$defs"][law.__name__]
-        names = [name for name, kind in CONTROLS.items() if kind.law is law]
+        names = [name for name, kind in known.items() if kind.law is law]
         definition["properties"]["law"] = {"enum": names}
         definition["required"] = ["schema", "law"]
     return {"$schema": DIALECT, **schema, "title": "jounce control file"}
@@ -240,7 +242,7 @@ STUB_PART = "# isort: split\n# Written by `make faces`: members of the registrie
 def stubs() -> dict[Path, str]:
     """Stubs with the members of the registries behind what is written by hand: file to text."""
     roads = list(ROADS.values())
-    laws = {control.law for control in CONTROLS.values()}
+    laws = {control.law for control in (*CONTROLS.values(), *FILE_CONTROLS.values())}
     members = {
         SOURCE / "__init__.pyi": [*roads, *laws],
         SOURCE / "roads" / "__init__.pyi": roads,

@@ -15,6 +15,9 @@ from .control import MagnetorheologicalDamper as MagnetorheologicalDamper
 from .control import PythonControl as PythonControl
 from .control import SemiActiveDamper as SemiActiveDamper
 from .control import controller as controller
+from .control.fmu.component import FmuComponent as FmuComponent
+from .control.fmu.component import FmuVariable as FmuVariable
+from .control.fmu.component import read_fmu as read_fmu
 from .core.display import use_units as use_units
 from .core.errors import AssemblyError as AssemblyError
 from .core.errors import DescriptionError as DescriptionError
@@ -162,6 +165,7 @@ __version__: str
 
 # isort: split
 # Written by `make faces`: members of the registries.
+from .control.fmu.controller import FmuControl as FmuControl
 from .control.laws import ADD as ADD
 from .control.laws import LQG as LQG
 from .control.laws import LQR as LQR

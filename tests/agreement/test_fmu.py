@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.control.fmu.platforms import this_platform
 from jounce.exchange.fmu import build
 from jounce.mechanics.facts import speed_of
 from jounce.simulation.compiled import compile_rig
@@ -19,7 +20,7 @@ from jounce.simulation.problem import excitation
 fmpy = pytest.importorskip("fmpy")
 validation = pytest.importorskip("fmpy.validation")
 fmu_master = pytest.importorskip("fmu_master")
-if build.compiler_for((build.this_platform(),)) is None:
+if build.compiler_for((this_platform(),)) is None:
     pytest.skip("no compiler", allow_module_level=True)
 
 QUICK = ("kart-quarter-car", "kart-double-wishbone")

@@ -211,3 +211,18 @@ def test_numbers_by_their_paths(cli, tester_file: Path) -> None:
     assert found["programme.sweep_rate"] == {"value": 2.5, "unit": "Hz/s"}
     assert "programme.sweep_rate" in cli("check", tester_file, "--parameters").out
     assert "programme.sweep_rate" not in cli("check", tester_file).out
+
+
+def test_an_fmu_lists_what_can_be_connected(cli, tmp_path: Path) -> None:
+    fmu_component = pytest.importorskip("fmu_component")
+    fmu_component.write(tmp_path / "part.fmu", 3, b"no library")
+    outcome = cli("check", "part.fmu", "--json")
+    assert outcome.exit_code == 0
+    found = outcome.json["files"][0]
+    assert (found["kind"], found["what"].partition(",")[0]) == ("FMU", "FMI 3.0")
+    assert "inputs: v_body [mm/s], v_strut [m/s], spare" in found["notes"]
+    (tmp_path / "law.toml").write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sources.fmu"\n')
+    fmu_component.write(tmp_path / "sources.fmu", 3, b"")
+    outcome = cli("check", "law.toml", "--json")
+    assert outcome.exit_code == 2
+    assert "it holds sources only" in outcome.err

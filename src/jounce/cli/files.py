@@ -25,7 +25,8 @@ def check(
     given: Annotated[
         list[str],
         typer.Argument(
-            metavar="FILE...", help="Rigs, vehicles, controllers, campaigns, roads, testers, limits, recordings."
+            metavar="FILE...",
+            help="Rigs, vehicles, controllers, FMUs, campaigns, roads, testers, limits, recordings.",
         ),
     ],
     parameters: Annotated[
@@ -105,7 +106,7 @@ def check_file(file: Path) -> Checked:
     """Check one file by what it is: a description (TOML), the header of a record, a road, a table or a recording."""
     checked = Checked(file)
     with checked.step():
-        checks: dict[str, Callable[[Checked], None]] = {".toml": _check_toml, ".crg": _check_road}
+        checks: dict[str, Callable[[Checked], None]] = {".toml": _check_toml, ".crg": _check_road, ".fmu": _check_fmu}
         checks.get(file.suffix.lower(), _check_measured)(checked)
     return checked
 
@@ -162,10 +163,32 @@ def _check_road(checked: Checked) -> None:
 
 
 def _check_control(checked: Checked) -> None:
-    from jounce.control import controller
+    from jounce.control import FmuControl, controller, read_fmu
 
     found = controller(checked.file)
     checked.what = str(getattr(found, "law", type(found).__name__))
+    if isinstance(found, FmuControl):
+        read_fmu(found.file).binary()
+
+
+def _check_fmu(checked: Checked) -> None:
+    """An FMU: what can be connected, and whether it runs here as a controller or force element."""
+    from jounce.control import read_fmu
+
+    found = read_fmu(checked.file)
+    checked.kind = "FMU"
+    uses = [
+        word for word, can in (("co-simulation", found.can_step), ("model exchange", found.can_be_integrated)) if can
+    ]
+    checked.what = f"FMI {found.version}.0, {', '.join(uses)}, for {', '.join(found.platforms) or 'no platform'}"
+    for word, group in (("inputs", found.inputs), ("outputs", found.outputs), ("parameters", found.parameters)):
+        shown = [f"{v.name}{f' [{v.unit}]' if v.unit else ''}" for v in group[:_MANY]]
+        more = f" and {len(group) - _MANY} more" if len(group) > _MANY else ""
+        checked.notes.append(f"{word}: {', '.join(shown) or 'none'}{more}")
+    checked.notes += map(str, found.findings)
+
+
+_MANY = 20  # variables of an FMU in a line
 
 
 def _check_tester(checked: Checked) -> None:

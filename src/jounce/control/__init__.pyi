@@ -9,9 +9,13 @@ from .controller import PythonControl as PythonControl
 from .controller import as_controller as as_controller
 from .controller import controller as controller
 from .design import CornerModel as CornerModel
+from .fmu.component import FmuComponent as FmuComponent
+from .fmu.component import FmuVariable as FmuVariable
+from .fmu.component import read_fmu as read_fmu
 
 # isort: split
 # Written by `make faces`: members of the registries.
+from .fmu.controller import FmuControl as FmuControl
 from .laws import ADD as ADD
 from .laws import LQG as LQG
 from .laws import LQR as LQR

@@ -77,6 +77,11 @@ class _Actuator(Description):
     unit: ClassVar[str] = ""
 
     @property
+    def replaces_damper(self) -> bool:
+        """Whether it stands in place of the corner's own damper, or beside it."""
+        return True
+
+    @property
     def structure(self) -> str:
         """Text that identifies the equations of the actuator, without their numbers."""
         raise NotImplementedError
@@ -185,7 +190,7 @@ class SemiActiveDamper(_Actuator):
 
 
 class ActiveActuator(_Actuator):
-    """Force actuator beside spring and damper; positive pushes body and wheel apart.
+    """Force actuator beside spring and damper, or in place of the damper; positive pushes body and wheel apart.
 
     Attributes
     ----------
@@ -199,6 +204,8 @@ class ActiveActuator(_Actuator):
         Of the second-order actuator; below 1 the force overshoots its command, and its limit, for a moment.
     rate_limit : float or None
         Fastest change of the commanded force, N/s.
+    in_place_of_damper : bool
+        Whether the corner's own damper is taken out: the command is the damper's force, too.
     """
 
     kind: Literal["active"] = "active"
@@ -207,7 +214,13 @@ class ActiveActuator(_Actuator):
     bandwidth: Frequency | None = None
     damping_ratio: PositiveNumber = 1.0
     rate_limit: _ForceRate | None = None
+    in_place_of_damper: bool = False
     unit: ClassVar[str] = "N"
+
+    @property
+    def replaces_damper(self) -> bool:
+        """Whether the corner's own damper is taken out."""
+        return self.in_place_of_damper
 
     @model_validator(mode="after")
     def _one_speed(self) -> Self:
@@ -218,7 +231,8 @@ class ActiveActuator(_Actuator):
     @property
     def structure(self) -> str:
         """Its equations."""
-        return f"active, {'second order' if self.bandwidth is not None else f'lag {self.lag > 0.0}'}"
+        order = "second order" if self.bandwidth is not None else f"lag {self.lag > 0.0}"
+        return f"active, {order}{', no damper' if self.in_place_of_damper else ''}"
 
     @property
     def plant_numbers(self) -> dict[str, float]:

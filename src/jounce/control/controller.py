@@ -17,6 +17,7 @@ from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Inst
 from jounce.control.design import CornerModel
 from jounce.core.description import Description, check_schema, read_toml
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unknown
+from jounce.core.findings import Finding
 from jounce.core.kinds import Rows
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Unit, to_si
@@ -43,6 +44,8 @@ class _Controls(Rows[Kind]):
 
 CONTROLS = _Controls("jounce.control")
 """Controllers by name."""
+FILE_CONTROLS = _Controls("jounce.control")
+"""Controllers that need more than a name, by the ``law`` of their files."""
 
 
 def _noise(value: object) -> object:
@@ -96,6 +99,8 @@ class Controller(Description):
 
     catalogue: ClassVar[Mapping[str, tuple[str, AnyActuator | None]]] = {}
     """Name to a line about it, and its actuator."""
+    from_file: ClassVar[str] = ""
+    """What a controller is in a line that no name is enough for: a file says the rest, under its ``law``."""
     needs_wheel: ClassVar[bool] = False
     """Whether the gains need a wheel with mass and tyre."""
     memory_size: ClassVar[int] = 0
@@ -105,6 +110,8 @@ class Controller(Description):
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         for name, (summary, actuator) in vars(cls).get("catalogue", {}).items():
             CONTROLS.add(name, Kind(cls, summary, {} if actuator is None else {"actuator": actuator}))
+        if summary := vars(cls).get("from_file", ""):
+            FILE_CONTROLS.add(cls.model_fields["law"].default, Kind(cls, summary, {}))
 
     @property
     def name(self) -> str:
@@ -118,6 +125,10 @@ class Controller(Description):
     def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002 - others need it
         """Numbers of the law for a corner, SI; none by default."""
         return {}
+
+    def beside(self, folder: Path) -> Self:  # noqa: ARG002 - others need it
+        """Give the same controller with the files that it names found from a folder."""
+        return self
 
     def resolved(self, corner: CornerModel) -> Self:
         """Give the same controller with its actuator's open numbers filled in for a corner."""
@@ -199,12 +210,12 @@ def controller(name: str | Path, **changes: Any) -> Controller:
 def _from_file(path: Path) -> Controller:
     table, text = read_toml(path)
     check_schema(table, (SCHEMA,), str(path))
-    law = table.get("law")
-    if not isinstance(law, str) or law not in CONTROLS:
-        raise unknown(str(law), CONTROLS, what="law", where=f"{path}: law")
-    kind = CONTROLS[str(law)]
+    law, known = table.get("law"), {**CONTROLS, **FILE_CONTROLS}
+    if not isinstance(law, str) or law not in known:
+        raise unknown(str(law), known, what="law", where=f"{path}: law")
+    kind = known[law]
     own = kind.law.model_fields["law"].default
-    return kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text)
+    return kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text).beside(path.parent)
 
 
 def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Controller:
@@ -234,6 +245,10 @@ class Regulator(Protocol):
     from_rest: bool
     """Whether they are changes from static equilibrium."""
 
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What the reader of the run must know."""
+
     def start(self) -> None:
         """Forget everything: a run begins."""
 
@@ -249,8 +264,8 @@ class Setting:
     ----------
     controllers, models : mapping
         Corner to its resolved controller, and to its model.
-    outputs : tuple of str
-        All channels of the model.
+    units : mapping
+        All channels of the model, with their SI units.
     instants : int
         Control instants of the run.
     road : callable
@@ -259,7 +274,7 @@ class Setting:
 
     controllers: Mapping[str, Controller]
     models: Mapping[str, CornerModel]
-    outputs: tuple[str, ...]
+    units: Mapping[str, str]
     instants: int
     road: Callable[[str, Array], Array]
 
@@ -312,10 +327,11 @@ class _OwnFunction:
     """A user's function with its answer checked, clipped and limited in rate."""
 
     from_rest = False
+    findings = ()
 
     def __init__(self, function: Callable[[dict[str, float], float], Any], setting: Setting) -> None:
         self._function = function
-        self.channels = setting.outputs
+        self.channels = tuple(setting.units)
         self._corners = tuple(setting.controllers)
         self._limits = Limits(setting.controllers)
 

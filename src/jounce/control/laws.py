@@ -278,7 +278,7 @@ class _Quadratic(Controller):
     @property
     def _base(self) -> float | None:
         """Damping that the force comes on top of: the corner's own (None) with an actuator beside it, else none."""
-        return None if isinstance(self.actuator, ActiveActuator) else 0.0
+        return 0.0 if self.actuator.replaces_damper else None
 
     def gains(self, corner: CornerModel) -> Array:
         """Gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
@@ -416,7 +416,7 @@ class HInfinity(Controller):
         number, r = now.number, now.number("motion_ratio")
         measured = ca.vertcat(*(now.seen(channel) for channel in channels))
         force = ca.dot(_vector(number, "C", n), states) + ca.dot(_vector(number, "D", len(channels)), measured)
-        if not isinstance(self.actuator, ActiveActuator):
+        if self.actuator.replaces_damper:
             force += number("damping_coefficient") * now.seen("strut.velocity") / r
         following = _matrix(number, "A", n, n) @ states + _matrix(number, "B", n, len(channels)) @ measured
         return Decision(self.actuator.command_for_force(force / r, now), ca.vertsplit(following))

@@ -95,7 +95,7 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
     """Condense the problem of a corner: forces and two slacks are its variables."""
     from scipy.linalg import block_diag, solve_discrete_are
 
-    base = None if isinstance(mpc.actuator, ActiveActuator) else 0.0
+    base = 0.0 if mpc.actuator.replaces_damper else None
     A, B, G = corner_equations(corner, base)
     C, D = corner_outputs(corner, ("sprung.az",), base)
     A, B, G, C, D = _behind(mpc.actuator, A, B, G, C, D)
@@ -163,6 +163,7 @@ class _Planner:
     """Plans for all corners."""
 
     from_rest = True
+    findings = ()
 
     def __init__(self, mpc: PreviewMPC, setting: Setting) -> None:
         corners = tuple(setting.controllers)

@@ -29,7 +29,7 @@ def controlled_force(
     system.output("command", command, actuator.unit, _COMMANDS[actuator.kind])
     if isinstance(actuator, ActiveActuator):
         force = _active(system, actuator, command)
-        total = passive() + force
+        total = force if actuator.replaces_damper else passive() + force
     elif isinstance(actuator, SemiActiveDamper):
         force = total = _arrived(system, actuator.lag > 0.0, "actuator.coefficient", command) * velocity
     else:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.control.actuators import ActiveActuator, AnyActuator
-from jounce.control.controller import CallbackController, Controller, Setting, as_controller
+from jounce.control.controller import CallbackController, Controller, Regulator, Setting, as_controller
 from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values
@@ -47,11 +47,19 @@ class Loop:
         Corner to what the gains are designed for.
     raised : list
         Time (s) and exception of a Python controller that failed, the last run's.
+    regulators : list
+        What the loop of the last run called, for a controller in Python.
     """
 
     controllers: dict[str, Controller]
     models: dict[str, CornerModel]
     raised: list[tuple[float, BaseException]] = field(default_factory=list)
+    regulators: list[Regulator] = field(default_factory=list)
+
+    @property
+    def findings(self) -> list[str]:
+        """What the reader of the last run must know of its controller."""
+        return [str(finding) for regulator in self.regulators for finding in regulator.findings]
 
     @property
     def corners(self) -> tuple[str, ...]:
@@ -229,9 +237,9 @@ class _Law:
     def _python(self) -> Feedback:
         loop, first = self._loop, self._loop.first
         assert isinstance(first, CallbackController)
-        names = self._compiled.output_names
-        setting = Setting(loop.controllers, loop.models, names, self._instants, self._road)
-        regulator = first.regulator(setting)
+        units = {output.name: output.unit for output in self._compiled.facts.outputs}
+        regulator = first.regulator(Setting(loop.controllers, loop.models, units, self._instants, self._road))
+        loop.regulators[:] = [regulator]
         made: list[Feedback] = []
 
         def call() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -86,7 +86,7 @@ class Solved:
 
     time: Array
     channels: dict[str, tuple[Array, str, str]]
-    attributes: dict[str, str | int]
+    attributes: dict[str, Any]
 
     def recording(self) -> xr.Dataset:
         """Give it as everyone reads it."""
@@ -138,7 +138,9 @@ def solved(
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
     }
-    how: dict[str, str | int] = {"status": solution.status.name.lower(), "method": solution.method}
+    how: dict[str, Any] = {"status": solution.status.name.lower(), "method": solution.method}
+    if loop and loop.findings:
+        how["findings"] = loop.findings
     times = times if reach == len(times) else times[:reach]  # whole, what follows from them is known already
     return Solved(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 

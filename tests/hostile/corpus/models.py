@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import re
+import zipfile
 from collections import Counter
 from collections.abc import Callable
 from functools import cache
@@ -27,8 +29,16 @@ SAMPLES = {
     "OpenCRG: binary": "road_crg/halfround_4in.crg",
     "OpenCRG: reference": "road_crg/fileref_mods.crg",
     "road table": "",
+    "FMU": "",
 }
 """A good file of each kind."""
+_DESCRIPTION = """<?xml version="1.0"?>
+<fmiModelDescription fmiVersion="3.0" modelName="valve" instantiationToken="1">
+<CoSimulation modelIdentifier="valve"/>
+<UnitDefinitions><Unit name="mm/s"><BaseUnit m="1" s="-1" factor="0.001"/></Unit></UnitDefinitions>
+<ModelVariables><Float64 name="v" valueReference="1" causality="input" unit="mm/s" start="0"/>
+<Float64 name="gain" valueReference="2" causality="parameter" start="1.5"/>
+<Float64 name="force" valueReference="3" causality="output"/></ModelVariables></fmiModelDescription>"""
 
 
 @cache
@@ -37,6 +47,11 @@ def content_of(name: str) -> tuple[str, bytes]:
     if SAMPLES[name]:
         content = (_FILES / SAMPLES[name]).read_bytes()
         return Path(SAMPLES[name]).name, re.sub(rb"\.\./crg-txt/\w+", b"handmade_curved", content)
+    if name == "FMU":
+        with zipfile.ZipFile(buffer := io.BytesIO(), "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr(zipfile.ZipInfo("modelDescription.xml", (1980, 1, 1, 0, 0, 0)), _DESCRIPTION)
+            archive.writestr(zipfile.ZipInfo("binaries/x86_64-linux/valve.so", (1980, 1, 1, 0, 0, 0)), b"no library")
+        return "part.fmu", buffer.getvalue()
     x = np.arange(300) * 0.05
     rows = "".join(f"{one:.3f}, {0.01 * np.sin(one):.9f}\n" for one in x)
     return "road.csv", f"x [m], z [m]\n{rows}".encode()
@@ -74,7 +89,15 @@ def _road(file: Path) -> Any:
     return road.end(), height.tolist()
 
 
-_READ: dict[str, Callable[[Path], Any]] = {".json": _chrono, ".tir": _tyre, ".crg": _road, ".csv": _road}
+def _fmu(file: Path) -> Any:
+    from jounce.control import read_fmu
+
+    return {**read_fmu(file).to_dict(), "findings": []}
+
+
+_READ: dict[str, Callable[[Path], Any]] = {
+    ".json": _chrono, ".tir": _tyre, ".crg": _road, ".csv": _road, ".fmu": _fmu,
+}  # fmt: skip
 
 
 @cache

@@ -3,50 +3,19 @@
 from __future__ import annotations
 
 import importlib.util
-import platform as machine
 import shutil
 import subprocess
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
+from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import OutputError, unknown
 
 C = Path(__file__).parent / "c"
 _LARGE = 1_000_000  # bytes of C: beyond, -O2 takes minutes for code without branches, and gains nothing
 _FLAGS = ("-std=c99", "-ffp-contract=off", "-fvisibility=default", "-fPIC", "-shared")
 _LONGEST = 600.0  # s
-
-
-@dataclass(frozen=True)
-class Platform:
-    """Where an FMU's binary runs: the folder's name in FMI 2.0, the compiler's target, the suffix."""
-
-    fmi2: str
-    target: str
-    suffix: str
-
-
-PLATFORMS = {
-    "x86_64-linux": Platform("linux64", "x86_64-linux-gnu.2.17", ".so"),
-    "aarch64-linux": Platform("aarch64-linux", "aarch64-linux-gnu.2.17", ".so"),
-    "x86_64-windows": Platform("win64", "x86_64-windows-gnu", ".dll"),
-    "x86_64-darwin": Platform("darwin64", "x86_64-macos", ".dylib"),
-    "aarch64-darwin": Platform("aarch64-darwin", "aarch64-macos", ".dylib"),
-}
-"""Platforms by their names in FMI 3.0."""
-
-
-def this_platform() -> str:
-    """The name of the platform we run on, as FMI 3.0 has it.
-
-    >>> this_platform().count("-")
-    1
-    """
-    kind = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "aarch64", "aarch64": "aarch64"}
-    name = machine.machine().lower()
-    return f"{kind.get(name, name)}-{machine.system().lower()}"
 
 
 def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:

@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 
 from jounce.control.controller import CallbackController
+from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.control.program import Program, program, values
 from jounce.core.errors import OutputError, SimulationError
 from jounce.core.findings import Finding
@@ -97,8 +98,8 @@ def export_fmu(
     version : {2, 3}
         Of FMI.
     platforms : sequence of str, optional
-        Platforms to compile for (see :data:`jounce.exchange.fmu.build.PLATFORMS`); this machine's by default. All but
-        this machine's need the extra ``fmu``; none (``()``) gives the sources alone.
+        Platforms to compile for (see :data:`jounce.control.fmu.platforms.PLATFORMS`); this machine's by default. All
+        but this machine's need the extra ``fmu``; none (``()``) gives the sources alone.
     control : Controller, str, Path or callable, optional
         Controls the struts, as in :func:`jounce.simulate`; it becomes a sampled part of the FMU.
     adjoint : bool
@@ -129,7 +130,7 @@ def export_fmu(
     file = check_writable(path, what="FMUs", suffixes=(".fmu",), force=force)
     if version not in (2, 3):
         raise OutputError("no such version of FMI", where="version", found=version, allowed="2, 3")
-    wanted = (native.this_platform(),) if platforms is None else tuple(dict.fromkeys(platforms))
+    wanted = (this_platform(),) if platforms is None else tuple(dict.fromkeys(platforms))
     compiler = native.compiler_for(wanted)
     findings = []
     if wanted and compiler is None:
@@ -138,7 +139,7 @@ def export_fmu(
                 "no compiler for this platform",
                 where="export",
                 found=", ".join(wanted),
-                allowed=native.this_platform(),
+                allowed=this_platform(),
                 hint="Install the extra fmu (pip install 'jounce[fmu]') to compile for every platform.",
             )
         text = "no compiler was found: the FMU holds sources only; compile on the target or install the extra fmu"
@@ -165,7 +166,7 @@ def export_fmu(
         (folder / "model.h").write_text(head_text, encoding="utf-8")
         for platform in wanted:
             assert compiler is not None
-            target = native.PLATFORMS[platform]
+            target = PLATFORMS[platform]
             place = f"binaries/{platform if version == 3 else target.fmi2}/{FILE}{target.suffix}"
             files[place] = native.compile_library(folder, version, platform, compiler)
     files |= {f"sources/{name}": content for name, content in shared.items()}

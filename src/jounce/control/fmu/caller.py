@@ -1,0 +1,280 @@
+"""The C functions of co-simulation FMUs, called in this process or in a child.
+
+A child runs this very file, without jounce: it starts at once, and where the FMU crashes the child ends, not the run.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+import re
+import struct
+import sys
+from collections import deque
+from typing import Any
+
+_WORST = 1  # statuses above a warning: discard, error, fatal
+_FATAL = 4
+_STATUS = ("OK", "warning", "discard", "error", "fatal error", "pending")
+_MESSAGES = 5
+_POINTER, _SIZE, _DOUBLE, _TEXT = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
+_MORE = 3
+_LOGGER_2 = ctypes.CFUNCTYPE(None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE)
+"""It has a variable number of arguments: the first of them are where those of a fixed number would be."""
+_LOGGER_3 = ctypes.CFUNCTYPE(None, _POINTER, ctypes.c_int, _TEXT, _TEXT)
+_TYPES: dict[str, Any] = {
+    "Real": _DOUBLE, "Integer": ctypes.c_int, "Boolean2": ctypes.c_int,
+    "Float64": _DOUBLE, "Float32": ctypes.c_float, "Boolean": ctypes.c_bool,
+    "Int8": ctypes.c_int8, "Int16": ctypes.c_int16, "Int32": ctypes.c_int32, "Int64": ctypes.c_int64,
+    "UInt8": ctypes.c_uint8, "UInt16": ctypes.c_uint16, "UInt32": ctypes.c_uint32, "UInt64": ctypes.c_uint64,
+}  # fmt: skip
+"""C types of the values that can be set before a run; a Boolean of FMI 2 is an integer."""
+
+
+class FmuFailedError(Exception):
+    """What an FMU refused, in its own words as far as it said any."""
+
+
+class _Callbacks(ctypes.Structure):
+    """What FMI 2.0 gives to an instance."""
+
+    _fields_ = (
+        ("logger", _LOGGER_2),
+        ("allocate", _POINTER),
+        ("free", _POINTER),
+        ("finished", _POINTER),
+        ("environment", _POINTER),
+    )
+
+
+class _Instance:
+    """One instance of an FMU, what it is connected to, and how far it has stepped.
+
+    ``told`` holds ``library``, ``version``, ``token``, ``resources``, ``period`` (s), ``inputs`` and ``outputs`` (value
+    references), ``starts`` (type, reference and value).
+    """
+
+    def __init__(self, told: dict[str, Any], library: ctypes.CDLL, name: str) -> None:
+        self._told, self._library, self._name = told, library, name.encode()
+        self._version: int = told["version"]
+        self._messages: deque[str] = deque(maxlen=_MESSAGES)
+        inputs, outputs = told["inputs"], told["outputs"]
+        self._count = len(inputs)
+        self._in, self._out = (ctypes.c_uint32 * len(inputs))(*inputs), (ctypes.c_uint32 * len(outputs))(*outputs)
+        self._x, self._y = (_DOUBLE * len(inputs))(), (_DOUBLE * len(outputs))()
+        self._component: int | None = None
+        self._broken = False
+        real = "Real" if self._version == 2 else "Float64"
+        more = () if self._version == 2 else (_SIZE,)  # FMI 3.0 says how many values there are, too
+        self._set = self._function(f"Set{real}", _POINTER, _POINTER, _SIZE, _POINTER, *more)
+        self._get = self._function(f"Get{real}", _POINTER, _POINTER, _SIZE, _POINTER, *more)
+        self._put = (ctypes.addressof(self._in), len(inputs), ctypes.addressof(self._x), *(len(inputs),) * len(more))
+        self._take = (
+            ctypes.addressof(self._out),
+            len(outputs),
+            ctypes.addressof(self._y),
+            *(len(outputs),) * len(more),
+        )
+        self._flags = (ctypes.c_bool * 3)()
+        self._last = _DOUBLE()
+        if self._version == 2:
+            self._step = self._function("DoStep", _POINTER, _DOUBLE, _DOUBLE, ctypes.c_int)
+            self._logger: Any = _LOGGER_2(self._log_2)
+            self._rest: tuple[int, ...] = (1,)
+        else:
+            self._step = self._function("DoStep", _POINTER, _DOUBLE, _DOUBLE, ctypes.c_bool, *(_POINTER,) * 4)
+            self._logger = _LOGGER_3(self._log_3)
+            at = ctypes.addressof(self._flags)
+            self._rest = (1, at, at + 1, at + 2, ctypes.addressof(self._last))
+
+    def _function(self, name: str, *types: Any) -> Any:
+        try:
+            found = getattr(self._library, f"fmi{self._version}{name}")
+        except AttributeError:
+            raise FmuFailedError(f"the binary has no function fmi{self._version}{name}") from None
+        found.argtypes, found.restype = types, ctypes.c_int
+        return found
+
+    def _log_2(self, *told: Any) -> None:
+        where, _name, status, category, text, *more = told
+        self._log_3(where, status, category, _written_out(text or b"", more))
+
+    def _log_3(self, _where: Any, status: int, _category: bytes | None, text: bytes | None) -> None:
+        if status > 0 and text:
+            self._messages.append(text.decode(errors="replace"))
+
+    def _done(self, what: str, status: int) -> None:
+        if status > _WORST:
+            self._broken = status >= _FATAL
+            said = " ".join(self._messages)
+            word = _STATUS[status] if 0 <= status < len(_STATUS) else str(status)
+            raise FmuFailedError(f"{what} gave {word}" + (f": {said}" if said else ""))
+
+    def start(self) -> None:
+        """Begin at time 0, with another instance than before."""
+        self.close()
+        self._messages.clear()
+        self._steps = 0
+        self._instantiate()
+        c = self._component
+        for kind, reference, value in self._told["starts"]:
+            held = (_TYPES["Boolean2" if (kind, self._version) == ("Boolean", 2) else kind] * 1)(value)
+            many = () if self._version == 2 else (1,)
+            put = self._function(f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many))
+            refs = (ctypes.c_uint32 * 1)(reference)
+            self._done("a start value", put(c, ctypes.addressof(refs), 1, ctypes.addressof(held), *many))
+        if self._version == 2:
+            setup = self._function("SetupExperiment", _POINTER, ctypes.c_int, _DOUBLE, _DOUBLE, ctypes.c_int, _DOUBLE)
+            self._done("set-up", setup(c, 0, 0.0, 0.0, 0, 0.0))
+            self._done("the begin of initialisation", self._function("EnterInitializationMode", _POINTER)(c))
+        else:
+            whether, number = ctypes.c_bool, _DOUBLE
+            enter = self._function("EnterInitializationMode", _POINTER, whether, number, number, whether, number)
+            self._done("the begin of initialisation", enter(c, False, 0.0, 0.0, False, 0.0))
+        self._done("the end of initialisation", self._function("ExitInitializationMode", _POINTER)(c))
+
+    def _instantiate(self) -> None:
+        told, name, token = self._told, self._name, self._told["token"].encode()
+        kind = "Instantiate" if self._version == 2 else "InstantiateCoSimulation"
+        if self._version == 2:
+            make = self._function(kind, _TEXT, ctypes.c_int, _TEXT, _TEXT, _POINTER, ctypes.c_int, ctypes.c_int)
+            make.restype = _POINTER
+            c_library = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("msvcrt")
+            allocate, free = (ctypes.cast(getattr(c_library, word), _POINTER) for word in ("calloc", "free"))
+            self._callbacks = _Callbacks(self._logger, allocate, free, None, None)
+            found = make(name, 1, token, told["resources"].encode(), ctypes.addressof(self._callbacks), 0, 0)
+        else:
+            types = (_TEXT, _TEXT, _TEXT, *(ctypes.c_bool,) * 4, _POINTER, _SIZE, _POINTER, _LOGGER_3, _POINTER)
+            make = self._function(kind, *types)
+            make.restype = _POINTER
+            resources = told["resources"].encode()
+            found = make(name, token, resources, False, False, False, False, None, 0, None, self._logger, None)
+        if not found:
+            said = " ".join(self._messages)
+            raise FmuFailedError("it gives no instance" + (f": {said}" if said else ""))
+        self._component = found
+
+    def step(self, values: list[float]) -> list[float]:
+        """Set the inputs, step one period on, give the outputs."""
+        c = self._component
+        self._x[:] = values  # type: ignore[assignment] # numbers become those of C
+        if self._count and (status := self._set(c, *self._put)) > _WORST:
+            self._done("setting the inputs", status)
+        period = self._told["period"]
+        status = self._step(c, self._steps * period, period, *self._rest)
+        if status > _WORST:
+            self._done(f"the step from {self._steps * period:.6g} s", status)
+        if self._flags[1]:
+            raise FmuFailedError(f"it asks for the end of the run at {self._steps * period:.6g} s")
+        self._steps += 1
+        if (status := self._get(c, *self._take)) > _WORST:
+            self._done("reading the outputs", status)
+        return list(self._y)
+
+    def close(self) -> None:
+        """Free the instance; one that failed for good is left alone."""
+        if self._component is not None and not self._broken:
+            self._function("Terminate", _POINTER)(self._component)
+            free = self._function("FreeInstance", _POINTER)
+            free.restype = None
+            free(self._component)
+        self._component, self._broken = None, False
+
+
+_PLACE = re.compile(rb"%(?:[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]|%)")
+
+
+def _written_out(text: bytes, values: list[int | None]) -> bytes:
+    """A message of C with its texts and integers in their places; as it is where it has others, or too many.
+
+    >>> _written_out(b"step %d of 100 %%", [7, None, None]), _written_out(b"at %g s", [0, 0, 0])
+    (b'step 7 of 100 %', b'at %g s')
+    """
+    places = [place for place in _PLACE.findall(text) if place != b"%%"]
+    is_elsewhere = sys.platform == "darwin" and os.uname().machine == "arm64"  # such arguments lie on the stack there
+    if is_elsewhere or len(places) > len(values) or any(place[-1:] not in b"sdi" for place in places):
+        return text
+    left = iter(values)
+
+    def written(found: re.Match[bytes]) -> bytes:
+        if found[0] == b"%%":
+            return b"%"
+        value = next(left) or 0
+        if found[0].endswith(b"s"):
+            return ctypes.string_at(value) if value else b""
+        return str(ctypes.c_int32(value).value).encode()
+
+    return _PLACE.sub(written, text)
+
+
+class Instances:
+    """Instances of one FMU in this process, asked together.
+
+    Parameters
+    ----------
+    told : list of dict
+        What each of them is told (see `_Instance`).
+    """
+
+    def __init__(self, told: list[dict[str, Any]]) -> None:
+        try:
+            library = ctypes.CDLL(told[0]["library"])
+        except OSError as error:
+            raise FmuFailedError(f"its binary cannot be loaded: {error}") from None
+        self._all = [_Instance(one, library, f"jounce_{i}") for i, one in enumerate(told)]
+        self._only = self._all[0] if len(self._all) == 1 else None
+        self._counts = [len(one["inputs"]) for one in told]
+
+    def start(self) -> None:
+        """Begin a run."""
+        for instance in self._all:
+            instance.start()
+
+    def step(self, values: list[float]) -> list[float]:
+        """Outputs of all, one after another, from the inputs of all."""
+        if self._only is not None:
+            return self._only.step(values)
+        found, at = [], 0
+        for instance, count in zip(self._all, self._counts, strict=True):
+            found += instance.step(values[at : at + count])
+            at += count
+        return found
+
+    def close(self) -> None:
+        """Free all."""
+        for instance in self._all:
+            instance.close()
+
+
+def serve() -> None:
+    """Do in a child what is asked through standard input; what the FMU prints goes nowhere.
+
+    The first line is JSON: what the instances are told. ``s`` begins a run, ``x`` and the inputs ask for a step. An
+    answer is ``+`` and the outputs, or ``-``, a length and a text.
+    """
+    answers, questions = os.fdopen(os.dup(1), "wb", 0), os.fdopen(os.dup(0), "rb")
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in (0, 1, 2):
+        os.dup2(nowhere, stream)
+    told = json.loads(questions.readline())
+    inputs, outputs = (struct.Struct(f"={sum(len(one[word]) for one in told)}d") for word in ("inputs", "outputs"))
+    made: Instances | None = None
+    while head := questions.read(1):
+        try:
+            if made is None:
+                made = Instances(told)
+            if head == b"s":
+                made.start()
+                answers.write(b"+" + outputs.pack(*[0.0] * (outputs.size // 8)))
+            else:
+                answers.write(b"+" + outputs.pack(*made.step(list(inputs.unpack(questions.read(inputs.size))))))
+        except FmuFailedError as error:
+            text = str(error).encode()
+            answers.write(b"-" + len(text).to_bytes(8, "little") + text)
+    if made is not None:
+        made.close()
+
+
+if __name__ == "__main__":
+    serve()

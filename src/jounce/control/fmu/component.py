@@ -1,0 +1,420 @@
+"""What an FMU of another tool says of itself, and its files unpacked within limits."""
+
+from __future__ import annotations
+
+import atexit
+import math
+import shutil
+import stat
+import struct
+import zipfile
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import ClassVar
+from xml.etree import ElementTree as ET
+
+from jounce.control.fmu.platforms import PLATFORMS, this_platform
+from jounce.core.errors import DescriptionError
+from jounce.core.files import existing_file
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.units import base_units, conversion_factor, is_unit
+from jounce.core.writing import lasting_folder
+
+_MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = 20_000, 1_000_000_000, 50_000_000
+_BASES = ("kg", "m", "s", "A", "K", "mol", "cd")  # an angle is one whether it says so or not
+_REALS = ("Real", "Float64")
+_CHUNK = 1 << 20
+
+
+@dataclass(frozen=True)
+class FmuVariable(Plain):
+    """One variable of an FMU.
+
+    Attributes
+    ----------
+    name : str
+        As the FMU has it.
+    kind : str
+        Type: ``Real``, ``Float64``, ``Boolean`` and so on.
+    causality, variability : str
+        As FMI has them.
+    unit : str
+        Of the FMU's values; empty where it has none.
+    start : str
+        Value before anyone sets it, as written; empty where there is none.
+    text : str
+        What it is.
+    reference : int
+        Value reference.
+    is_array : bool
+        Whether it has dimensions (FMI 3.0).
+    """
+
+    left_out = ("reference", "is_array")
+    name: str
+    kind: str
+    causality: str
+    variability: str
+    unit: str
+    start: str
+    text: str
+    reference: int
+    is_array: bool = False
+
+    @property
+    def is_real(self) -> bool:
+        """Whether it is one real number in double precision."""
+        return self.kind in _REALS and not self.is_array
+
+
+@dataclass(frozen=True)
+class _Unit:
+    """What one unit is in SI: ``si = factor * value + offset``, of these powers; none where the FMU does not say."""
+
+    factor: float
+    offset: float
+    powers: Mapping[str, int] | None
+
+
+@dataclass(frozen=True)
+class FmuComponent(Plain):
+    """What an FMU says of itself.
+
+    Attributes
+    ----------
+    path : Path
+        The FMU.
+    version : int
+        Of FMI, 2 or 3.
+    name, tool : str
+        Of the model, and what made it.
+    inputs, outputs, parameters : tuple of FmuVariable
+        What can be connected, and what can be set before a run.
+    platforms : tuple of str
+        Platforms with a binary, as FMI 3.0 names them.
+    can_step, can_be_integrated : bool
+        Whether it is made for co-simulation, and for model exchange.
+    findings : tuple of Finding
+        What stands in the way of a run here.
+    token, identifier : str
+        What ties description and binary together, and the binary's name.
+    units : mapping
+        What the FMU's units are in SI.
+    is_once : bool
+        Whether a process can have one instance only.
+    fixed_step : float or None
+        Step inside, s, of which the control period is a multiple; None where it has none.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> file = tempfile.mkdtemp() + "/kart.fmu"
+    >>> _ = jn.export_fmu(jn.load("kart-quarter-car"), file, platforms=())
+    >>> [(v.name, v.unit) for v in jn.read_fmu(file).inputs]
+    [('road.z', 'm'), ('road.vz', 'm/s')]
+    """
+
+    left_out: ClassVar[tuple[str, ...]] = ("token", "identifier", "units", "is_once", "fixed_step")
+    path: Path
+    version: int
+    name: str
+    tool: str
+    inputs: tuple[FmuVariable, ...]
+    outputs: tuple[FmuVariable, ...]
+    parameters: tuple[FmuVariable, ...]
+    platforms: tuple[str, ...]
+    can_step: bool
+    can_be_integrated: bool
+    findings: tuple[Finding, ...]
+    token: str
+    identifier: str
+    units: Mapping[str, _Unit] = field(repr=False)
+    is_once: bool
+    fixed_step: float | None
+
+    def conversion(self, variable: FmuVariable, si: str) -> tuple[float, float]:
+        """Factor and offset from SI values in ``si`` to the FMU's own: ``own = factor * value + offset``.
+
+        Where the variable has no unit its values are SI. A DescriptionError refuses a unit of something else.
+        """
+        if not variable.unit:
+            return 1.0, 0.0
+        unit = self.units.get(variable.unit, _Unit(1.0, 0.0, None))
+        if unit.powers is None:
+            return 1.0 / conversion_factor(variable.unit, si, where=f"{self.path}: {variable.name}"), 0.0
+        wanted = base_units(si)
+        if any(unit.powers.get(base, 0) != wanted.get(base, 0) for base in _BASES):
+            raise DescriptionError(
+                "the unit does not fit",
+                where=f"{self.path}: {variable.name}",
+                found=variable.unit,
+                allowed=f"a unit that converts to {si}",
+                hint="Connect it to another channel.",
+            )
+        return 1.0 / unit.factor, -unit.offset / unit.factor
+
+    def si_unit(self, variable: FmuVariable) -> str:
+        """The SI unit that values of a variable are given in; ``"1"`` where the FMU does not say."""
+        unit = self.units.get(variable.unit)
+        if unit is None or unit.powers is None:
+            return variable.unit if is_unit(variable.unit) else "1"
+        return "*".join(f"{base}^{power}" for base, power in unit.powers.items() if power) or "1"
+
+    def binary(self) -> str:
+        """Place of this machine's binary in the archive; a DescriptionError says why it cannot be run here."""
+        where = str(self.path)
+        if not self.can_step:
+            raise DescriptionError(
+                "the FMU is for model exchange only: it needs an integrator, and brings none",
+                where=where,
+                allowed="FMUs for co-simulation",
+                hint="Export it again for co-simulation.",
+            )
+        for finding in self.findings:
+            if finding.severity == "problem":
+                raise DescriptionError(finding.message.rstrip("."), where=where, allowed=_ALLOWED)
+        here = this_platform()
+        folder = here if self.version == 3 else PLATFORMS[here].fmi2
+        return f"binaries/{folder}/{self.identifier}{PLATFORMS[here].suffix}"
+
+
+_ALLOWED = "FMUs for co-simulation with a binary for this machine"
+
+
+def read_fmu(path: Path | str) -> FmuComponent:
+    """Read what a Functional Mock-up Unit of any tool says of itself; nothing of it is run.
+
+    Parameters
+    ----------
+    path : Path or str
+        The ``.fmu`` file, FMI 2.0 or 3.0.
+
+    Returns
+    -------
+    FmuComponent
+        Inputs, outputs and parameters with their units, platforms, and what stands in the way of a run here.
+
+    Raises
+    ------
+    DescriptionError
+        For what is no FMU, a damaged archive, names that lead out of it, sizes beyond all limits, and other versions.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> file = tempfile.mkdtemp() + "/kart.fmu"
+    >>> _ = jn.export_fmu(jn.load("kart-quarter-car"), file, platforms=(), version=2)
+    >>> read_fmu(file).version
+    2
+    """
+    file = existing_file(path)
+    try:
+        with zipfile.ZipFile(file) as archive:
+            members = _members(archive, str(file))
+            if "modelDescription.xml" not in members:
+                raise DescriptionError("no modelDescription.xml is in it", where=str(file), allowed="an FMU")
+            info = members["modelDescription.xml"]
+            if info.file_size > _LONGEST_DESCRIPTION:
+                most = f"up to {_LONGEST_DESCRIPTION // 1_000_000} MB"
+                raise DescriptionError("its description is too large", where=str(file), allowed=most)
+            text = archive.read(info)
+    except _DAMAGE as error:
+        raise _damaged(file, error) from None
+    return _component(file, _parsed(text, str(file)), members)
+
+
+_DAMAGE = (
+    zipfile.BadZipFile, zlib.error, struct.error, EOFError, RuntimeError, ValueError, IndexError, OSError,
+)  # fmt: skip
+
+
+def _damaged(file: Path, error: Exception) -> DescriptionError:
+    return DescriptionError(f"not an archive that can be read: {error}", where=str(file), allowed="an FMU (a ZIP file)")
+
+
+def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]:
+    """Files of an archive by name; refused where they lead out of it, are links, or are too many or too large."""
+    files = [info for info in archive.infolist() if not info.orig_filename.endswith("/")]
+    size = sum(info.file_size for info in files)
+    if len(files) > _MOST_FILES or size > _MOST_BYTES:
+        raise DescriptionError(
+            "too large for an FMU",
+            where=where,
+            found=f"{len(files)} files of {size / 1e6:.4g} MB together, unpacked",
+            allowed=f"{_MOST_FILES} files of {_MOST_BYTES / 1e6:g} MB together",
+        )
+    found: dict[str, zipfile.ZipInfo] = {}
+    for info in files:
+        name = info.orig_filename
+        parts = name.split("/")
+        is_link = stat.S_ISLNK(info.external_attr >> 16)
+        if is_link or ".." in parts or "" in parts or any(sign in name for sign in "\\:\0"):
+            what = "a link in the archive" if is_link else "a path that leads out of the archive"
+            raise DescriptionError(what, where=where, found=name, allowed="plain files within the FMU")
+        if name in found:
+            raise DescriptionError("a file is twice in the archive", where=where, found=name)
+        found[name] = info
+    return found
+
+
+class _Builder(ET.TreeBuilder):
+    """A tree of what has no document type: entities that grow beyond all memory are declared there."""
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
+        raise ET.ParseError("a document type")
+
+
+def _parsed(text: bytes, where: str) -> ET.Element:
+    try:
+        return ET.fromstring(text, ET.XMLParser(target=_Builder()))
+    except (ET.ParseError, ValueError, LookupError) as error:
+        raise DescriptionError(f"its modelDescription.xml is not XML of an FMU: {error}", where=where) from None
+
+
+def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipInfo]) -> FmuComponent:
+    where = str(file)
+    said = root.get("fmiVersion", "")
+    version = {"2.0": 2, "3.0": 3}.get(said[:3])
+    if root.tag != "fmiModelDescription" or version is None:
+        raise DescriptionError(
+            "another version of FMI", where=where, found=said or root.tag, allowed="2.0, 3.0", hint="Export it again."
+        )
+    step = root.find("CoSimulation")
+    able = step if step is not None else root.find("ModelExchange")
+    identifier = "" if able is None else able.get("modelIdentifier", "")
+    variables = _variables(root, version, where)
+    platforms = tuple(
+        name
+        for name, kind in PLATFORMS.items()
+        if f"binaries/{name if version == 3 else kind.fmi2}/{identifier}{kind.suffix}" in members
+    )
+    options = {} if step is None else step.attrib
+    findings = []
+    if this_platform() not in platforms:
+        holds = f"it holds {', '.join(platforms)}" if platforms else "it holds sources only"
+        message = f"no binary for this machine ({this_platform()}) is in it: {holds}."
+        findings.append(Finding(where, "problem", message))
+    if options.get("needsExecutionTool") in ("true", "1"):
+        findings.append(Finding(where, "problem", "it runs only where the tool that made it is installed."))
+    if step is None:
+        findings.append(Finding(where, "problem", "it is for model exchange only, and brings no integrator."))
+    return FmuComponent(
+        file,
+        version,
+        root.get("modelName", ""),
+        root.get("generationTool", ""),
+        tuple(v for v in variables if v.causality == "input"),
+        tuple(v for v in variables if v.causality == "output"),
+        tuple(v for v in variables if v.causality == "parameter"),
+        platforms,
+        step is not None,
+        root.find("ModelExchange") is not None,
+        tuple(findings),
+        root.get("guid" if version == 2 else "instantiationToken", ""),
+        identifier,
+        _units(root, where),
+        options.get("canBeInstantiatedOnlyOncePerProcess") in ("true", "1"),
+        _number(options.get("fixedInternalStepSize"), where),
+    )
+
+
+def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
+    declared = {}
+    for kind in root.iterfind("TypeDefinitions/*"):
+        typed = kind if version == 3 else next(iter(kind), kind)
+        declared[kind.get("name", "")] = typed.get("unit", "")
+    found = []
+    for row in root.iterfind("ModelVariables/*"):
+        typed = row if version == 3 else next((one for one in row if one.tag != "Annotations"), row)
+        unit = typed.get("unit") or declared.get(typed.get("declaredType", ""), "")
+        try:
+            reference = int(row.get("valueReference", ""))
+        except ValueError:
+            reference = -1
+        if not 0 <= reference < 2**32:
+            place = f"{where}: {row.get('name')}"
+            raise DescriptionError("no value reference", where=place, found=row.get("valueReference"))
+        found.append(
+            FmuVariable(
+                row.get("name", ""),
+                typed.tag,
+                row.get("causality", "local"),
+                row.get("variability", ""),
+                unit,
+                typed.get("start", ""),
+                row.get("description", ""),
+                reference,
+                row.find("Dimension") is not None,
+            )
+        )
+    return found
+
+
+def _units(root: ET.Element, where: str) -> dict[str, _Unit]:
+    found = {}
+    for unit in root.iterfind("UnitDefinitions/Unit"):
+        base, name = unit.find("BaseUnit"), unit.get("name", "")
+        if base is None:
+            found[name] = _Unit(1.0, 0.0, None)
+            continue
+        place = f"{where}: unit {name}"
+        factor, offset = (_number(base.get(word), place) for word in ("factor", "offset"))
+        powers = {one: int(_number(base.get(one), place) or 0.0) for one in (*_BASES, "rad")}
+        factor = 1.0 if factor is None else factor
+        if factor == 0.0:
+            raise DescriptionError("a unit of factor 0", where=place)
+        found[name] = _Unit(factor, offset or 0.0, powers)
+    return found
+
+
+def _number(text: str | None, where: str) -> float | None:
+    if text is None:
+        return None
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise DescriptionError("not a number", where=where, found=text)
+    return number
+
+
+_unpacked: dict[tuple[str, int, int], Path] = {}
+
+
+def unpacked(component: FmuComponent) -> Path:
+    """Folder with the binary and the resources of an FMU, which goes with this process; made once for each file."""
+    wanted = component.binary()
+    state = component.path.stat()
+    key = str(component.path.resolve()), state.st_mtime_ns, state.st_size
+    if key not in _unpacked:
+        folder = lasting_folder()
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+        _unpack(component.path, folder, wanted.rpartition("/")[0] + "/")
+        _unpacked[key] = folder
+    return _unpacked[key]
+
+
+def _unpack(file: Path, folder: Path, binaries: str) -> None:
+    (folder / "resources").mkdir()
+    left = _MOST_BYTES
+    try:
+        with zipfile.ZipFile(file) as archive:
+            for name, info in _members(archive, str(file)).items():
+                if not name.startswith((binaries, "resources/")):
+                    continue
+                target = folder.joinpath(*name.split("/"))
+                target.parent.mkdir(parents=True, exist_ok=True)
+                with archive.open(info) as content, target.open("wb") as out:
+                    while piece := content.read(min(_CHUNK, left + 1)):
+                        left -= len(piece)  # what an archive says of its sizes may be wrong
+                        if left < 0:
+                            raise DescriptionError("too large for an FMU", where=str(file))
+                        out.write(piece)
+    except _DAMAGE as error:
+        raise _damaged(file, error) from None

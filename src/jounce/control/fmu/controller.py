@@ -1,0 +1,426 @@
+"""A component FMU in the loop: connected by names, units converted, in a process of its own unless it is trusted."""
+
+from __future__ import annotations
+
+import json
+import select
+import struct
+import subprocess
+import sys
+import weakref
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, ClassVar, Literal, Protocol, Self
+
+from pydantic import model_validator
+
+from jounce.control.controller import CallbackController, Limits, Regulator, Setting
+from jounce.control.fmu import caller
+from jounce.control.fmu.component import FmuComponent, FmuVariable, read_fmu, unpacked
+from jounce.core.errors import DescriptionError, SimulationError, unknown
+from jounce.core.findings import Finding
+from jounce.core.units import to_si
+from jounce.core.writing import working_folder
+
+_PATIENCE = 60.0  # s that one instant may take
+_NAMED = 5  # files
+_ROUND = 1e-6  # share of a step that rates may be off by rounding
+
+
+class FmuControl(CallbackController):
+    """A co-simulation FMU of any tool, asked at every control instant: a controller, a damper, an actuator.
+
+    At an instant it is given the measurements, steps one control period on, and its outputs are the commands of this
+    instant: what follows from its inputs at once is not late, and states inside are one period ahead. With an active
+    actuator without lag its output is a force in the strut (compression positive), which is held for a period.
+
+    Attributes
+    ----------
+    file : str
+        The ``.fmu``; in a file of this schema relative to its folder.
+    inputs : dict
+        The FMU's input to the channel that it gets, without the corner (``{"v_body": "sprung.vz"}``). Inputs that are
+        named like a channel need not be written; what is left keeps its start value.
+    output : str or None
+        Output that is the command of a corner, in the actuator's unit; left out: ``command``, or the only one. Every
+        corner has its own instance.
+    outputs : dict or None
+        Instead of ``output``, for one instance that controls the whole vehicle: corner to output. Channels have their
+        corner then.
+    parameters : dict
+        Start values by name, SI or text with a unit.
+    from_rest : bool
+        Whether channels are changes from static equilibrium instead of values.
+    trusted : bool
+        Run in this process: an instant takes microseconds, and an FMU that crashes takes Python with it. Otherwise it
+        runs in a child. Neither is a protection against evil: run only what you would start as a program.
+
+    Examples
+    --------
+    >>> law = FmuControl(file="skyhook.fmu", inputs={"v_body": "sprung.vz"}, output="c", rate="500 Hz")
+    >>> law.inputs["v_body"]
+    'sprung.vz'
+    """
+
+    law: Literal["fmu"] = "fmu"
+    file: str
+    inputs: dict[str, str] = {}
+    output: str | None = None
+    outputs: dict[str, str] | None = None
+    parameters: dict[str, Any] = {}
+    from_rest: bool = False
+    trusted: bool = False
+    from_file: ClassVar[str] = "fmu"
+
+    @model_validator(mode="after")
+    def _one_way(self) -> Self:
+        if self.output is not None and self.outputs is not None:
+            raise ValueError("both output and outputs are given; output is for each corner, outputs for the vehicle")
+        return self
+
+    def beside(self, folder: Path) -> Self:
+        """Give the same with its file found from a folder."""
+        return self.model_copy(update={"file": str(folder / self.file)})
+
+    def regulator(self, setting: Setting) -> Regulator:
+        """Give what the loop calls."""
+        return _FmuRegulator(self, setting)
+
+
+@dataclass(frozen=True)
+class _Wires:
+    """What one instance is connected to: value references, channels, and conversions from SI and back to SI."""
+
+    inputs: list[int]
+    channels: list[str]
+    to_own: list[tuple[float, float]]
+    outputs: list[int]
+    to_si: list[tuple[float, float]]
+
+
+@dataclass
+class _Connection:
+    """An FMU while it is connected to the corners of a car."""
+
+    law: FmuControl
+    component: FmuComponent
+    setting: Setting
+    findings: list[Finding] = field(default_factory=list)
+
+    def wires(self) -> list[_Wires]:
+        """Of every instance."""
+        corners = tuple(self.setting.controllers)
+        central = self._central(corners)
+        if central is not None:
+            wires = [self._wired("", [self._output(central[corner], corner) for corner in corners])]
+        else:
+            variable = self._own_output()
+            wires = [self._wired(corner, [(variable, corner)]) for corner in corners]
+        if len(wires) > 1 and self.component.is_once:
+            raise DescriptionError(
+                "the FMU can be instantiated only once in a process, and every corner has its own instance",
+                where=str(self.component.path),
+                found=f"{len(wires)} corners",
+                hint="Use one with an output for every corner (outputs).",
+            )
+        return wires
+
+    def _central(self, corners: tuple[str, ...]) -> Mapping[str, str] | None:
+        """Corner to output of an FMU for the whole vehicle."""
+        if self.law.outputs is not None:
+            for corner in (*self.law.outputs, *corners):
+                if corner not in corners or corner not in self.law.outputs:
+                    raise DescriptionError(
+                        "outputs are given by corner",
+                        where="control: outputs",
+                        found=", ".join(self.law.outputs) or "none",
+                        allowed=", ".join(corners),
+                    )
+            return self.law.outputs
+        names = {corner: f"{corner}.command" for corner in corners}
+        known = {variable.name for variable in self.component.outputs}
+        return names if self.law.output is None and corners != ("",) and known >= set(names.values()) else None
+
+    def _own_output(self) -> FmuVariable:
+        outputs = self.component.outputs
+        if self.law.output is None:
+            for name in ("command", *(v.name for v in outputs if len(outputs) == 1)):
+                if any(v.name == name for v in outputs):
+                    return self._output(name, "")[0]
+            raise DescriptionError(
+                "the FMU has several outputs, or none; which one is the command?",
+                where="control: output",
+                allowed=", ".join(v.name for v in outputs) or "an FMU with outputs",
+            )
+        return self._output(self.law.output, "")[0]
+
+    def _output(self, name: str, corner: str) -> tuple[FmuVariable, str]:
+        return self._named(name, self.component.outputs, "output"), corner
+
+    def _named(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> FmuVariable:
+        where = f"{self.component.path}"
+        found = next((v for v in variables if v.name == name), None)
+        if found is None:
+            raise unknown(name, [v.name for v in variables], what=what, where=where)
+        if what != "parameter" and not found.is_real:
+            kind = f"{found.kind}{', an array' if found.is_array else ''}"
+            raise DescriptionError(f"an {what} that is no real number", where=f"{where}: {name}", found=kind)
+        return found
+
+    def _wired(self, corner: str, outputs: list[tuple[FmuVariable, str]]) -> _Wires:
+        component, channels = self.component, self.setting.units
+        given = {name: self._channel(channel, corner) for name, channel in self.law.inputs.items()}
+        for name in given:
+            self._named(name, component.inputs, "input")
+        left = []
+        for variable in component.inputs:
+            if variable.name not in given:
+                channel = f"{corner}.{variable.name}" if corner else variable.name
+                if channel in channels and variable.is_real:
+                    given[variable.name] = channel
+                else:
+                    left.append(variable)
+        if left:
+            names = ", ".join(f"{v.name} = {v.start or '0'}" for v in left)
+            note = Finding(
+                str(component.path), "note", f"inputs that nothing is connected to keep their start: {names}."
+            )
+            self.findings += [note] if note not in self.findings else []
+        wanted = [v for v in component.inputs if v.name in given]
+        commands = []
+        for variable, place in outputs:
+            unit = self.setting.controllers[place or next(iter(self.setting.controllers))].actuator.unit
+            a, b = self._conversion(variable, unit)
+            commands.append((1.0 / a, -b / a))
+        return _Wires(
+            [v.reference for v in wanted],
+            [given[v.name] for v in wanted],
+            [self._conversion(v, channels[given[v.name]]) for v in wanted],
+            [v.reference for v, _ in outputs],
+            commands,
+        )
+
+    def _conversion(self, variable: FmuVariable, si: str) -> tuple[float, float]:
+        if not variable.unit and si not in ("", "1"):
+            note = Finding(f"{self.component.path}: {variable.name}", "note", f"it has no unit: taken for {si}.")
+            self.findings += [note] if note not in self.findings else []
+        return self.component.conversion(variable, si)
+
+    def _channel(self, name: str, corner: str) -> str:
+        channels = self.setting.units
+        for channel in (f"{corner}.{name}" if corner else name, name):
+            if channel in channels:
+                return channel
+        start = f"{corner}."
+        short = [channel.removeprefix(start) for channel in channels if not corner or channel.startswith(start)]
+        raise unknown(name, short, what="channel", where="control: inputs")
+
+    def starts(self) -> list[tuple[str, int, float]]:
+        """Type, reference and value of what is set before a run."""
+        found = []
+        for name, value in self.law.parameters.items():
+            variable = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            where = f"control: parameters: {name}"
+            kind = "Int64" if variable.kind == "Enumeration" and self.component.version == 3 else variable.kind
+            kind = "Integer" if kind == "Enumeration" else kind
+            if kind not in caller._TYPES or variable.is_array:
+                raise DescriptionError(
+                    "it cannot be set", where=where, found=variable.kind, allowed="numbers, booleans"
+                )
+            if kind in ("Real", "Float64", "Float32"):
+                si = self.component.si_unit(variable)
+                a, b = self.component.conversion(variable, si)
+                found.append((kind, variable.reference, a * to_si(value, si, where=where) + b))
+            else:
+                if (
+                    not isinstance(value, (bool, int, float))
+                    or value % 1
+                    or (kind == "Boolean" and value not in (0, 1))
+                ):
+                    raise DescriptionError("not a value of its type", where=where, found=value, allowed=kind)
+                found.append((kind, variable.reference, int(value)))
+        return found
+
+
+class _FmuRegulator:
+    """Instances of an FMU as the loop calls them."""
+
+    def __init__(self, law: FmuControl, setting: Setting) -> None:
+        component = read_fmu(law.file)
+        place = component.binary()
+        connection = _Connection(law, component, setting)
+        wires = connection.wires()
+        self._file, self._rate = str(component.path), law.rate
+        _check_period(component, 1.0 / law.rate)
+        folder = unpacked(component)
+        resources = folder / "resources"
+        start = {
+            "library": str(folder.joinpath(*place.split("/"))),
+            "version": component.version,
+            "token": component.token,
+            "resources": resources.as_uri() if component.version == 2 else f"{resources}/",
+            "period": 1.0 / law.rate,
+            "starts": connection.starts(),
+        }
+        told = [{**start, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
+        self._notes = connection.findings
+        self.from_rest = law.from_rest
+        self.channels = tuple(channel for one in wires for channel in one.channels)
+        self._to_own = _conversions([pair for one in wires for pair in one.to_own])
+        self._to_si = _conversions([pair for one in wires for pair in one.to_si])
+        self._limits = Limits(setting.controllers)
+        self._told, self._is_trusted = told, law.trusted
+        self._instances: _Asked | None = None
+        self._instant = 0
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What is not connected or has no unit, and what the FMU wrote."""
+        written = self._instances.written() if isinstance(self._instances, _Child) else []
+        if not written:
+            return self._notes
+        text = f"it wrote files, which go with the folder it ran in: {', '.join(written)}."
+        return [*self._notes, Finding(self._file, "warning", text)]
+
+    def start(self) -> None:
+        """Begin a run."""
+        self._limits.start()
+        self._instant = 0
+        try:
+            if self._instances is None:
+                self._instances = caller.Instances(self._told) if self._is_trusted else _Child(self._told)
+                weakref.finalize(self, self._instances.close)
+            self._instances.start()
+        except caller.FmuFailedError as error:
+            raise self._failed(error) from None
+
+    def __call__(self, values: list[float]) -> list[float]:
+        """Commands from measurements."""
+        assert self._instances is not None
+        del values[-1]  # the time
+        if self._to_own is not None:
+            values = [a * value + b for value, (a, b) in zip(values, self._to_own, strict=True)]
+        try:
+            commands = self._instances.step(values)
+        except caller.FmuFailedError as error:
+            raise self._failed(error) from None
+        self._instant += 1
+        if self._to_si is not None:
+            commands = [a * value + b for value, (a, b) in zip(commands, self._to_si, strict=True)]
+        return self._limits.kept(commands)
+
+    def _failed(self, error: Exception) -> SimulationError:
+        return SimulationError(str(error), where=f"{self._file} at t = {self._instant / self._rate:.6g} s")
+
+
+def _conversions(pairs: list[tuple[float, float]]) -> list[tuple[float, float]] | None:
+    """Conversions, or None where all of them change nothing."""
+    return None if all(pair == (1.0, 0.0) for pair in pairs) else pairs
+
+
+def _check_period(component: FmuComponent, period: float) -> None:
+    fixed = component.fixed_step
+    if fixed and abs(period / fixed - round(period / fixed)) > _ROUND * period / fixed:
+        raise DescriptionError(
+            "the control period is no multiple of the FMU's fixed step",
+            where=f"{component.path}",
+            found=f"{period:g} s",
+            allowed=f"multiples of {fixed:g} s",
+            hint="Give another control rate.",
+        )
+
+
+class _Asked(Protocol):
+    """Instances, wherever they run."""
+
+    def start(self) -> None:
+        """Begin a run."""
+
+    def step(self, values: list[float]) -> list[float]:
+        """Outputs from inputs."""
+
+    def close(self) -> None:
+        """Free all."""
+
+
+class _Child:
+    """Instances in a process of their own, which works in a folder that goes with it."""
+
+    def __init__(self, told: list[dict[str, Any]]) -> None:
+        self._inputs, self._outputs = (
+            struct.Struct(f"={sum(len(one[word]) for one in told)}d") for word in ("inputs", "outputs")
+        )
+        self._place = working_folder()
+        self._folder = self._place.__enter__()
+        try:
+            self._process = subprocess.Popen(
+                [sys.executable, "-I", "-S", caller.__file__],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                cwd=self._folder,
+                bufsize=0,
+            )
+        except OSError as error:
+            self._place.__exit__(None, None, None)
+            raise caller.FmuFailedError(f"no process for it could be started ({error.strerror or error})") from None
+        self._send(json.dumps(told).encode() + b"\n")
+
+    def start(self) -> None:
+        """Begin a run."""
+        self._ask(b"s")
+
+    def step(self, values: list[float]) -> list[float]:
+        """Outputs from inputs."""
+        return self._ask(b"x" + self._inputs.pack(*values))
+
+    def written(self) -> list[str]:
+        """Names of the first files that the FMU wrote where it runs."""
+        return sorted(file.name for file in self._folder.iterdir())[:_NAMED] if self._folder.is_dir() else []
+
+    def _ask(self, question: bytes) -> list[float]:
+        self._send(question)
+        head = self._read(1, _PATIENCE)
+        if head == b"-":
+            raise caller.FmuFailedError(self._read(int.from_bytes(self._read(8), "little")).decode(errors="replace"))
+        found = self._outputs.unpack(self._read(self._outputs.size))
+        return list(found)
+
+    def _send(self, content: bytes) -> None:
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(content)
+        except OSError:
+            raise self._fate() from None
+
+    def _read(self, count: int, patience: float | None = None) -> bytes:
+        stream = self._process.stdout
+        assert stream is not None
+        if patience and sys.platform != "win32" and not select.select([stream], [], [], patience)[0]:
+            self._process.kill()
+            raise caller.FmuFailedError(f"it has not answered for {patience:g} s, and was ended")
+        found = b""
+        while len(found) < count:
+            piece = stream.read(count - len(found))
+            if not piece:
+                raise self._fate()
+            found += piece
+        return found
+
+    def _fate(self) -> caller.FmuFailedError:
+        code = self._process.wait()
+        how = f"signal {-code}" if code < 0 else f"exit code {code}"
+        return caller.FmuFailedError(f"the FMU crashed ({how}); what it ran in was a process of its own")
+
+    def close(self) -> None:
+        """End the process, and remove what was written in its folder."""
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                stream.close()
+        try:
+            self._process.wait(5.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._place.__exit__(None, None, None)

@@ -1,0 +1,36 @@
+"""Platforms that binaries of FMUs run on."""
+
+from __future__ import annotations
+
+import platform as machine
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Platform:
+    """Where an FMU's binary runs: the folder's name in FMI 2.0, the compiler's target, the suffix."""
+
+    fmi2: str
+    target: str
+    suffix: str
+
+
+PLATFORMS = {
+    "x86_64-linux": Platform("linux64", "x86_64-linux-gnu.2.17", ".so"),
+    "aarch64-linux": Platform("aarch64-linux", "aarch64-linux-gnu.2.17", ".so"),
+    "x86_64-windows": Platform("win64", "x86_64-windows-gnu", ".dll"),
+    "x86_64-darwin": Platform("darwin64", "x86_64-macos", ".dylib"),
+    "aarch64-darwin": Platform("aarch64-darwin", "aarch64-macos", ".dylib"),
+}
+"""Platforms by their names in FMI 3.0."""
+
+
+def this_platform() -> str:
+    """The name of the platform we run on, as FMI 3.0 has it.
+
+    >>> this_platform().count("-")
+    1
+    """
+    kind = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "aarch64", "aarch64": "aarch64"}
+    name = machine.machine().lower()
+    return f"{kind.get(name, name)}-{machine.system().lower()}"

@@ -1,0 +1,78 @@
+"""A component FMU in the loop does what the same law of jounce does, in this process and in a child."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+
+fmu_component = pytest.importorskip("fmu_component")
+from jounce.control.fmu import FmuControl  # noqa: E402
+
+if not fmu_component.can_be_made():
+    pytest.skip("no compiler", allow_module_level=True)
+
+TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="0.5 m"), speed="10 m/s", duration="0.5 s")
+INPUTS = {"v_body": "sprung.vz", "v_strut": "strut.velocity"}
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("component")
+
+    def make(version, **more):
+        return str(
+            fmu_component.write(folder / f"{version}.fmu", version, fmu_component.binary(version, folder), **more)
+        )
+
+    return make
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("trusted", [False, True])
+def test_a_skyhook_in_an_fmu_is_the_skyhook(made, version, trusted) -> None:
+    rig = jn.load("audi-a6-quarter-car")
+    damper = jn.SemiActiveDamper(minimum=300.0, maximum=4000.0)
+    own = jn.simulate(rig, TRIAL, control=jn.Skyhook(damping_coefficient=4000.0, actuator=damper))
+    ratio = float(jn.corner_models(rig)[""].motion_ratio)
+    law = FmuControl(
+        file=made(version), inputs=INPUTS, output="coefficient", actuator=damper, trusted=trusted,
+        parameters={"gain": f"{4.0 / ratio} kN*s/m"},
+    )  # fmt: skip
+    other = jn.simulate(rig, TRIAL, control=law)
+    assert np.ptp(own["command"].values) > 3000.0
+    np.testing.assert_allclose(other["command"], own["command"], rtol=1e-9)
+    np.testing.assert_allclose(other["sprung.z"], own["sprung.z"], rtol=0.0, atol=1e-12)
+    assert any("spare = 2.5" in finding for finding in other.attrs["findings"])
+    again = jn.simulate(rig, TRIAL, control=law)  # it begins anew
+    np.testing.assert_array_equal(again["command"], other["command"])
+
+
+@pytest.mark.parametrize("rate", [1000.0, 4000.0])
+def test_a_damper_in_an_fmu_is_the_damper_sampled(made, rate) -> None:
+    """The force of a period is that of its begin: half a period late, so that the difference falls with the period."""
+    rig = jn.load("audi-a6-quarter-car")
+    c = rig.strut.damper.coefficient
+    own = jn.simulate(rig, TRIAL)
+    actuator = jn.ActiveActuator(lag=0.0, force_limit=1e5, in_place_of_damper=True)
+    law = FmuControl(
+        file=made(3), inputs={"v_strut": "strut.velocity"}, output="force", actuator=actuator, rate=rate, trusted=True,
+        parameters={"gain": c},
+    )  # fmt: skip
+    run = jn.simulate(rig, TRIAL, control=law)
+    error = float(np.abs(run["sprung.z"] - own["sprung.z"]).max()) / np.ptp(own["sprung.z"].values)
+    assert 1e-5 * 1000.0 / rate < error < 4e-3 * 1000.0 / rate
+    free = jn.simulate(rig, TRIAL, control=law.model_copy(update={"parameters": {"gain": 0.0}}))
+    undamped = jn.simulate(rig.with_changes({"strut.damper.coefficient": 0.0}), TRIAL)
+    np.testing.assert_allclose(free["sprung.z"], undamped["sprung.z"], rtol=0.0, atol=1e-6)
+
+
+def test_every_corner_of_a_car_has_its_own_instance(made) -> None:
+    rig = jn.load("audi-a6-half-car-4dof")
+    law = FmuControl(file=made(2), inputs=INPUTS, output="coefficient", trusted=True)
+    own = jn.simulate(rig, TRIAL, control="passive")
+    run = jn.simulate(rig, TRIAL, control=law)
+    front, rear = (run[f"{corner}.command"].values for corner in ("front", "rear"))
+    assert np.abs(front - rear).max() > 100.0
+    assert own.sizes == run.sizes

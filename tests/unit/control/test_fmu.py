@@ -1,0 +1,231 @@
+"""FMUs of other tools: what they say of themselves, what is refused, what a crash does."""
+
+from __future__ import annotations
+
+import zipfile
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.control.fmu import FmuControl, caller
+from jounce.control.fmu.platforms import PLATFORMS, this_platform
+from jounce.core.errors import DescriptionError, JounceError, SimulationError
+
+fmu_component = pytest.importorskip("fmu_component")
+TRIAL = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="0.05 s")
+INPUTS = {"v_body": "sprung.vz", "v_strut": "strut.velocity"}
+RIG = jn.load("kart-quarter-car")
+needs_compiler = pytest.mark.skipif(not fmu_component.can_be_made(), reason="no compiler")
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("component")
+    return lambda version: fmu_component.binary(version, folder)
+
+
+def run(file, **changes):
+    fields = {"inputs": INPUTS, "output": "coefficient", **changes}
+    return jn.simulate(RIG, TRIAL, control=FmuControl(file=str(file), **fields))
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_what_an_fmu_says_of_itself(tmp_path, version) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", version, b"no library")
+    found = jn.read_fmu(file)
+    assert (found.version, found.name, found.platforms) == (version, "component", (this_platform(),))
+    assert [v.name for v in found.inputs] == ["v_body", "v_strut", "spare"]
+    assert found.can_step
+    assert not found.can_be_integrated
+    assert not found.findings
+    by_name = {v.name: v for v in (*found.inputs, *found.outputs, *found.parameters)}
+    assert found.conversion(by_name["v_body"], "m/s") == (pytest.approx(1000.0), 0.0)
+    assert found.conversion(by_name["v_strut"], "m/s") == (1.0, 0.0)  # without its base: by its name
+    assert found.conversion(by_name["spare"], "N") == (1.0, 0.0)
+    assert found.to_dict()["inputs"][0]["unit"] == "mm/s"
+
+
+def test_a_unit_with_an_offset(tmp_path) -> None:
+    units = '<UnitDefinitions><Unit name="degC"><BaseUnit K="1" offset="273.15"/></Unit></UnitDefinitions>'
+    text = fmu_component.description(3, units=units, spare="degC")
+    found = jn.read_fmu(fmu_component.write(tmp_path / "a.fmu", 3, b"", text))
+    factor, offset = found.conversion(found.inputs[2], "K")
+    assert factor * 300.0 + offset == pytest.approx(26.85)
+
+
+@pytest.mark.parametrize(
+    ("text", "what"),
+    [
+        (fmu_component.description(3, step='<ModelExchange modelIdentifier="component"/>'), "model exchange only"),
+        (fmu_component.description(2).replace('"2.0"', '"1.0"'), "another version of FMI"),
+        (
+            fmu_component.description(2, step='<CoSimulation modelIdentifier="c" needsExecutionTool="true"/>'),
+            "no binary",
+        ),
+        (
+            fmu_component.description(3, step='<CoSimulation modelIdentifier="component" needsExecutionTool="true"/>'),
+            "where the tool that made it is installed",
+        ),
+        (fmu_component.description(3, v_body="N.s/m"), "the unit does not fit"),
+        (fmu_component.description(3, force="mm/s"), "the unit does not fit"),
+        (fmu_component.description(3, v_strut="furlong/kg"), "wrong unit"),
+        (fmu_component.description(3).replace('valueReference="4"', ""), "no value reference"),
+        (fmu_component.description(3).replace('factor="0.001"', 'factor="0"'), "a unit of factor 0"),
+        (fmu_component.description(3).replace('factor="0.001"', 'factor="1,2"'), "not a number"),
+        ("<a", "not XML of an FMU"),
+        ('<!DOCTYPE a [<!ENTITY b "c">]><a>&b;</a>', "a document type"),
+        (
+            fmu_component.description(
+                3, step='<CoSimulation modelIdentifier="component" fixedInternalStepSize="0.0007"/>'
+            ),
+            "no multiple of the FMU's fixed step",
+        ),
+    ],
+)
+def test_what_cannot_be_run_is_refused_before_the_run(tmp_path, text, what) -> None:
+    version = 2 if '"2.0"' in text else 3
+    file = fmu_component.write(tmp_path / "a.fmu", version, b"no library", text)
+    with pytest.raises(DescriptionError, match=what):
+        run(file, output="force", actuator=jn.ActiveActuator())
+
+
+@pytest.mark.parametrize(
+    ("changes", "what"),
+    [
+        ({"inputs": {"v_bodi": "sprung.vz"}}, "unknown input 'v_bodi'.*v_body"),
+        ({"inputs": {"v_body": "sprung.v"}}, "unknown channel 'sprung.v'"),
+        ({"inputs": {"v_body": "sprung.z"}}, "the unit does not fit"),
+        ({"output": "coefficients"}, "unknown output.*coefficient"),
+        ({"output": "force"}, "the unit does not fit"),
+        ({"output": None}, "several outputs"),
+        ({"output": None, "outputs": {"left": "coefficient"}}, "outputs are given by corner"),
+        ({"parameters": {"gane": 1.0}}, "unknown parameter 'gane'.*gain"),
+        ({"parameters": {"gain": "3 m"}}, "wrong unit"),
+        ({"parameters": {"mistake": 1.5}}, "not a value of its type"),
+        ({"parameters": {"is_on": 2.0}}, "not a value of its type"),
+    ],
+)
+def test_names_and_units_that_do_not_fit(tmp_path, changes, what) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", 3, b"no library")
+    with pytest.raises(JounceError, match=what):
+        run(file, **changes)
+
+
+def test_a_binary_that_is_none(tmp_path) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", 3, b"no library")
+    for trusted in (False, True):
+        with pytest.raises(SimulationError, match="its binary cannot be loaded"):
+            run(file, trusted=trusted)
+
+
+def test_another_platform_is_named(tmp_path) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", 3, b"")
+    other = next(name for name in PLATFORMS if name != this_platform())
+    with pytest.raises(DescriptionError, match="it holds sources only"):
+        run(file)
+    with zipfile.ZipFile(file, "a") as archive:
+        archive.writestr(f"binaries/{other}/component{PLATFORMS[other].suffix}", b"x")
+    with pytest.raises(DescriptionError, match=f"no binary for this machine .{this_platform()}.*it holds {other}"):
+        run(file)
+
+
+@pytest.mark.parametrize("name", ["../out.txt", "/etc/out.txt", "resources/../../out.txt", "C:/out.txt", "a\\..\\b"])
+def test_paths_that_leave_the_archive(tmp_path, name) -> None:
+    folder = tmp_path / "in" / "side"
+    folder.mkdir(parents=True)
+    file = fmu_component.write(folder / "a.fmu", 3, b"x", **{name: b"out"})
+    with pytest.raises(DescriptionError, match="a path that leads out of the archive"):
+        jn.read_fmu(file)
+
+
+def test_archives_that_are_none_too_large_or_damaged(tmp_path) -> None:
+    file = tmp_path / "a.fmu"
+    file.write_bytes(b"PK\x03\x04 and no more")
+    with pytest.raises(DescriptionError, match="not an archive"):
+        jn.read_fmu(file)
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("readme", b"")
+    with pytest.raises(DescriptionError, match="no modelDescription"):
+        jn.read_fmu(file)
+    with zipfile.ZipFile(file, "w") as archive:
+        link = zipfile.ZipInfo("resources/link")
+        link.external_attr = 0o120777 << 16
+        archive.writestr(link, b"/etc")
+    with pytest.raises(DescriptionError, match="a link in the archive"):
+        jn.read_fmu(file)
+    with zipfile.ZipFile(file, "w") as archive:
+        for i in range(20_001):
+            archive.writestr(f"resources/{i}", b"")
+    with pytest.raises(DescriptionError, match="too large for an FMU; found '20001 files"):
+        jn.read_fmu(file)
+
+
+@needs_compiler
+@pytest.mark.parametrize("version", [2, 3])
+def test_an_fmu_that_crashes_fails_hangs_or_prints(tmp_path, library, version, monkeypatch) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", version, library(version))
+    with pytest.raises(SimulationError, match=r"t = 0.005 s: the FMU crashed \(signal 6\)"):
+        run(file, parameters={"mistake": 1})
+    for trusted in (False, True):
+        with pytest.raises(SimulationError, match=r"t = 0.005 s: the step from 0.005 s gave error: the valve is stuck"):
+            run(file, parameters={"mistake": 2}, trusted=trusted)
+        with pytest.raises(SimulationError, match="no finite command"):
+            run(file, parameters={"mistake": 5}, trusted=trusted)
+    told = run(file, parameters={"mistake": 3}).attrs["findings"]
+    assert any("notes.txt" in text for text in told)
+    quiet, loud = (run(file, parameters={"mistake": mistake}) for mistake in (0, 4))
+    np.testing.assert_array_equal(quiet["sprung.z"], loud["sprung.z"])
+    monkeypatch.setattr("jounce.control.fmu.controller._PATIENCE", 0.3)
+    with pytest.raises(SimulationError, match=r"it has not answered for 0\.3 s"):
+        run(file, parameters={"mistake": 6})
+
+
+@needs_compiler
+def test_parameters_reach_the_fmu_in_its_units(tmp_path, library) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", 2, library(2))
+    bump = jn.Trial(road=jn.HalfSine(height="5 mm", length="0.1 m"), speed="1 m/s", duration="0.2 s")
+    fields = {"file": str(file), "inputs": INPUTS, "output": "coefficient", "trusted": True}
+    limits = jn.SemiActiveDamper(minimum=10.0, maximum=1e6)
+
+    def commands(**parameters):
+        law = FmuControl(**fields, parameters=parameters, actuator=limits)
+        return jn.simulate(RIG, bump, control=law)["command"].values
+
+    assert np.array_equal(commands(gain="0.5 kN*s/m"), commands(gain=500.0))
+    assert commands(gain=500.0).max() > 11.0
+    assert np.all(commands(gain=500.0, is_on=False) == 10.0)
+
+
+@needs_compiler
+def test_another_token_is_refused_in_the_words_of_the_fmu(tmp_path, library) -> None:
+    text = fmu_component.description(2).replace('guid="component"', 'guid="other"')
+    file = fmu_component.write(tmp_path / "a.fmu", 2, library(2), text)
+    with pytest.raises(SimulationError, match="it gives no instance: another guid"):
+        run(file)
+
+
+def test_a_file_says_where_the_fmu_is(tmp_path) -> None:
+    file = tmp_path / "law.toml"
+    file.write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sub/a.fmu"\n[inputs]\nv_body = "sprung.vz"\n')
+    found = jn.controller(file, rate="500 Hz")
+    assert found.file == str(tmp_path / "sub" / "a.fmu")
+    assert (found.rate, found.inputs) == (500.0, {"v_body": "sprung.vz"})
+    file.write_text('schema = "jounce.control/1"\nlaw = "fmu"\n')
+    with pytest.raises(DescriptionError, match="file: the key is missing"):
+        jn.controller(file)
+    file.write_text('schema = "jounce.control/1"\nlaw = "fmv"\n')
+    with pytest.raises(DescriptionError, match="Did you mean 'fmu'"):
+        jn.controller(file)
+
+
+def test_both_ways_of_output_are_refused() -> None:
+    with pytest.raises(DescriptionError, match="both output and outputs"):
+        FmuControl(file="a.fmu", output="a", outputs={"front": "b"})
+
+
+def test_the_caller_stands_alone() -> None:
+    """A child runs it without jounce."""
+    from pathlib import Path
+
+    assert "jounce." not in Path(caller.__file__).read_text(encoding="utf-8")
