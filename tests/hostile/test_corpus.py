@@ -55,6 +55,12 @@ def test_a_part_of_the_files() -> None:
     judged("files", [(name, 7 * k + i, files.SEED) for i, name in enumerate(names) for k in range(FAST["files"])])
 
 
+def test_what_fresh_seeds_found() -> None:
+    """Cases that were bad when a seed was new, one of each kind."""
+    judged("files", [("mat73", 24, 16180), ("mat73", 86, 16180)])
+    judged("descriptions", [("limits", 4, "left out"), ("campaign", 54, "truth")])
+
+
 def test_a_part_of_the_models() -> None:
     names = models.SAMPLES
     judged("models", [(name, 5 * k + i, models.SEED) for i, name in enumerate(names) for k in range(FAST["files"])])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+import re
 import subprocess
 import sys
 
@@ -100,6 +101,9 @@ def test_validators_of_all_descriptions_can_be_made():
             seen.add(kind)
             waiting += kind.__subclasses__()
             kind.model_rebuild()
+            whole = {name: repr(one) for name, one in kind.model_fields.items() if re.search(r"\bint\b", repr(one))}
+            lax = [name for name, one in whole.items() if "strict=True" not in one]
+            assert not lax, f"{kind.__name__} takes true for a whole number: {lax}; annotate it with Whole"
     assert len(seen) > 100
 
 

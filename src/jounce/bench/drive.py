@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from jounce.bench.estimated import estimated, estimates_used
-from jounce.core.description import Description
+from jounce.core.description import Description, Whole
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.units import (
@@ -46,7 +46,7 @@ class BenchDrive(Description):
     motor_power: Power = 1500.0
     supply_frequency: Frequency = 60.0
     rated_motor_speed: AngularSpeed = 356.05
-    pole_pairs: Annotated[int, Field(ge=1, le=8)] = 1
+    pole_pairs: Annotated[Whole, Field(ge=1, le=8)] = 1
     motor_pulley_diameter: PositiveLength = 0.060
     cylinder_pulley_diameter: PositiveLength = 0.120
     belt_length: PositiveLength = 1.97

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
-from jounce.core.description import Description, read_description
+from jounce.core.description import Description, Whole, read_description
 from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
@@ -26,7 +26,7 @@ class StiffnessBench(TableFormat):
 
     files: tuple[str, ...] = Field(min_length=1)
     law: Literal["linear", "polynomial", "power", "monotone-spline"] = "linear"
-    degree: Annotated[int, Field(ge=1, le=6)] = 3
+    degree: Annotated[Whole, Field(ge=1, le=6)] = 3
     discard_below: NonNegativeLength = 0.0
     intercept: Literal["drop", "shift", "keep"] = "drop"
     branch: Literal["loading", "unloading", "both"] = "loading"
@@ -89,7 +89,7 @@ AnExcitation = Annotated[ExcitationFile | None, BeforeValidator(_named)]
 class TrialEntry(RecordingFormat):
     """One run over the obstacle course (or on a shaker) and its recording."""
 
-    number: int
+    number: Whole
     speed: PositiveSpeed | None = None
     road: str | None = None
     excitation: AnExcitation = None
@@ -117,14 +117,14 @@ class UpdateEntry(Description):
 
     name: str
     free: dict[str, Any]
-    trials: tuple[int, ...] | Literal["fit"] = "fit"
+    trials: tuple[Whole, ...] | Literal["fit"] = "fit"
     method: Literal["bfgs", "least-squares"] = "least-squares"
     start_from: str | None = None
     tyre_law: Literal["as-rig", "polynomial"] = "as-rig"
     weights: Literal["printed", "normalised"] | dict[str, NonNegativeNumber] = "printed"
     channels: tuple[str, ...] | None = None
     align: Literal["lag"] | None = None
-    starts: Annotated[int, Field(ge=1, le=1000)] = 1
+    starts: Annotated[Whole, Field(ge=1, le=1000)] = 1
 
 
 class Campaign(Description):

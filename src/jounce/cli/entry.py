@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import sys
 import traceback
@@ -37,9 +38,11 @@ from jounce.cli.reply import (
     REFUSED,
     STOPPED,
     Reply,
+    lead_nowhere,
+    make_streams_usable,
     refuse,
-    replace_unknown_characters,
     report_error,
+    tell,
 )
 from jounce.core.errors import JounceError, OutputError, nearest
 from jounce.core.text import shortened
@@ -181,7 +184,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     int
         Exit code: 0 done, 1 something failed, 2 the request is wrong, 130 interrupted.
     """
-    replace_unknown_characters()
+    make_streams_usable()
     _one_thread_for_matrices()
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
@@ -195,12 +198,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort):
-        sys.stderr.write("jounce: interrupted; no file is left half-written.\n")
+        tell("interrupted; no file is left half-written.")
         return STOPPED
-    except BrokenPipeError:
-        # nobody reads any more: what Python flushes at its end goes nowhere
-        with contextlib.suppress(OSError, ValueError, AttributeError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (BrokenPipeError, SystemExit):  # nobody reads any more; the help's console ends the process then
+        lead_nowhere(sys.stdout)
         return PIPE_CLOSED
     except _CLICK_ERROR as error:
         return _misused(error, as_json=as_json)
@@ -208,8 +209,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return refuse(error, as_json=as_json)
     except OSError as error:
         hint = "Check the path, the permissions and the disk space."
-        found = OutputError(error.strerror or str(error), where=str(error.filename or ""), hint=hint)
-        return refuse(found, as_json=as_json)
+        where = str(error.filename or _nameless(error))
+        return refuse(OutputError(error.strerror or str(error), where=where, hint=hint), as_json=as_json)
+    except ImportError as error:
+        hint = "Is the installation whole, and is there memory for it?"
+        return refuse(JounceError("a library cannot be loaded", found=str(error), hint=hint), as_json=as_json)
     except UnicodeEncodeError as error:
         hint = "Is it written in another encoding than UTF-8?"
         return refuse(JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json)
@@ -223,6 +227,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         plain = {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}
         return report_error(plain, FAILED, as_json=as_json)
     return exit_code
+
+
+def _nameless(error: OSError) -> str:
+    """What the system was asked for where an error does not name it: files that are written name themselves."""
+    if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EIO):
+        lead_nowhere(sys.stdout)
+        return "standard output"
+    try:
+        os.getcwd()  # noqa: PTH109 - only whether it is there
+    except OSError:
+        return "the current folder"
+    return ""
 
 
 @cache

@@ -117,7 +117,8 @@ def _check_toml(checked: Checked) -> None:
 
     table, text = read_toml(checked.file)
     of_header = {*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)}
-    if "schema" not in table and not of_header.isdisjoint(flat_facts(table)):
+    further = {key for key, value in table.items() if isinstance(value, (dict, list))} - {*SIDES}
+    if "schema" not in table and not further and not of_header.isdisjoint(flat_facts(table)):
         _check_header(checked, flat_facts(table), text)
         return
     schema = table.get("schema", "jounce.road/1" if "kind" in table else None)

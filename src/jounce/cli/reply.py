@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import json
 import os
@@ -11,6 +12,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO, cast
 
 from jounce.cli.everywhere import VIEW
@@ -100,11 +102,26 @@ def print_json(plain: Mapping[str, Any]) -> None:
     sys.stdout.write(f"{visible(text, json=True)}\n")
 
 
-def replace_unknown_characters() -> None:
-    """Make streams that are not Unicode show a question mark instead of failing."""
+def make_streams_usable() -> None:
+    """Let closed streams lead nowhere, those that are not Unicode show question marks, and widths be a terminal's."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):  # the next file would have their numbers
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - as long as the process
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream):
             stream.reconfigure(errors="replace")
+    columns = os.environ.get("COLUMNS", "")
+    if columns and not (columns.isdecimal() and len(columns) < 5 and _NARROWEST <= int(columns) <= _WIDEST):
+        del os.environ["COLUMNS"]
+
+
+_NARROWEST, _WIDEST = 20, 1000  # characters of a line that can be read
+
+
+def lead_nowhere(stream: TextIO) -> None:
+    """Let what Python flushes at its end go nowhere."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _is_unicode(stream: TextIO) -> bool:
@@ -140,13 +157,19 @@ def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> 
     """Print an error as one message on stderr and, when asked for, as ``{"error": ...}`` on stdout."""
     tell(error["message"])
     if as_json:
-        print_json({"error": error})
+        with contextlib.suppress(OSError):  # which may be what it is about
+            print_json({"error": error})
+            sys.stdout.flush()
     return exit_code
 
 
 def tell(message: str, *, program: str = "jounce: ") -> None:
-    """Write one message to stderr."""
-    sys.stderr.write(f"{program}{visible(message)}\n")
+    """Write one message to stderr, where somebody reads it."""
+    try:
+        sys.stderr.write(f"{program}{visible(message)}\n")
+        sys.stderr.flush()
+    except OSError:
+        lead_nowhere(sys.stderr)
 
 
 class Elapsed:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
 
-from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationError
+from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from jounce.core.errors import DescriptionError, nearest, shown
@@ -16,6 +16,8 @@ from jounce.core.kinds import FILE_REF, Kinds
 from jounce.core.shown import Shown
 
 D = TypeVar("D", bound="Description")
+Whole = Annotated[int, Strict()]
+"""A whole number of a description; neither ``true`` nor ``"1"`` is one."""
 
 
 if TYPE_CHECKING:

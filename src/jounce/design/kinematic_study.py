@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, misplaced
+from jounce.core.description import Description, Whole, misplaced
 from jounce.core.units import Unit
 from jounce.kinematics.sweeps import AxleLayout
 
@@ -110,8 +110,8 @@ class KinematicStudy(Description):
     target: tuple[KinematicTarget, ...] = Field(min_length=1)
     vehicle: AxleLayout | None = None
     vehicles: dict[str, AxleLayout] | None = None
-    starts: Annotated[int, Field(ge=1, le=10_000)] = 8
-    seed: Annotated[int, Field(ge=0)] = 0
+    starts: Annotated[Whole, Field(ge=1, le=10_000)] = 8
+    seed: Annotated[Whole, Field(ge=0)] = 0
 
     @model_validator(mode="after")
     def _has_rigs(self) -> KinematicStudy:

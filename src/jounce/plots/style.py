@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import logging
+import os
 import re
+import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
@@ -81,11 +84,25 @@ _SETTINGS: dict[str, Any] = {
 }
 
 
-def style() -> AbstractContextManager[None]:
-    """Give the context in which figures are made and written."""
+def library() -> Any:
+    """Give matplotlib, also where MPLBACKEND names a window that there is none of: jounce opens none."""
+    if "matplotlib" in sys.modules:
+        return sys.modules["matplotlib"]
+    asked = os.environ.pop("MPLBACKEND", "")
     import matplotlib as mpl
 
-    settings: dict[Any, Any] = {**mpl.rcParamsDefault, "backend": "agg", **_SETTINGS}
+    if asked:
+        os.environ["MPLBACKEND"] = asked
+        with contextlib.suppress(ValueError):
+            mpl.rcParams["backend"] = asked
+    return mpl
+
+
+def style() -> AbstractContextManager[None]:
+    """Give the context in which figures are made and written."""
+    mpl = library()
+    settings: dict[Any, Any] = {**mpl.rcParamsDefault, **_SETTINGS}
+    del settings["backend"]  # the user's, which a context would not give back; figures are drawn without one
     return mpl.rc_context(settings)
 
 

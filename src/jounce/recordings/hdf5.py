@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -16,17 +17,20 @@ _MOST = 5e8
 
 def held_rows(dataset: Any) -> tuple[int, int]:
     """The longest axis of an h5py dataset, and how many of its rows were written, apart from gaps within."""
+    _check_kind(dataset)
     shape = dataset.shape
     axis = int(np.argmax(shape)) if shape else 0
     announced = int(shape[axis]) if shape else 1
     if dataset.chunks is None:
         written = dataset.id.get_storage_size()
         return axis, announced if written or dataset.nbytes == 0 else 0
-    count = dataset.id.get_num_chunks()
     expected = math.prod(-(-size // chunk) for size, chunk in zip(shape, dataset.chunks, strict=True))
+    listed: list[Any] = []
+    dataset.id.chunk_iter(listed.append)
+    ends = [piece.chunk_offset[axis] + dataset.chunks[axis] for piece in listed if _is_found(dataset, piece)]
+    count = len(ends)
     if count >= expected:
         return axis, announced
-    ends = [dataset.id.get_chunk_info(index).chunk_offset[axis] + dataset.chunks[axis] for index in range(count)]
     whole = expected // -(-announced // dataset.chunks[axis]) * -(-max(ends, default=0) // dataset.chunks[axis])
     if count < whole:
         raise RecordingError(
@@ -35,6 +39,42 @@ def held_rows(dataset: Any) -> tuple[int, int]:
             found=f"{count} of {expected} pieces",
         )
     return axis, min(announced, max(ends, default=0))
+
+
+def _is_found(dataset: Any, piece: Any) -> bool:
+    """Whether a piece that is listed lies somewhere and is found where it is read from: damage can hide it."""
+    if piece.byte_offset is None:
+        return False
+    try:
+        return bool(dataset.id.read_direct_chunk(piece.chunk_offset)[1])
+    except (OSError, RuntimeError):
+        return False
+
+
+def _check_kind(dataset: Any) -> None:
+    """Refuse numbers that lie in other files, and those that no program writes: one damaged bit makes others of all."""
+    import h5py
+
+    where = f"{dataset.file.filename}: {dataset.name.lstrip('/')}"
+    if dataset.external or dataset.is_virtual:
+        hint = "Copy them into this one, e.g. with h5repack."
+        raise RecordingError("the numbers lie in other files", where=where, hint=hint)
+    kind = dataset.id.get_type()
+    if isinstance(kind, (h5py.h5t.TypeFloatID, h5py.h5t.TypeIntegerID)) and not any(
+        kind == known for known in _known_kinds()
+    ):
+        what = "numbers of a kind that no program writes: the file is damaged"
+        allowed = "integers of up to 8 bytes, floating-point numbers of 2, 4 or 8"
+        raise RecordingError(what, where=where, allowed=allowed, hint="Use an original copy.")
+
+
+@cache
+def _known_kinds() -> tuple[Any, ...]:
+    from h5py import h5t
+
+    kinds = (("IEEE_F", (16, 32, 64)), ("STD_I", (8, 16, 32, 64)), ("STD_U", (8, 16, 32, 64)))
+    names = [f"{kind}{bits}{end}" for kind, sizes in kinds for bits in sizes for end in ("LE", "BE")]
+    return *(getattr(h5t, name) for name in names), h5t.NATIVE_LDOUBLE
 
 
 def held_part(dataset: Any, where: str) -> tuple[Array, list[Finding]]:

@@ -96,7 +96,7 @@ class _Child:
         told = {
             "reader": reader,
             "path": str(path),
-            "folder": str(Path.cwd()),
+            "folder": _folder(),
             "variable": options.variable,
             "header": options.header,
             "database": None if options.database is None else str(options.database),
@@ -149,6 +149,13 @@ class _Child:
             if pipe is not None:
                 with contextlib.suppress(OSError):
                     pipe.close()
+
+
+def _folder() -> str:
+    """The folder that this process stands in; any other where it is gone: then no name is relative to it."""
+    with contextlib.suppress(OSError):
+        return str(Path.cwd())
+    return os.sep
 
 
 _LIMITS_MEMORY = sys.platform.startswith("linux")

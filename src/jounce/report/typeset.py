@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.optional import require
+from jounce.plots.style import library
 
 TYPESETTER = ("typst", "pdf")
 """The package that sets documents and draws SVG, and the extra that it comes with."""
@@ -44,15 +45,14 @@ _ASCII = 0x7F
 
 @cache
 def _letters() -> frozenset[str]:
+    fonts = _fonts()
     from matplotlib.ft2font import FT2Font
 
-    return frozenset(map(chr, FT2Font(str(_fonts() / "DejaVuSans.ttf")).get_charmap()))
+    return frozenset(map(chr, FT2Font(str(fonts / "DejaVuSans.ttf")).get_charmap()))
 
 
 def _fonts() -> Path:
-    import matplotlib as mpl
-
-    return Path(mpl.get_data_path()) / "fonts" / "ttf"
+    return Path(library().get_data_path()) / "fonts" / "ttf"
 
 
 def breakable(value: Any) -> Any:

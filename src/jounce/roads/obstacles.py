@@ -10,6 +10,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from jounce.core.description import Whole
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.core.units import Height, NonNegativeLength, PositiveHeight, PositiveLength
 from jounce.roads.profile import Piece, Profile, profile, repeated
@@ -371,7 +372,7 @@ class Train(RoadOf):
     """
 
     kind: Literal["train"] = "train"
-    count: int = Field(ge=1, le=1_000_000, strict=True)
+    count: Whole = Field(ge=1, le=1_000_000)
     pitch: PositiveLength
 
     def check(self) -> None:

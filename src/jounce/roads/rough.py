@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import BeforeValidator, Field
 
+from jounce.core.description import Whole
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -204,7 +205,7 @@ class Iso8608(SampledRoad):
     roughness: Roughness | None = None
     length: PositiveLength
     step: PositiveLength = 0.05
-    seed: int = Field(default=0, ge=0, lt=2**63, strict=True)
+    seed: Whole = Field(default=0, ge=0, lt=2**63)
     waviness: Waviness = 2.0
     band: tuple[SpatialFrequency, SpatialFrequency] = BAND
     run_in: NonNegativeLength | None = None
@@ -396,8 +397,8 @@ class SineSum(Road):
     class_: ClassName | None = Field(default=None, alias="class")
     roughness: Roughness | None = None
     spacing: SpatialFrequency = 0.01
-    first: int = Field(default=2, ge=1, strict=True)
-    last: int = Field(default=300, ge=1, le=1_000_000, strict=True)
+    first: Whole = Field(default=2, ge=1)
+    last: Whole = Field(default=300, ge=1, le=1_000_000)
     waviness: Waviness = 2.0
     step: PositiveLength = 0.02
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, line_of, misplaced, read_description
+from jounce.core.description import Description, Whole, line_of, misplaced, read_description
 from jounce.core.errors import JounceError
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
@@ -40,8 +40,8 @@ class SweepDesign(Description):
     """
 
     kind: Layout
-    count: Annotated[int, Field(ge=1, le=MOST)] | None = None
-    seed: Annotated[int, Field(ge=0)] = 0
+    count: Annotated[Whole, Field(ge=1, le=MOST)] | None = None
+    seed: Annotated[Whole, Field(ge=0)] = 0
 
     @model_validator(mode="after")
     def _counts_what_is_drawn(self) -> SweepDesign:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import io
-import itertools
 import os
 import shlex
 import shutil
 import tempfile
+import zlib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from corpus.judging import is_clear
+from corpus.mutations import SEED
 from jounce.core.text import visible
 
 BASES = {
@@ -147,7 +148,6 @@ def commands() -> dict[str, Any]:
 def cases() -> list[tuple[str, str, str]]:
     """Command, option or argument, and name of the value."""
     found: list[tuple[str, str, str]] = []
-    turn = itertools.count()
     kinds = list(VALUES)
     for name, command in commands().items():
         found += [(name, place, "") for place in ("no such option", "one word too many", "an option twice", "no value")]
@@ -157,8 +157,10 @@ def cases() -> list[tuple[str, str, str]]:
             option = parameter.opts[0] if parameter.param_type_name == "option" else parameter.name.upper()
             if getattr(parameter, "is_flag", False):
                 continue
-            most = 3 if name in SLOW else 4
-            found += [(name, option, kinds[next(turn) * 5 % len(kinds)]) for _ in range(most)]
+            # A seed of its own, so that an option more changes nothing of the others.
+            random = np.random.default_rng([SEED, zlib.crc32(f"{name} {option}".encode())])
+            chosen = random.choice(len(kinds), 3 if name in SLOW else 4, replace=False)
+            found += [(name, option, kinds[index]) for index in sorted(chosen)]
     return found
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from corpus.commands import folder_of_files, said_by
 from corpus.judging import is_clear
+from corpus.mutations import SEED
 from jounce.core.errors import DescriptionError
 from jounce.core.units import to_si
 
@@ -134,7 +135,7 @@ def cases(most: int = 55) -> list[tuple[str, int, str]]:
     for kind in KINDS:
         _, keys = lines_of(kind)
         pairs = [(line, wrong) for line in keys for wrong in wrongs]
-        chosen = np.random.default_rng(20261122).permutation(len(pairs))[:most]
+        chosen = np.random.default_rng(SEED).permutation(len(pairs))[:most]
         found += [(kind, *pairs[index]) for index in sorted(chosen)]
     return found
 

@@ -10,9 +10,8 @@ import numpy as np
 
 from corpus import recordings
 from corpus.judging import is_clear
-from corpus.mutations import STRUCTURAL, mutated
+from corpus.mutations import SEED, STRUCTURAL, mutated
 
-SEED = 31415
 FEW = 3  # numbers in text that bytes put between them may change
 TIME = 3.0
 """Seconds of computing after which reading is taken to be endless: whole files of this size take some hundredths."""

@@ -14,9 +14,8 @@ from typing import Any
 import numpy as np
 
 from corpus.judging import is_clear
-from corpus.mutations import mutated
+from corpus.mutations import SEED, mutated
 
-SEED = 31415
 _FILES = Path(__file__).parents[2] / "files"
 SAMPLES = {
     "Chrono: double wishbone": "chrono/HMMWV_DoubleWishboneFront_mapShock.json",

@@ -57,6 +57,46 @@ def test_a_gap_within_is_no_end(tmp_path: Path) -> None:
         read_recording(file)
 
 
+def test_a_piece_that_is_listed_and_lies_nowhere_was_never_written(tmp_path: Path) -> None:
+    file = written(tmp_path / "a.nc", 3000, 3000)
+    with h5py.File(file) as content:
+        begin = content["sprung.az"].id.get_chunk_info(1).byte_offset
+    key = (1000).to_bytes(8, "little") + bytes(8)  # where the piece begins, and then where it lies
+    whole = file.read_bytes()
+    assert whole.count(key + begin.to_bytes(8, "little")) == 1
+    file.write_bytes(whole.replace(key + begin.to_bytes(8, "little"), key + b"\xff" * 8))
+    with pytest.raises(RecordingError, match=r"parts of the record were never written; found '2 of 3 pieces'"):
+        read_recording(file)
+
+
+def test_numbers_of_a_kind_that_no_program_writes(tmp_path: Path) -> None:
+    """One bit of a kind's exponent makes other numbers of all, which look like those of a recording."""
+    odd = h5py.h5t.IEEE_F64LE.copy()
+    odd.set_ebias(odd.get_ebias() ^ 2)
+    for kind, is_refused in ((odd, True), (h5py.h5t.IEEE_F32BE, False), (h5py.h5t.STD_I16LE, False)):
+        with h5py.File(tmp_path / "a.h5", "w") as content:
+            space = h5py.h5s.create_simple((4,))
+            signal = h5py.Dataset(h5py.h5d.create(content.id, b"a", kind, space))
+            signal[:] = [1, 2, 3, 4]
+            if is_refused:
+                with pytest.raises(RecordingError, match="a: numbers of a kind that no program writes"):
+                    held_part(signal, "a.h5")
+            else:
+                np.testing.assert_array_equal(held_part(signal, "a.h5")[0], [1, 2, 3, 4])
+
+
+def test_numbers_that_lie_in_other_files_are_not_read(tmp_path: Path) -> None:
+    (tmp_path / "secret").write_bytes(bytes(range(24)))
+    with h5py.File(tmp_path / "a.h5", "w") as content:
+        content.create_dataset("a", (3,), float, external=[(str(tmp_path / "secret"), 0, 24)])
+        layout = h5py.VirtualLayout((3,), float)
+        layout[:] = h5py.VirtualSource(str(tmp_path / "a.h5"), "a", (3,))
+        content.create_virtual_dataset("b", layout)
+        for name in ("a", "b"):
+            with pytest.raises(RecordingError, match=f"{name}: the numbers lie in other files"):
+                held_part(content[name], "a.h5")
+
+
 @pytest.mark.parametrize(
     ("values", "says"),
     [
