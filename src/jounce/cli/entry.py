@@ -17,6 +17,7 @@ import typer
 from jounce.cli import (
     bench,
     campaign,
+    clearances,
     design,
     exchange,
     files,
@@ -27,6 +28,7 @@ from jounce.cli import (
     pictures,
     ride,
     simulate,
+    steering_effort,
     study,
 )
 from jounce.cli.everywhere import as_usual, completed, open_pages
@@ -70,6 +72,8 @@ def application() -> typer.Typer:
     app.command("adjust")(kinematics.adjust)
     app.command("kinematics")(kinematics.kinematics)
     app.command("load-cases")(load_cases.load_cases)
+    app.command("clearances")(clearances.clearances)
+    app.command("steering-effort")(steering_effort.steering_effort)
     app.command("ride")(ride.ride)
     app.command("compare", cls=ride.NamesControllers)(ride.compare)
     app.command("iri")(ride.iri)

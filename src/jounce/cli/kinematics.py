@@ -147,7 +147,7 @@ def kinematics(
     exit_code = REFUSED if stopped else DONE
     return Reply(
         plain_sweep(sweep),
-        lambda console: _draw(console, rig, sweep, written),
+        lambda console: draw_sweep(console, f"Kinematics of {rig}", sweep, written),
         as_json,
         exit_code,
         [*missing, *undrawn],
@@ -301,7 +301,8 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
     return found
 
 
-def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None:
+def draw_sweep(out: Console, title: str, sweep: xr.Dataset, written: list[str]) -> None:
+    """Some poses of a sweep as a table, a quantity a row."""
     import numpy as np
 
     from jounce.core.display import display_unit
@@ -319,7 +320,7 @@ def _draw(out: Console, rig: str, sweep: xr.Dataset, written: list[str]) -> None
         shown_values = (kinematic_value(str(name), float(value), si) for value in values[at])
         rows.append([str(name), own.name or "1", *shown_values])
     header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}" for value in shown[along].to_numpy()[at]))
-    out.print(table(f"Kinematics of {rig} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
+    out.print(table(f"{title} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
     many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
     out.print(f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}")
     for path in written:

@@ -220,7 +220,7 @@ class Axle:
         reached = sweep.found.outcome == REACHED
         values = np.full((len(sweep.model.rows), count), np.nan)
         values[:, kept] = sweep.in_place(sweep.found.outputs, reached).reshape(len(values), -1)
-        self._note(sweep)
+        self.note(sweep)
         names = [row.name for row in sweep.model.rows]
         if self._directions is not None:
             self.slopes[side] = self._sloped(sweep, names, kept, count)
@@ -263,7 +263,8 @@ class Axle:
     def _flipped(self, rows: dict[str, Array], rig: Corner) -> dict[str, Array]:
         return {name: rig.sign * value if name in _ODD else value for name, value in rows.items()}
 
-    def _note(self, sweep: PreparedSweep) -> None:
+    def note(self, sweep: PreparedSweep) -> None:
+        """Keep the ends of travel that a sweep came to, if they are the first."""
         if not self.ends and np.any(sweep.found.outcome != REACHED):
             self.ends = sweep.ends()
 

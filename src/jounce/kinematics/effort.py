@@ -67,7 +67,7 @@ def steering_effort(
     lifted = to_si(travel, "m", where="wheel travel")
     found = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
     axle, to_left = Axle(corner), "positive: to the left"
-    forces = [_rack_force(one, load, racks, lifted) for one, load in ((corner, left), (corner.mirrored(), right))]
+    forces = [_rack_force(axle, one, load, racks, lifted) for one, load in ((corner, left), (corner.mirrored(), right))]
     total = forces[0] + forces[1]
     found.add("rack_force", total, "N", "force of both wheels on the rack", to_left)
     for name, force in zip(("left", "right"), forces, strict=True):
@@ -81,10 +81,11 @@ def steering_effort(
     return found.dataset(np.isfinite(total), axle, corner)
 
 
-def _rack_force(rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
-    """Force of a wheel on the rack, N, to the left; NaN where it cannot be steered to."""
+def _rack_force(axle: Axle, rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
+    """Force of a wheel on the rack, N, to the left; NaN where it cannot be steered to, which the axle notes."""
     sweep = prepare_sweep(rig, travel, racks)
     rows, joints = balanced(sweep, load)
+    axle.note(sweep)
     forces = vector_forces(joints, joints.balance.solve())
     inner = "tie_rod_inner" if "tie_rod_inner" in forces else "link_5_inner"
     found = np.full(len(racks), np.nan)

@@ -292,4 +292,4 @@ def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
             axes.tick_params(labelbottom=True)
     handles, labels = grid.flat[0].get_legend_handles_labels()
     if any(labels):
-        figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
+        figure.legend(handles, labels, loc="outside upper right", ncols=min(len(labels), 2 * columns))

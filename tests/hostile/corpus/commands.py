@@ -38,6 +38,9 @@ BASES = {
     "completion": "completion bash",
     "load-cases": "load-cases formula-student-front --car axle=front --car mass=280 --car wheelbase=1.55 "
     "--car centre_of_mass_height=0.3 --car weight_share=0.48 --car brake_share=0.65",
+    "clearances": "clearances kart-double-wishbone --between "
+    '"rod: tie_rod_inner-tie_rod_outer 5 mm, rim 120 mm from -50 mm to 20 mm"',
+    "steering-effort": 'steering-effort kart-double-wishbone --load lateral_force="100 N"',
     "campaign run": "campaign run none.toml --out results",
     "campaign new": "campaign new mine",
     "campaign synthesise": 'campaign synthesise bench --duration "0.6 s"',

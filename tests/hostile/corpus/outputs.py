@@ -86,7 +86,9 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("animate", "--report"): (".html",),
         ("inspect evaluate", "--report"): tuple(PROTOCOLS.writers),
         ("inspect export", "--out"): tuple(TABLES.writers),
-        ("kinematics", "--out"): tuple(SWEEP_FILES.writers),
+        **dict.fromkeys(
+            ((one, "--out") for one in ("kinematics", "clearances", "steering-effort")), (*SWEEP_FILES.writers,)
+        ),
         ("export fmu", "--out"): (".fmu",),
         **dict.fromkeys(
             ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)
