@@ -86,6 +86,18 @@ def test_help_loads_no_numbers():
     assert done.stderr == "False\n"
 
 
+def test_a_process_hardly_looks_for_garbage_while_it_loads():
+    script = (
+        "import gc, sys\nseen = []\ngc.callbacks.append(lambda phase, _: seen.append(phase))\n"
+        "from jounce.__main__ import run\nsys.argv[1:] = ['library', 'kart-quarter-car']\ncode = run()\n"
+        "print(code, len(seen), gc.get_freeze_count() > 50_000, file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    code, seen, frozen = done.stderr.split()
+    assert (code, frozen) == ("0", "True")
+    assert int(seen) < 20  # it was more than 200
+
+
 def test_validators_of_all_descriptions_can_be_made():
     """They are made when the first of a kind is made, so a mistake in one would show late."""
     import jounce

@@ -95,20 +95,29 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
     with told("compiling the model (once on this machine)"), _garbage_waits():
-        source = make()
-        # Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes
-        # seconds.
-        names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
-        objects = _emit(source.functions, source.step)
-        head = {"names": names, "notes": source.notes, "sizes": [len(code) for code in objects]}
-        content = joined(head, b"".join(objects))
+        content = _made(make)
         keep(key, content)
     return _load(content)
 
 
+def _made(make: Callable[[], Source]) -> bytes:
+    """Make an entry of the cache.
+
+    Code is kept as an object file: loading one takes a millisecond, where optimising the same functions takes seconds.
+    """
+    source = make()
+    names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
+    objects = _emit(source.functions, source.step)
+    head = {"names": names, "notes": source.notes, "sizes": [len(code) for code in objects]}
+    return joined(head, b"".join(objects))
+
+
 @contextlib.contextmanager
 def _garbage_waits() -> Iterator[None]:
-    """Collect no garbage for a while: a model is made of a million small objects, and hardly one of them is any."""
+    """Collect no garbage for a while: a model is made of a million small objects, and hardly one of them is any.
+
+    They are let go before its end, or the first collection would look at each of them.
+    """
     collects = gc.isenabled()
     gc.disable()
     try:
@@ -152,6 +161,10 @@ def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> 
 
 
 def _parsed(lowering: Lowering) -> Any:
+    """The module as LLVM has it; what it was written as, where blocks and instructions hold each other, is let go."""
     module = llvm.parse_assembly(str(lowering.module))
+    for function in lowering.module.functions:
+        for block in function.blocks:
+            block.instructions = []
     module.verify()
     return module

@@ -106,7 +106,7 @@ class Graph:
             work[outputs[0]] = len(self.nodes) - 1
         every = range(len(parts.prefixes))
         self._within = {mask: [i for i in every if mask >> i & 1] for mask in range(1 << len(every))}
-        self._groups = [(group, sum(1 << part for part in group)) for group in parts.groups]
+        self._groups = [sum(1 << part for part in group) for group in parts.groups]
         self.shapes, self.masks = [-1] * len(self.nodes), [SHARED] * len(self.nodes)
         self._known: dict[Any, int] = {}
         self._mixed = set[int]()
@@ -151,15 +151,19 @@ class Graph:
     def _gather(self) -> None:
         """Find the nodes of each shape by their parts, and the groups of parts in which it is complete."""
         self.members: dict[int, dict[int, int]] = {}
+        present: dict[int, int] = {}
         for i, (shape, mask) in enumerate(zip(self.shapes, self.masks, strict=True)):
-            if mask != SHARED:
-                lanes = self.members.setdefault(shape, {})
+            if mask == SHARED:
+                continue
+            lanes = self.members.get(shape)
+            if lanes is None:
+                lanes, present[shape] = self.members.setdefault(shape, {}), 0
+            if mask & ~present[shape]:
+                present[shape] |= mask
                 for part in self._within[mask]:
                     lanes.setdefault(part, i)
-        self._complete = {
-            shape: sum(mask for group, mask in self._groups if all(part in lanes for part in group))
-            for shape, lanes in self.members.items()
-        }
+        whole = {mask: sum(group for group in self._groups if group & mask == group) for mask in {*present.values()}}
+        self._complete = {shape: whole[mask] for shape, mask in present.items()}
 
     def _combined(self, i: int, node: Node) -> tuple[tuple[Any, ...], int]:
         """Shape and parts of an operation."""
@@ -266,10 +270,10 @@ class Emission:
             return [group] if group else [("number", i) for i in graph.nodes[node].operands]
         if item[0] == "spread":
             return [("number", item[1])]
-        lanes = graph.lanes(item[1], item[2])
-        if graph.is_mixed(lanes[0]):
-            return [("number", i) for i in lanes]
-        return self._operands(lanes, item[2])
+        first = graph.members[item[1]][item[2][0]]
+        if graph.is_mixed(first):
+            return [("number", i) for i in graph.lanes(item[1], item[2])]
+        return self._operands(first, item[2])
 
     def _vector_of(self, node: int) -> tuple[Any, ...] | None:
         """The vector that a node's value is taken from."""
@@ -279,11 +283,12 @@ class Emission:
         group = graph.group_of(node)
         return ("vector", graph.shapes[node], group) if group is not None else None
 
-    def _operands(self, lanes: tuple[int, ...], group: tuple[int, ...]) -> list[tuple[Any, ...]]:
+    def _operands(self, first: int, group: tuple[int, ...]) -> list[tuple[Any, ...]]:
+        """What a vector is made of, whose first lane is a node."""
         graph = self._graph
         return [
             ("spread", i, len(group)) if graph.masks[i] == SHARED else ("vector", graph.shapes[i], group)
-            for i in graph.nodes[lanes[0]].operands
+            for i in graph.nodes[first].operands
         ]
 
     def _make(self, item: tuple[Any, ...]) -> ir.Value:
@@ -291,7 +296,7 @@ class Emission:
         if item[0] == "spread":
             return self._gathered([self._made["number", item[1]]] * item[2])
         if item[0] == "vector":
-            return self._vector(graph.lanes(item[1], item[2]), item[2])
+            return self._vector(item[1], item[2])
         node = graph.nodes[item[1]]
         vector = self._vector_of(item[1])
         if vector:
@@ -303,17 +308,19 @@ class Emission:
             return self._load(*node.leaf)
         return self._scalar(node.operation, [self._made["number", i] for i in node.operands])
 
-    def _vector(self, lanes: tuple[int, ...], group: tuple[int, ...]) -> ir.Value:
-        graph, first = self._graph, self._graph.nodes[lanes[0]]
-        if graph.is_mixed(lanes[0]):
-            return self._gathered([self._made["number", i] for i in lanes])
+    def _vector(self, shape: int, group: tuple[int, ...]) -> ir.Value:
+        graph = self._graph
+        node = graph.members[shape][group[0]]
+        first = graph.nodes[node]
+        if graph.is_mixed(node):
+            return self._gathered([self._made["number", i] for i in graph.lanes(shape, group)])
         if first.operation == "OP_INPUT":
-            leaves = [graph.nodes[i].leaf for i in lanes]
+            leaves = [graph.nodes[i].leaf for i in graph.lanes(shape, group)]
             offset = self._table.get(tuple(element for _, element in leaves))
             if leaves[0][0] == 2 and offset is not None:
                 return self._load_wide(offset, len(group))
             return self._gathered([self._load(*leaf) for leaf in leaves])
-        operands = [self._made[item] for item in self._operands(lanes, group)]
+        operands = [self._made[item] for item in self._operands(node, group)]
         found = self._wide(first.operation, operands)
         if found is not None:
             return found
