@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.plots.labels import column_height, column_width, write_names
-from jounce.plots.mechanisms.scene import Pose, Poses, Scene, poses_of, scene_of
+from jounce.plots.mechanisms.scene import MIDDLE, Pose, Poses, Scene, poses_of, scene_of
 from jounce.plots.style import INK, MUTED, figure_type, styled
 
 if TYPE_CHECKING:
@@ -150,6 +150,10 @@ def draw_pose(
             continue
         colour = look.colour or part.colour
         flat = MM * view.flat(np.array([pose.points[name] for name in part.points]))
+        if part.coil and not look.ghost:
+            turns = coil(*(pose.points[name] for name in part.points), scene.coil_radius)
+            _line(axes, MM * view.flat(turns), colour, 1.2, 3.4, look)
+            continue
         if part.plate:
             corners = outline(flat) if part.name == "upright" else flat
             if not look.ghost:
@@ -303,7 +307,7 @@ class Sheet:
         """Find scales with which all poses fill the width, beside the names of the hardpoints, and heights for them."""
         views = views_of(scene)
         cloud = np.vstack([everything(scene, pose) for pose in poses])
-        written = {**scene.design.points, "contact point": None}
+        written = {**_named(scene.design), "contact point": None}
         across = _panel_width() - (2.0 * column_width(written) if names else 0.1) - _INSIDE
         tallest = (_TALLEST - _BOTTOM - _TOP - _ABOVE) / 2.0 - _INSIDE
         column = column_height(written) if names else 0.0
@@ -514,7 +518,7 @@ def mechanism(
         draw_pose(axes, view, scene, scene.design, Look() if tracks is None else Look(INK))
         draw_steering_axis(axes, view, scene, scene.design)
         if names:
-            places = {**scene.design.points, "contact point": scene.design.contact}
+            places = {**_named(scene.design), "contact point": scene.design.contact}
             floor = ARROWS if view is sheet.views[3] else 0.0
             flat = {name: MM * view.flat(place) for name, place in places.items()}
             write_names(axes, flat, sheet.scale_of(view), floor)
@@ -522,6 +526,11 @@ def mechanism(
     columns = -(-len(handles) // 2)
     figure.legend(handles=handles, loc="lower center", ncols=columns, columnspacing=1.6, bbox_to_anchor=(0.5, 0.01))
     return figure
+
+
+def _named(pose: Pose) -> dict[str, Array]:
+    """Places of the hardpoints of a pose, m."""
+    return {name: place for name, place in pose.points.items() if name not in MIDDLE.values()}
 
 
 def _chosen(poses: Poses, at: Sequence[float | str] | None) -> list[int]:

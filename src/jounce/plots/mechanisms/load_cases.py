@@ -15,8 +15,8 @@ from jounce.core.writing import write_files
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.load_cases import from_across
 from jounce.plots.mechanisms.drawing import MM, ROAD, View, axis_view, draw_pose, everything, show_ticks
-from jounce.plots.mechanisms.scene import Pose, Scene, poses_of, scene_of
-from jounce.plots.style import INK, MUTED, rendered, styled
+from jounce.plots.mechanisms.scene import MIDDLE, Pose, Scene, poses_of, scene_of
+from jounce.plots.style import MUTED, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -79,7 +79,7 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
         scene = scene_of(side)
         pose = poses_of(side, scene, sweep_travel(side, [float(one["wheel_travel"])], points=True)).pose(0)
         wheels.append((scene, pose, one))
-    wheels = _with_bar(left, wheels)
+    wheels = _with_third_spring(_with_bar(left, wheels))
     figure = Figure(figsize=_PAPER)
     figure.suptitle(f"{case}: {wheels[0][0].title.partition(',')[0]}", x=0.06, ha="left", fontweight="bold")
     across = (0.0, 1.0, 0.0)
@@ -95,7 +95,6 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
         for scene, pose, one in wheels:
             draw_pose(axes, view, scene, pose)
             _draw_forces(axes, view, _forces(pose, one), max(largest, _LEAST))
-        _draw_between(axes, view, wheels)
         if label == "front":
             ends = np.array([pose.contact for _, pose, _ in wheels])
             axes.axline(*(MM * view.flat(ends)), color=ROAD, linewidth=0.9, zorder=0.6)
@@ -124,6 +123,15 @@ def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
         for (scene, pose, one), end in zip(wheels, ends, strict=True)
         if end.arm_end is not None and end.stem_end is not None
     ]
+
+
+def _with_third_spring(wheels: list[_Drawn]) -> list[_Drawn]:
+    """Wheels with the third spring straight between its two ends."""
+    name = "third_spring_end"
+    if not all(name in pose.points for _, pose, _ in wheels):
+        return wheels
+    half = 0.5 * (wheels[0][1].points[name] + wheels[1][1].points[name])
+    return [(scene, replace(pose, points={**pose.points, MIDDLE[name]: half}), one) for scene, pose, one in wheels]
 
 
 def _forces(pose: Pose, one: xr.Dataset) -> list[tuple[str, Array, Array]]:
@@ -163,13 +171,6 @@ def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
             free, text = start if colour == _ON_ROAD else end, f"{1e-3 * size:.2f}"
             beside: dict[str, Any] = {"textcoords": "offset points", "fontsize": 7.5, "color": colour, "zorder": 6.5}
             axes.annotate(text, tuple(free), (3, 3), **beside)
-
-
-def _draw_between(axes: Axes, view: View, wheels: list[_Drawn]) -> None:
-    """Draw a third spring as a line between both sides."""
-    ends = [pose.points["third_spring_end"] for _, pose, _ in wheels if "third_spring_end" in pose.points]
-    if len(ends) == 2:
-        axes.plot(*(MM * view.flat(np.array(ends))).T, color=INK, linewidth=1.4, linestyle=(0, (4, 1.5)), zorder=3.0)
 
 
 def write_load_cases(rig: Corner, found: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:

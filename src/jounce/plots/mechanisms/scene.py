@@ -39,6 +39,8 @@ COLOURS = {
     "pushrod": PALETTE[4],
     "rocker": "#7b5ea7",
     "anti_roll_bar": "#8c6d5a",
+    "torsion_bar": "#b5472a",
+    "third_spring": PALETTE[5],
 }
 """Colour of each part, the same in every picture."""
 _STEERING_AXES = {
@@ -54,6 +56,8 @@ _WORDS = {
     "pushrod": "push rod",
 }
 BAR = ("arb_pivot", "arb_arm_end", "arb_link_end")
+MIDDLE = {"arb_pivot": "arb_middle", "third_spring_end": "third_spring_middle"}
+"""Points of what reaches over to the other wheel, and their feet on the middle of the car: drawn, and no hardpoints."""
 _USUAL_WIDTH = 0.6  # of the radius
 
 
@@ -74,6 +78,11 @@ class Part:
     def plate(self) -> bool:
         """Whether it is drawn as a surface."""
         return len(self.points) > 2 and self.name != "anti_roll_bar"
+
+    @property
+    def coil(self) -> bool:
+        """Whether it is drawn as a coil between two points."""
+        return self.name == "third_spring"
 
 
 @dataclass(frozen=True)
@@ -152,33 +161,40 @@ def scene_of(rig: Corner) -> Scene:
     require_corner(rig)
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
+    from jounce.parts.leverage import AXES
 
     linkage = suspension(rig, Mechanism())
     lines = {name: points for name, points in linkage.lines.items() if name != "strut"}
     names = rig.hardpoints.given()
     stem = rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"
     if "arb_pivot" in names:
-        lines.setdefault("anti_roll_bar", (BAR[0], "arb_axis", *BAR[1:]) if stem else BAR)
+        along = "arb_axis" if "arb_axis" in names else MIDDLE["arb_pivot"]
+        lines.setdefault("anti_roll_bar", (BAR[0], along, *BAR[1:]) if stem else (along, *BAR))
+    if rig.torsion_bar is not None:
+        lines["torsion_bar"] = AXES[rig.torsion_bar.on][:2]
+    if rig.third_spring is not None:
+        lines["third_spring"] = ("third_spring_end", MIDDLE["third_spring_end"])
     parts = tuple(Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items())
     holders = {linkage.chassis.name, linkage.rack.name}
     owners = {name: owner.name for name, owner in linkage.owners.items()}
     on_body = {name for name, owner in owners.items() if owner in holders} | (
         {"arb_pivot", "" if stem else "arb_axis"} & set(names)
     )
+    design = _design(rig)
     model = str(getattr(rig, "model"))  # noqa: B009 - every subclass has it
     return Scene(
         f"{_WORDS.get(model, model)}, {rig.side} side",
         rig.sign,
         parts,
         _brackets(parts, owners, names),
-        frozenset(on_body),
+        frozenset(on_body | ({MIDDLE["arb_pivot"]} & design.points.keys())),
         _ends(names, "spring"),
         _ends(names, "damper"),
         _STEERING_AXES.get(model),
         rig.wheel.radius,
         rig.undeformed_radius,
         rig.wheel.width or _USUAL_WIDTH * rig.wheel.radius,
-        _design(rig),
+        design,
     )
 
 
@@ -216,10 +232,17 @@ def _ends(names: Mapping[str, Any], element: str) -> tuple[str, str]:
 
 
 def _design(rig: Corner) -> Pose:
-    points = {name: np.array(place) for name, place in rig.hardpoints.given().items()}
+    points = with_middle({name: np.array(place) for name, place in rig.hardpoints.given().items()})
     axis = spin_axes(np.array(rig.wheel.camber), np.array(-rig.sign * rig.wheel.toe), rig.sign)
     contact = contact_points(points["wheel_centre"], axis, rig.wheel.radius)
     return Pose(points, axis, contact, float(contact[2]), label="design position")
+
+
+def with_middle(points: dict[str, Array]) -> dict[str, Array]:
+    """Add the feet on the middle of the car of what reaches over to the other wheel."""
+    flat = np.array([1.0, 0.0, 1.0])
+    known = points.keys() - ({"arb_pivot"} if "arb_axis" in points else set())  # whose axis is drawn to that point
+    return points | {foot: points[name] * flat for name, foot in MIDDLE.items() if name in known}
 
 
 def spin_axes(camber: Array, steer: Array, side: float) -> Array:
@@ -382,7 +405,7 @@ def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_t
             where="poses",
             found=", ".join(missing),
         )
-    return found
+    return with_middle(found)
 
 
 def _first(one: Mapping[str, Array], names: tuple[str, ...]) -> Array:
