@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import importlib
 import inspect
+import tempfile
 import types
 from dataclasses import dataclass
 from pathlib import Path
@@ -80,6 +81,7 @@ def test_module_documents_what_it_offers(name: str) -> None:
 def test_examples_are_true(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     module = importlib.import_module(name)
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))  # examples leave their folders there
     assert doctest.testmod(module, optionflags=OPTIONS).failed == 0
 
 

@@ -57,7 +57,7 @@ def test_a_part_of_the_files() -> None:
 
 def test_what_fresh_seeds_found() -> None:
     """Cases that were bad when a seed was new, one of each kind."""
-    judged("files", [("mat73", 24, 16180), ("mat73", 86, 16180)])
+    judged("files", [("mat73", 24, 16180), ("mat73", 86, 16180), ("parquet", 928, 16180)])
     judged("descriptions", [("limits", 4, "left out"), ("campaign", 54, "truth")])
 
 

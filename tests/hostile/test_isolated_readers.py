@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import io
 import struct
 import sys
@@ -115,6 +116,32 @@ def test_memory_is_looked_at_where_the_system_does_not_limit_it(evil, monkeypatc
     with pytest.raises(RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may"):
         evil("grow")
     assert evil("whole").left_out == ("z",)
+
+
+@pytest.mark.parametrize(("answers", "taken"), [(1, 3e9), (0, 0.0)])
+def test_windows_tells_what_a_process_takes(monkeypatch: pytest.MonkeyPatch, answers: int, taken: float) -> None:
+    """Under a fake of its library: size of the structure, place of the number (PagefileUsage), and no answer."""
+
+    class Ask:
+        def __call__(self, handle: int, at: int, size: int) -> int:
+            assert (handle, size) == (7, 8 + 8 * ctypes.sizeof(ctypes.c_size_t))
+            assert ctypes.c_uint32.from_address(at).value == size
+            ctypes.c_size_t.from_address(at + 8 + 6 * ctypes.sizeof(ctypes.c_size_t)).value = 3_000_000_000
+            return answers
+
+    class Library:
+        def __init__(self, name: str) -> None:
+            assert name == "kernel32"
+            self.K32GetProcessMemoryInfo = Ask()
+
+    class Process:
+        _handle = 7
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(ctypes, "WinDLL", Library, raising=False)
+    assert isolated._memory_of(Process()) == taken
+    monkeypatch.delattr(ctypes, "WinDLL")
+    assert isolated._memory_of(Process()) == 0.0
 
 
 def test_everything_comes_back_as_it_was_read(evil) -> None:

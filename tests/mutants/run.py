@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import ast
+import ctypes
 import functools
 import gc
 import hashlib
@@ -59,6 +60,7 @@ LIBRARIES = (
 LIBRARIES += ("scipy.optimize", "tomlkit", "typer", "xarray")
 CHEAP = ("tests/unit", "tests/architecture")
 GOAL, BROKEN = 0.9, 70
+PR_SET_PDEATHSIG = 1  # of linux/prctl.h
 PATIENCE, COMPILING = 10.0, 60.0
 """With a mutant a test may take this many times as long as the slowest of its file without, and this many seconds."""
 ENOUGH = 30.0
@@ -78,7 +80,8 @@ def main() -> int:
     pool = [mutant for mutant in mutants(files) if wanted(mutant, asked.place)]
     sample = random.Random(asked.seed).sample(pool, min(asked.sample, len(pool)))
     print(f"{asked.package}: {len(sample)} of {len(pool)} mutants, seed {asked.seed}", flush=True)
-    with tempfile.TemporaryDirectory(prefix="jounce-mutants-") as folder:
+    sweep()
+    with tempfile.TemporaryDirectory(prefix=f"jounce-mutants-{os.getpid()}-") as folder:
         tests = Tests(asked.package, Path(folder), float("inf") if asked.place else ENOUGH)
         load_what_stands_below(asked.package)
         tests.stand_unchanged()
@@ -317,10 +320,11 @@ def run_tests(options: Sequence[str], clock: Clock, times: Path | None = None) -
 def apart(work: Callable[[], int], seconds: float, quiet: bool = False) -> int:
     """Do something in a process of its own, which is ended after some time; its exit code, negative where it was."""
     sys.stdout.flush()
-    child = os.fork()
+    parent, child = os.getpid(), os.fork()
     if not child:
         code, told = BROKEN, os.dup(2)
         try:
+            end_with(parent)
             signal.alarm(int(seconds) + 1)
             if quiet:
                 for stream in (1, 2):
@@ -334,6 +338,22 @@ def apart(work: Callable[[], int], seconds: float, quiet: bool = False) -> int:
     if code == BROKEN:
         sys.exit("this script failed, not a test: see above")
     return code
+
+
+def end_with(parent: int) -> None:
+    """Let this process end when its parent is killed, where the system can: otherwise its alarm ends it."""
+    if sys.platform.startswith("linux"):
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:  # killed already
+            os._exit(BROKEN)
+
+
+def sweep() -> None:
+    """Remove folders that killed runs left."""
+    for left in Path(tempfile.gettempdir()).glob("jounce-mutants-*-*"):
+        number = left.name.split("-")[2]
+        if number.isdecimal() and not Path("/proc", number).exists() and Path("/proc/self").exists():
+            shutil.rmtree(left, ignore_errors=True)
 
 
 # --- one mutant -------------------------------------------------------------------------------------------------------

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 FORCE_UNITS = {0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: ""}
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
 _RIGID_BAND, _RIGID_SPREAD, _FEWEST_STROKES = (7.0, 24.0), 1.3, 12  # Hz, 1, 1
+_SPRUNG_SPREAD, _COMPRESSED = 1.1, 1.5  # strokes on a spring vary by more, forces compress it by less
 _NEAR, _KILO, _NEAR_KILO = 0.06, 0.001, 0.5
 _WEIGHT_WARNING, _WEIGHT_PROBLEM = 0.02, 0.08
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3
@@ -75,6 +76,22 @@ def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
     if high <= _RIGID_SPREAD * low:
         return []
     return [problem(place, "not_rigid", high / max(low, 1e-12), low=1e3 * low, high=1e3 * high)]
+
+
+def check_sprung(strokes: Array, frequency: Array, signals: WheelSignals, tester: Tester) -> list[Finding]:
+    """Tell a rigid plate from one on the tester's spring, whose forces such strokes (n,) in m could not make.
+
+    The spring is between the exciter and the plate, so no force compresses it by more than both of them move.
+    """
+    inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
+    if tester.plate_spring_rate is None or np.count_nonzero(inside) < _FEWEST_STROKES:
+        return []
+    low, high = (float(one) for one in np.percentile(strokes[inside], [10.0, 90.0]))
+    compressed = float(np.ptp(signals.force)) / tester.plate_spring_rate
+    if high > _SPRUNG_SPREAD * low or compressed <= _COMPRESSED * (tester.stroke + high):
+        return []
+    words = {"stroke": 1e3 * high, "compressed": 1e3 * compressed, "exciter": 1e3 * tester.stroke}
+    return [problem(f"{signals.wheel}.plate.z", "not_sprung", compressed / high, **words)]
 
 
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:

@@ -343,6 +343,11 @@ def _on_sprung_plate(
     if height is None or tester is None:
         findings.append(problem(f"{wheel}.plate.z", "height_missing"))
         return _unfit(wheel, findings, load)
+    strokes = stroke_by_turn(height, signals.time, sweep.turns)
+    if strokes is not None:
+        findings += checks.check_sprung(strokes, sweep.turns.frequency, signals, tester)
+    if _is_unfit(findings):
+        return _unfit(wheel, findings, load)
     rate = signals.sample_rate
     lifted = find_lift_off(signals.force, load, rate)
     model = np.full(height.size, np.nan)

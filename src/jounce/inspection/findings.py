@@ -51,6 +51,14 @@ SENTENCES: dict[str, Sentence] = {
         "Der Hub der Platte ändert sich mit der Frequenz von {low:.3g} bis {high:.3g} mm: Sie ist gefedert; den "
         "Prüfstand dieser Messung wählen.",
     ),
+    "not_sprung": Sentence(
+        "the stroke of the plate is {stroke:.3g} mm at every frequency, and the forces would compress the tester's "
+        "plate spring by {compressed:.3g} mm, though its exciter moves by {exciter:.3g} mm: the plate stands on no "
+        "such spring; choose the tester that made this record.",
+        "Der Hub der Platte ist bei jeder Frequenz {stroke:.3g} mm, und die Kräfte würden die Plattenfeder des "
+        "Prüfstands um {compressed:.3g} mm zusammendrücken, obwohl sein Erreger sich nur um {exciter:.3g} mm bewegt: "
+        "Die Platte steht auf keiner solchen Feder; den Prüfstand dieser Messung wählen.",
+    ),
     # what the reader of the file found; its sentence is the English one
     "reading_constant": Sentence("{text}", "Der Kanal ist unverändert ({value:g}); war der Aufnehmer angeschlossen?"),
     "reading_clipped": Sentence(

@@ -176,7 +176,7 @@ class _Watch(threading.Thread):
         while (left := self.end - time.monotonic()) > 0.0:
             if self.over.wait(left if _LIMITS_MEMORY else min(left, _BETWEEN_LOOKS)):
                 return
-            if not _LIMITS_MEMORY and _memory_of(self.process.pid) > self.memory:
+            if not _LIMITS_MEMORY and _memory_of(self.process) > self.memory:
                 self.is_too_large = True
                 self.process.kill()
                 return
@@ -184,13 +184,36 @@ class _Watch(threading.Thread):
         self.process.kill()
 
 
-def _memory_of(process: int) -> float:
-    """Bytes that another process takes, as the system's ``ps`` says; 0 where there is none, as on Windows."""
+def _memory_of(process: subprocess.Popen[bytes]) -> float:
+    """Bytes that another process takes, as Windows or the system's ``ps`` says; 0 where nobody tells."""
     try:
-        asked = ["/bin/ps", "-o", "rss=", "-p", str(process)]
+        if sys.platform == "win32":
+            return _memory_on_windows(int(process._handle))  # type: ignore[attr-defined,unused-ignore]
+        asked = ["/bin/ps", "-o", "rss=", "-p", str(process.pid)]
         return 1024.0 * float(subprocess.run(asked, capture_output=True, timeout=5.0, check=False).stdout)
-    except (OSError, ValueError, subprocess.TimeoutExpired):
+    except (OSError, ValueError, AttributeError, subprocess.TimeoutExpired):
         return 0.0
+
+
+def _memory_on_windows(handle: int) -> float:
+    """Bytes that the process of a handle keeps for itself; 0 where Windows does not tell."""
+    import ctypes
+
+    sizes = ("PeakWorkingSet", "WorkingSet", "PeakPagedPool", "PagedPool", "PeakPool", "Pool", "Pagefile", "PeakFile")
+
+    class Counters(ctypes.Structure):
+        """PROCESS_MEMORY_COUNTERS."""
+
+        _fields_ = [
+            ("size", ctypes.c_uint32),
+            ("faults", ctypes.c_uint32),
+            *((name, ctypes.c_size_t) for name in sizes),
+        ]
+
+    found = Counters(size=ctypes.sizeof(Counters))
+    ask = ctypes.WinDLL("kernel32").K32GetProcessMemoryInfo  # type: ignore[attr-defined,unused-ignore]
+    ask.argtypes, ask.restype = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32), ctypes.c_int
+    return float(found.Pagefile) if ask(handle, ctypes.addressof(found), found.size) else 0.0
 
 
 _IDLE: list[_Child] = []

@@ -536,6 +536,7 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     columns, long_names = [], dict[str, str]()
     with _understood(path, "a Parquet file"), parquet.ParquetFile(path) as file:
+        _check_counts(file.metadata, path)
         table = file.read()
         findings = _gaps(file.metadata, path)
         attributes = attributes_in((table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace"))
@@ -568,6 +569,20 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 _PARQUET_ENDS = 12  # bytes: its mark at both ends, and the length of what says where the columns are
+
+
+def _check_counts(metadata: Any, path: Path) -> None:
+    """Refuse a Parquet file that tells its rows in several places, and not alike."""
+    groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
+    flat = [i for i in range(metadata.num_columns) if metadata.schema.column(i).max_repetition_level == 0]
+    told = [sum(group.num_rows for group in groups)]
+    told += [sum(group.column(i).num_values for group in groups) for i in flat]
+    if any(count != metadata.num_rows for count in told) or any(
+        group.column(i).num_values != group.num_rows for group in groups for i in flat
+    ):
+        what = "the file tells other numbers of rows in other places: it is damaged"
+        counts = ", ".join(map(str, sorted({metadata.num_rows, *told})))
+        raise RecordingError(what, where=str(path), found=counts, hint="Use an original copy.")
 
 
 def _gaps(metadata: Any, path: Path) -> list[Finding]:

@@ -172,6 +172,22 @@ def test_a_rigid_plate_has_one_stroke(run, twin, left_record, eusama) -> None:
     assert [one.code for one in wheel.findings if one.severity == "problem"] == ["not_rigid"]
 
 
+def test_a_rigid_plate_stands_on_no_spring(run, twin, left_record) -> None:
+    """A record without a name of its tester, evaluated as one of a sprung plate."""
+    time, height, force, _ = run
+    load_of_wheel = twin.Car().static_load
+    sprung = load_tester("theta-msd3000")
+    wheel = evaluate(left_record(time, height, force, load_of_wheel), sprung).wheels[0]
+    assert [one.code for one in wheel.findings if one.severity == "problem"] == ["not_sprung"]
+    assert wheel.corner is None
+    stiff = sprung.with_changes({"plate_spring_rate": "5000 N/mm"})
+    wheel = evaluate(left_record(time, height, force, load_of_wheel), stiff).wheels[0]
+    assert "not_sprung" not in [one.code for one in wheel.findings]  # such a spring it may be
+    varied = np.interp(time, [0.0, 3.0, 7.0, time[-1]], [0.8, 0.8, 1.0, 1.0])
+    wheel = evaluate(left_record(time, height * varied, force, load_of_wheel), sprung).wheels[0]
+    assert "not_sprung" not in [one.code for one in wheel.findings]
+
+
 def test_loads_are_compared_with_the_axle_of_the_vehicle(both, eusama) -> None:
     record, vehicle = both("left", second=False), load("audi-a6-full-car")
     for axle in ("front", "rear"):

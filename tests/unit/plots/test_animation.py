@@ -252,7 +252,7 @@ def test_mp4_without_ffmpeg_says_what_to_install(kart, sweep, tmp_path: Path, mo
     def missing(name: str) -> None:
         raise ImportError(name)
 
-    monkeypatch.setattr(films.shutil, "which", lambda _: None)
+    monkeypatch.setattr(films, "program_on_path", lambda _: None)
     monkeypatch.setattr(films, "import_module", missing)
     with pytest.raises(MissingPackageError, match=r"apt-get install ffmpeg.*\.gif or \.html"):
         animate(kart, sweep, tmp_path / "a.mp4")
@@ -263,7 +263,7 @@ def test_complaints_of_ffmpeg_are_shown(kart, sweep, tmp_path: Path, monkeypatch
     broken = tmp_path / "ffmpeg"
     broken.write_text("#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n", encoding="utf-8")
     broken.chmod(0o755)
-    monkeypatch.setattr(films.shutil, "which", lambda _: str(broken))
+    monkeypatch.setattr(films, "program_on_path", lambda _: str(broken))
     with pytest.raises(OutputError, match="Unknown encoder"):
         animate(kart, sweep.isel(wheel_travel=[0, 8]), tmp_path / "a.mp4")
     assert [file.name for file in tmp_path.iterdir()] == ["ffmpeg"]

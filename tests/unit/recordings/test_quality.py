@@ -149,3 +149,8 @@ def test_clipped_samples_are_counted_in_runs_of_three(pieces: tuple[list[float],
 )
 def test_flat_pieces_that_are_not_clipping(name: str, values: np.ndarray) -> None:
     assert check_channels({name: values}, where="a.csv") == []
+
+
+@pytest.mark.parametrize("count", [0, 1])
+def test_too_few_samples_say_nothing(count: int) -> None:
+    assert check_channels({"sprung.az": np.ones(count)}, where="a.csv") == []

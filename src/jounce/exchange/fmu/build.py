@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import shutil
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -11,6 +10,7 @@ from pathlib import Path
 
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import OutputError, unknown
+from jounce.core.programs import program_on_path
 
 C = Path(__file__).parent / "c"
 _LARGE = 1_000_000  # bytes of C: beyond, -O2 takes minutes for code without branches, and gains nothing
@@ -27,8 +27,9 @@ def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
         return "zig", [sys.executable, "-P", "-m", "ziglang", "cc"]
     if list(platforms) == [this_platform()]:
         for name in ("cc", "gcc", "clang"):
-            if shutil.which(name):
-                return "cc", [name]
+            found = program_on_path(name)
+            if found is not None:
+                return "cc", [found]
     return None
 
 

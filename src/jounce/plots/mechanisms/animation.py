@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import json
 import re
-import shutil
 import subprocess
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -18,6 +17,7 @@ import numpy as np
 from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import MissingPackageError
+from jounce.core.programs import program_on_path
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import Formats
@@ -228,7 +228,7 @@ def _write_mp4(motion: Motion, file: Path) -> None:
 
 def ffmpeg() -> str:
     """Find ffmpeg: installed, or that of the package imageio-ffmpeg."""
-    program = shutil.which("ffmpeg")
+    program = program_on_path("ffmpeg")
     if program is None:
         try:
             program = str(import_module("imageio_ffmpeg").get_ffmpeg_exe())

@@ -1,0 +1,27 @@
+"""Programs of other makers that jounce runs: from the folders of the path, never from the one that one stands in."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+
+def program_on_path(name: str) -> str | None:
+    """Find a program in the folders that PATH names in full; None where there is none.
+
+    Unlike ``shutil.which`` it looks neither in the current folder, as Windows does first, nor in those that PATH names
+    relative to it: an archive may have brought a program of that name.
+
+    Examples
+    --------
+    >>> program_on_path("no-such-program") is None
+    True
+    """
+    suffixes = os.environ.get("PATHEXT", ".EXE").split(os.pathsep) if sys.platform == "win32" else [""]
+    for folder in os.environ.get("PATH", os.defpath).split(os.pathsep):
+        for suffix in suffixes:
+            file = Path(folder.strip('"')) / f"{name}{suffix}"
+            if file.is_absolute() and file.is_file() and os.access(file, os.X_OK):
+                return str(file)
+    return None
