@@ -650,12 +650,12 @@ def sweep_path(
         for name, value in found.values.items()
         if name not in ("wheel_travel", "rack_travel")
     }
-    axes: dict[str, Any] = {"pose": np.arange(len(both[0]))}
+    axes: list[_Axis] = [("pose", "pose", np.arange(len(both[0]), dtype=float).tobytes(), ())]
     for name, one in zip(("wheel_travel", "rack_travel"), both, strict=True):
-        axes[name] = xr.Variable(("pose",), np.array(one), {"units": "m", "long_name": name.replace("_", " ")})
+        axes.append((name, "pose", one.tobytes(), (("units", "m"), ("long_name", name.replace("_", " ")))))
     facts = facts_of(corner, corner.side, found.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
-    return dataset(variables, xr.Dataset(coords=axes), facts)
+    return dataset(variables, _axes(*axes), facts)
 
 
 def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None = None) -> tuple[PreparedSweep, Array]:
@@ -714,7 +714,8 @@ def _swept(
     reached = np.isfinite(values[0])
     if not reached.any():
         raise no_pose(ends)
-    keep = np.ix_(np.flatnonzero(reached.any(axis=1)), np.flatnonzero(reached.any(axis=0)))
+    some = (np.flatnonzero(reached.any(axis=1)), np.flatnonzero(reached.any(axis=0)))
+    keep = ... if reached.all() else np.ix_(*some)  # a view costs less than a copy
     found = Variables()
     for row, value in zip(sweep.model.rows, values, strict=True):
         found.add(row.name, value[keep], row.unit, row.long_name, row.sign, row.clause)
@@ -726,7 +727,7 @@ def _swept(
     for i, (name, swept) in enumerate(along.items()):
         if name in found.values:
             axis = np.nanmax(found.values[name], axis=1 - i)
-            coordinates.append((name, swept, axis.tobytes(), tuple(found.attributes[name].items())))
+            coordinates.append((name, name if swept else "", axis.tobytes(), tuple(found.attributes[name].items())))
     variables = {
         name: xr.Variable(dimensions, value[at], found.attributes[name], fastpath=True)
         for name, value in found.values.items()
@@ -737,15 +738,19 @@ def _swept(
     return dataset(variables, _axes(*coordinates), facts)
 
 
+_Axis = tuple[str, str, bytes, tuple[tuple[str, str], ...]]
+
+
 @lru_cache(32)
-def _axes(*coordinates: tuple[str, bool, bytes, tuple[tuple[str, str], ...]]) -> xr.Dataset:
-    """Axes of a sweep: of each its name, whether it was swept, its values and its attributes."""
+def _axes(*coordinates: _Axis) -> xr.Dataset:
+    """Axes of a sweep: of each its name, the dimension it lies along (none: one value), its values and attributes."""
     import xarray as xr
 
-    made = {}
-    for name, swept, content, attributes in coordinates:
+    made: dict[str, Any] = {}
+    for name, along, content, attributes in coordinates:
         values = np.frombuffer(content).copy()
-        made[name] = xr.Variable(name if swept else (), values if swept else values[0], dict(attributes))
+        values = values.astype(int) if name == "pose" else values
+        made[name] = xr.Variable(along or (), values if along else values[0], dict(attributes))
     return xr.Dataset(coords=made)
 
 
