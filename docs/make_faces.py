@@ -42,6 +42,8 @@ from jounce.recordings.readers import READERS
 from jounce.ride.catalogue import CATALOGUE as RIDE_METRICS
 from jounce.roads import ROADS, Road
 from jounce.roads.loading import SCHEMA
+from jounce.roads.trial import Trial
+from jounce.variants.study import SweepStudy
 
 DOCS = Path(__file__).parent
 SCHEMAS = DOCS / "schemas"
@@ -213,6 +215,33 @@ def design_schema() -> dict[str, Any]:
     return {"$schema": DIALECT, "title": "jounce design study file", **schema}
 
 
+def sweep_schema() -> dict[str, Any]:
+    """Schema of a sweep; what a number is spread over has its unit."""
+    schema = SweepStudy.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *(name for name in schema["required"] if name != "schema")]
+    trial = Trial.model_json_schema(by_alias=True)
+    properties = {name: one for name, one in trial["properties"].items() if name not in ("road", "right", "excitation")}
+    road = {"anyOf": [{"type": "string"}, {FILE_REF: ROADS.schema}]}
+    file = {"type": ["string", "object"], "description": "a recording with time and road.z, or {file = ..., ...}"}
+    schema["properties"]["trial"] |= {
+        "properties": {"road": road, "right": road, "excitation": file, **properties},
+        "additionalProperties": False,
+    }
+    schema["$defs"] |= {
+        name: one for name, one in trial["$defs"].items() if any(name in ref for ref in _refs(properties))
+    }
+    number = {"type": ["number", "string"]}
+    schema["properties"]["vary"]["additionalProperties"] = {
+        "description": '"20 %", [values], or {mean, sd} or {low, mode, high} with units',
+        "anyOf": [
+            {"type": "string"},
+            {"type": "array", "minItems": 1, "items": number},
+            {"type": "object", "additionalProperties": number},
+        ],
+    }
+    return {"$schema": DIALECT, "title": "jounce sweep file", **schema}
+
+
 def schemas() -> dict[str, str]:
     """All schemas: file name to text. What an earlier file defines, later ones refer to."""
     makers = {
@@ -223,7 +252,7 @@ def schemas() -> dict[str, str]:
         "truth": truth_schema,
     }
     makers |= {"control": control_schema, "tester": tester_schema, "limits": limits_schema, "record": record_schema}
-    makers["design"] = design_schema
+    makers |= {"design": design_schema, "sweep": sweep_schema}
     found: dict[str, Any] = {}
     for kind, make in makers.items():
         schema, name = _written(make()), f"{kind}.schema.json"

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from corpus.descriptions import _SWEEP
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a quota of file size is a thing of POSIX")
 
@@ -32,6 +33,7 @@ COMMANDS = [
     ["campaign", "new", "mine"],
     ["campaign", "new", "started", "--force"],
     ["inspect", "import", "base.csv", "--store", "lane.sqlite"],
+    ["sweep", "sweep.toml", "--out", "swept"],
 ]
 
 
@@ -43,6 +45,7 @@ def test_every_command_says_so_and_changes_nothing(tmp_path: Path) -> None:
     rows = "".join(f"{k / 1000},{1e-3 * (k % 7)}\n" for k in range(500))
     (tmp_path / "base.csv").write_text(f"time [s], road.z [m]\n{rows}", encoding="utf-8")
     (tmp_path / "run.nc").write_bytes(b"mine")
+    (tmp_path / "sweep.toml").write_text(_SWEEP, encoding="utf-8")
     (tmp_path / "started").mkdir()
     (tmp_path / "started" / "campaign.toml").write_text("mine", encoding="utf-8")
     before = listing(tmp_path)

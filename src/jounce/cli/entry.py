@@ -30,6 +30,7 @@ from jounce.cli import (
     simulate,
     steering_effort,
     study,
+    sweep,
 )
 from jounce.cli.everywhere import as_usual, completed, open_pages
 from jounce.cli.options import AsJson
@@ -77,6 +78,7 @@ def application() -> typer.Typer:
     app.command("ride")(ride.ride)
     app.command("compare", cls=ride.NamesControllers)(ride.compare)
     app.command("iri")(ride.iri)
+    app.command("sweep")(sweep.sweep)
     app.add_typer(design.app, name="design")
     app.command("plot")(pictures.plot)
     app.command("draw")(pictures.draw)

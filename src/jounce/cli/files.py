@@ -325,6 +325,17 @@ def _check_design(checked: Checked) -> None:
     checked.what = f"design of {study.rig}: {free} free numbers, {len(study.target)} targets, {study.starts} starts"
 
 
+def _check_sweep(checked: Checked) -> None:
+    from jounce.variants.study import read_sweep
+
+    sweep = read_sweep(checked.file)
+    metrics = len(sweep.work.metrics)
+    checked.what = (
+        f"sweep of {sweep.study.rig}: {sweep.count} variants of {len(sweep.columns)} numbers, "
+        f"{metrics} metric{'' if metrics == 1 else 's'}"
+    )
+
+
 _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
@@ -335,6 +346,7 @@ _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.tester/1": _check_tester,
     "jounce.limits/1": _check_limits,
     "jounce.design/1": _check_design,
+    "jounce.sweep/1": _check_sweep,
 }
 
 

@@ -19,6 +19,7 @@ from jounce.plots.mechanisms.geometry import suspension_geometry
 from jounce.plots.paper_figures import adjusted_and_not, paper_figures, update_on_every_trial
 from jounce.plots.signals import frequency_response, modes, road_profile, sweep, time_history
 from jounce.plots.style import add_note, new_figure, rendered, style, styled, write_figure
+from jounce.plots.variants import parallel_coordinates, scatter_matrix, tornado, variant_bands
 
 __all__ = [
     "DisplayUnit",
@@ -39,10 +40,12 @@ __all__ = [
     "number",
     "objectives",
     "paper_figures",
+    "parallel_coordinates",
     "quantity",
     "rendered",
     "residual_against_speed_and_pitch",
     "road_profile",
+    "scatter_matrix",
     "show",
     "stiffness_fit",
     "style",
@@ -50,10 +53,12 @@ __all__ = [
     "suspension_geometry",
     "sweep",
     "time_history",
+    "tornado",
     "trial_matrix",
     "tyre_pressure",
     "update",
     "update_on_every_trial",
+    "variant_bands",
     "write_figure",
     "write_kinematics",
 ]

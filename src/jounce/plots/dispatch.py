@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError
 from jounce.core.writing import lasting_folder
-from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals
+from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals, variants
 from jounce.plots.mechanisms import mechanism
 from jounce.plots.style import write_figure
 
@@ -24,9 +24,9 @@ def figure_of(result: object, **options: Any) -> Figure:
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording, a ride or several controllers side by side, an Audi A6 study, a study over speed, a
-        road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a campaign's
-        result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets.
+        A 3-D rig, a recording, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
+        speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a
+        campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets.
     **options
         Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 
@@ -116,6 +116,9 @@ def _registered() -> Callable[..., Figure]:
         raise JounceError("there is no picture of this", found=type(result).__name__, allowed=kinds)
 
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
+        if "variant" in result.dims and "reason" in result:
+            has_metrics = any(one.dims == ("variant",) and one.dtype.kind == "f" for one in result.data_vars.values())
+            return (variants.tornado if has_metrics else variants.variant_bands)(result, **options)
         if "time" in result.dims:
             return signals.time_history(result, **options)
         swept = {"wheel_travel", "rack_travel", "roll_angle"} & set(map(str, result.dims))

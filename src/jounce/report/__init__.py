@@ -30,6 +30,7 @@ from jounce.report.protocol import write_protocol
 from jounce.report.recordings import recordings_page
 from jounce.report.render import REPORTS, write_folder, write_page
 from jounce.report.ride import ride_page
+from jounce.report.variants import sweep_page
 
 __all__ = [
     "REPORTS",
@@ -53,6 +54,7 @@ __all__ = [
     "recordings_page",
     "ride_page",
     "roughness_page",
+    "sweep_page",
     "write_campaign",
     "write_figure",
     "write_folder",

@@ -39,8 +39,9 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     xarray.Dataset
         On ``metric`` and ``number`` (paths of what varied); ``_low`` and ``_high`` of each are the ends of its 95 %
         interval, from resampling (with a fixed seed). ``at_low`` and ``at_high`` are means of the metric (SI) over the
-        fifth of the variants with the lowest and the highest values of the number. From :func:`saltelli`: ``first``
-        and ``total``, shares (1) of the metric's variance that the number is behind alone, and with all others. From
+        fifth of the variants with the lowest and the highest values of the number, but for :func:`morris`. From
+        :func:`saltelli`: ``first`` and ``total``, shares (1) of the metric's variance that the number is behind alone,
+        and with all others. From
         :func:`morris`: ``mean_absolute_effect``, ``mean_effect`` and ``effect_spread`` of the metric (SI) for the
         number's whole range of shares. From others: ``regression``, the coefficient (1) when numbers and metric are
         measured in their standard deviations, ``rank_correlation`` (1), and ``explained``, the share (1) of variance
@@ -86,7 +87,8 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
         results = {"saltelli": _sobol_indices, "morris": _elementary_effects}.get(design, _regression)(
             values[good], y[good]
         )
-        results |= _ends(values[good], y[good])
+        if design != "morris":  # whose few places would mix the effects of the numbers
+            results |= _ends(values[good], y[good])
         left_out = max(left_out, int(np.sum(~good)))
         for key, one in results.items():
             found.setdefault(key, np.full((len(names), *one.shape), np.nan))[i] = one

@@ -46,6 +46,7 @@ _NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.nc")
 _AIM = 4.0  # s of work in a shard: little is lost, and what a cluster needs for a task weighs nothing
 _TRIED = 0.5  # s in which it is found out how long variants take
 _LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
+_LONG = 20.0  # s of work, from which on processes are worth their start
 _PER_WORKER = 4  # shards each worker has at least, so that all end together
 _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
 _MOST_NUMBERS = 400_000_000  # numbers that are given at once: 3.2 GB
@@ -114,7 +115,7 @@ def keep_in_shards(
     *,
     resume: bool = False,
     force: bool = False,
-    workers: int = 1,
+    workers: int | None = 1,
     client: Any = None,
     threads: int | None = None,
     say: Say = lambda _done, _count: None,
@@ -122,16 +123,24 @@ def keep_in_shards(
 ) -> xr.Dataset:
     """Run variants into a folder, shard by shard; give what :func:`load_sweep` reads of it.
 
-    ``say`` is told how many variants are done, and of how many; ``command`` is what was typed.
+    ``say`` is told how many variants are done, and of how many; ``command`` is what was typed. Without a number of
+    ``workers`` there is one a processor where variants run alone, and for long.
     """
     folder = Path(out).expanduser().resolve()
-    study = study_of(work, columns)
-    if (folder / MANIFEST).is_file() and resume:
-        kept = read_kept(folder)
+    study, goes_on = study_of(work, columns), (folder / MANIFEST).is_file() and resume
+    kept = read_kept(folder) if goes_on else None
+    if kept is not None:
         _check_same(kept, study)
     else:
         check_folder(folder, force=force)
-        kept = _begun(folder, work, columns, study, workers if client is None else 64, command)
+    pace = _pace(work, columns) if kept is None or workers is None else _Pace(0.0, is_alone=False)
+    if workers is None:
+        lasts = pace.seconds * len(next(iter(columns.values())))
+        workers = _processors() if pace.is_alone and lasts > _LONG else 1
+    if kept is None:
+        kept = _begun(
+            folder, work, columns, study, _size(work, columns, workers if client is None else 64, pace), command
+        )
     with _alone(folder):
         done = kept.whole()
         _check_disk(kept, work, [kept.spans[number] for number in range(len(kept.spans)) if number not in done])
@@ -355,14 +364,12 @@ def _short(value: Any) -> str:
 
 
 def _begun(
-    folder: Path, work: Work, columns: Mapping[str, Array], study: Mapping[str, Any], workers: int, command: str
+    folder: Path, work: Work, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
 ) -> Kept:
     """Make the folder of a new sweep: how large shards are, and all that the results follow from."""
-    count = len(next(iter(columns.values())))
-    size = min(_size(work, columns, workers), max(int(_MOST_BYTES / _bytes_of_a_variant(work, columns)), 1))
     about = {
         "schema": SCHEMA,
-        "count": count,
+        "count": len(next(iter(columns.values()))),
         "shard": size,
         "jounce": _version(),
         "command": command or shlex.join(sys.argv),
@@ -378,19 +385,39 @@ def _begun(
     return kept
 
 
-def _size(work: Work, columns: Mapping[str, Array], workers: int) -> int:
-    """Variants in a shard: a power of 2, found by trying how long the first ones take."""
+@dataclass(frozen=True)
+class _Pace:
+    """How long a variant takes (s), and whether most of them run alone."""
+
+    seconds: float
+    is_alone: bool
+
+
+def _pace(work: Work, columns: Mapping[str, Array]) -> _Pace:
+    """Try how long the first variants take."""
     count, tried = len(next(iter(columns.values()))), 1
     work.run({path: column[:1] for path, column in columns.items()})  # whatever is compiled
     while True:
         started = time.perf_counter()
-        work.run({path: column[:tried] for path, column in columns.items()})
+        found = work.run({path: column[:tried] for path, column in columns.items()}, threads=1)
         took = time.perf_counter() - started
         if took > _TRIED or tried >= count:
-            break
+            size = found.sizes["variant"]
+            return _Pace(took / size, 2 * found.attrs["side_by_side"] < size)
         tried *= 4
-    fair = min(_AIM * min(tried, count) / took, count / (workers * _PER_WORKER) if workers > 1 else math.inf)
-    return int(min(2 ** max(math.floor(math.log2(max(fair, 1.0))), 0), _LARGEST))
+
+
+def _size(work: Work, columns: Mapping[str, Array], workers: int, pace: _Pace) -> int:
+    """Variants in a shard: a power of 2, so that it takes some seconds and fits into memory."""
+    count = len(next(iter(columns.values())))
+    most = [_AIM / pace.seconds, _MOST_BYTES / _bytes_of_a_variant(work, columns), _LARGEST]
+    if workers > 1:
+        most.append(count / (workers * _PER_WORKER))
+    return int(2 ** math.floor(math.log2(max(min(most), 1.0))))
+
+
+def _processors() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _bytes_of_a_variant(work: Work, columns: Mapping[str, Array]) -> int:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Whole, line_of, misplaced, read_description
@@ -129,7 +131,7 @@ def run_sweep(
     *,
     resume: bool = False,
     force: bool = False,
-    workers: int = 1,
+    workers: int | None = 1,
     client: Any = None,
     say: Say = lambda _done, _count: None,
     command: str = "",
@@ -146,8 +148,8 @@ def run_sweep(
         Go on where it was stopped, or begin.
     force : bool
         Take the place of an earlier sweep in the folder, whose shards go.
-    workers : int
-        Processes that share the work; as for :func:`simulate_many`.
+    workers : int, optional
+        Processes that share the work, as for :func:`simulate_many`; None for one a processor where it is worth it.
     client : dask.distributed.Client, optional
         A cluster that does the work.
     say : callable
@@ -201,6 +203,37 @@ def run_sweep(
     return SweepResult(str(study), str(out), str(kept.about["command"]), seed, summarise(data), data)
 
 
+def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
+    """Run the rig as it is, and the variants with the least and the greatest first metric; by what they are.
+
+    Empty where nothing is a metric, or none of them runs.
+    """
+    from jounce.simulation import simulate
+
+    if not sweep.work.metrics:
+        return {}
+    name, study = sweep.work.metrics[0].text, sweep.work.study
+    values = data[name].to_numpy()
+    chosen: dict[str, dict[str, float]] = {"rig as it is": {}}
+    if np.any(np.isfinite(values)):
+        for words, row in (("least", np.nanargmin(values)), ("greatest", np.nanargmax(values))):
+            changes = {path: float(data[path][row]) for path in sweep.columns}
+            chosen[f"{words} {name} (variant {int(data['variant'][row])})"] = changes
+    found = {}
+    for words, changes in chosen.items():
+        rig, trial, control = study.variant(changes)
+        with contextlib.suppress(JounceError):  # a rig that does not run may have variants that do
+            found[words] = simulate(
+                rig,
+                trial,
+                control=control,
+                output_step=study.settings.output_step,
+                tolerance=study.settings.tolerance,
+                method=study.settings.method,
+            )
+    return found
+
+
 def read_sweep(path: Path | str) -> ReadSweep:
     """Read a sweep and all that it names; errors name the file and the line."""
     study, text = read_description(SweepStudy, path, SCHEMA)
@@ -234,7 +267,10 @@ def _trial(table: dict[str, Any], file: Path, text: str) -> Trial:
         if isinstance(given, str):
             beside = file.parent / given
             driven = _metres(table) if given.lower().startswith("iso:") else None
-            found[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
+            try:
+                found[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
+            except JounceError as error:
+                raise _told(error, file, line_of(text, ("trial", side)), f"trial.{side}: {error.where}") from None
         elif isinstance(given, dict):
             read = read_roads({side: given}, where=str(file), text=text, folder=file.parent, path=("trial",))
             found[side] = read[side]
@@ -279,5 +315,9 @@ def _placed(error: JounceError, file: Path, text: str, study: SweepStudy) -> Jou
         line, place = line_of(text, ("design",)), "design"
     else:
         return error
+    return _told(error, file, line, place)
+
+
+def _told(error: JounceError, file: Path, line: int | None, place: str) -> JounceError:
     where = f"{file}{f', line {line}' if line else ''}: {place}"
     return type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)

@@ -44,6 +44,7 @@ BASES = {
     "campaign run": "campaign run none.toml --out results",
     "campaign new": "campaign new mine",
     "campaign synthesise": 'campaign synthesise bench --duration "0.6 s"',
+    "sweep": "sweep none.toml --out swept",
     "design springs": 'design springs audi-a6-full-car --frequency "1.2 Hz" --damping-ratio 0.3',
     "design optimise": "design optimise kart-quarter-car --objective sprung.az --free strut.damper.coefficient=50..500",
     "design pareto": 'design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --points 3',

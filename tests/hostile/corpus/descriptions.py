@@ -58,6 +58,24 @@ over = "-30 mm:30 mm:5 mm"
 value = "0 deg"
 tolerance = "0.03 deg"
 """
+_SWEEP = """schema = "jounce.sweep/1"
+rig = "audi-a6-quarter-car"
+metrics = ["rms sprung.az"]
+outputs = ["sprung.z"]
+output_step = "1 ms"
+[trial]
+speed = "10 m/s"
+duration = "0.5 s"
+road = {kind = "half-sine", height = "10 mm", length = "1 m"}
+[design]
+kind = "sobol"
+count = 4
+seed = 1
+[vary]
+"strut.damper.coefficient" = "40 %"
+"sprung.mass" = ["400 kg", "520 kg"]
+"tyre.stiffness" = {mean = "300 N/mm", sd = "5 %"}
+"""
 
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
@@ -82,6 +100,7 @@ KINDS = {
     "truth": Kind(_shipped("jounce.campaign", "library", "kart-prototype.toml")),
     "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
     "design": Kind(lambda: _DESIGN),
+    "sweep": Kind(lambda: _SWEEP),
     "header": Kind(lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester theta-msd3000"),
 }
 """A good file of each kind; a test holds that every schema has one."""

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from corpus.commands import OUTPUTS, SLOW, commands, folder_of_files, said_by, words_of
-from corpus.descriptions import _DESIGN
+from corpus.descriptions import _DESIGN, _SWEEP
 from corpus.judging import is_clear
 
 READ = ("inspect reevaluate", "inspect history", "inspect search", "inspect export", "inspect verify", "inspect watch")
@@ -28,11 +28,13 @@ LONG = (
     "campaign synthesise",
     "compare",
     "ride",
+    "sweep",
 )
 """Commands that compute for long: only places that are refused before they begin."""
 USES = {
     "design kinematics": "design kinematics study.toml --out designed",
     "campaign run": "campaign run c/campaign.toml --out r",
+    "sweep": "sweep sweep.toml --out swept",
 }
 """Right uses that need a file of their own."""
 
@@ -154,6 +156,7 @@ def folder_for(command: str) -> Iterator[None]:
 
     with folder_of_files():
         Path("study.toml").write_text(_DESIGN, encoding="utf-8")
+        Path("sweep.toml").write_text(_SWEEP, encoding="utf-8")
         if command == "campaign run":
             new_campaign("c")
         yield

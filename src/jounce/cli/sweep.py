@@ -1,0 +1,135 @@
+"""``jounce sweep``: many variants of a rig, from a study file into a folder that outlasts whatever stops the work."""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import AsJson, Force
+from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table, tell
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.core.findings import Finding
+    from jounce.report import Page
+    from jounce.variants.study import SweepResult
+    from jounce.variants.summary import Summary
+
+_MOST_ROWS = 100_000  # of variants.csv
+
+
+def sweep(
+    study: Annotated[
+        Path, typer.Argument(metavar="STUDY.toml", help='Study file, schema = "jounce.sweep/1".', show_default=False)
+    ],
+    out: Annotated[
+        Path,
+        typer.Option(metavar="DIR", help="Folder of shards, summary.json, variants.csv, report and pictures."),
+    ],
+    workers: Annotated[
+        int | None,
+        typer.Option(min=1, help="Processes; by default one, or one a processor where variants run alone for long."),
+    ] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on where the sweep in the folder was stopped.")] = False,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Simulate many variants of a rig and tell what metrics amount to and depend on. Exit code 1 where none ran.
+
+    Example: jounce sweep study.toml --out swept
+    """
+    from jounce.core.errors import DescriptionError
+
+    if resume and force:
+        raise DescriptionError(
+            "--force begins anew, --resume goes on", where="--resume, --force", allowed="one of them"
+        )
+    command = shlex.join(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == ["sweep"] else ""
+    missing: Sequence[Finding] = ()
+    with progress() as say:
+        say("reading the study")
+        from jounce.variants.study import run_sweep
+
+        def tell_share(done: int, count: int) -> None:
+            say(f"simulating {count:,} variants: {100.0 * done / count:.1f} %".replace(",", " "))
+
+        try:
+            found = run_sweep(study, out, resume=resume, force=force, workers=workers, say=tell_share, command=command)
+        except KeyboardInterrupt:
+            if (out / "sweep.json").is_file():
+                tell("what is finished is kept; the same command with --resume goes on.")
+            raise
+        say("drawing")
+        missing = _write(found, study, out)
+    plain = found.to_dict()
+    code = DONE if found.summary.ran else FAILED
+    return Reply(plain, lambda console: draw_sweep(console, plain, found.summary), as_json, code, missing)
+
+
+def _write(found: SweepResult, study: Path, out: Path) -> Sequence[Finding]:
+    """Write summary and table, and then the page; give what could not be drawn."""
+    from jounce.core.serialise import to_json
+    from jounce.plots.style import rendered
+    from jounce.report import Picture, sweep_page, write_page
+    from jounce.variants.study import extreme_runs, read_sweep
+
+    text = study.read_text(encoding="utf-8")
+    computed: dict[str, bytes | str] = {
+        "study.toml": text,
+        "summary.json": to_json(found) + "\n",
+        "variants.csv": _variants(found),
+    }
+
+    def page() -> Page:
+        sweep_ = read_sweep(study)
+        runs = extreme_runs(sweep_, found.data)
+        rig, trial = sweep_.work.study.rig, sweep_.work.study.trial
+        whole = sweep_page(found, title=f"Sweep {study.stem}", runs=runs, rig=rig, trial=trial, study=text)
+        pictures = [one for one in whole.pictures() if isinstance(one, Picture)]
+        drawn = {f"{one.name}.png": rendered(one.figure, [".png"])[".png"] for one in pictures}
+        return replace(whole, files=tuple(drawn.items()))
+
+    with drawing() as missing:
+        write_page(page, out, files=computed, force=True)
+    return missing
+
+
+def _variants(found: SweepResult) -> str:
+    """Table of the variants with their numbers and metrics, SI; the first ones where there are very many."""
+    data = found.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
+    names = [str(name) for name in (*data.coords, *data.data_vars) if name not in ("variant", "reason")]
+    frame = data.reset_coords()[[*names, "reason"]].to_dataframe().reset_index()
+    header = {name: f"{name} [{data[name].attrs.get('units', '1')}]" for name in names}
+    return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
+
+
+def draw_sweep(console: Console, plain: dict[str, Any], summary: Summary) -> None:
+    """Print statistics of every metric, what it depends on, and why variants have no run."""
+    from jounce.core.display import display_unit
+
+    rows = []
+    for one in summary.metrics:
+        unit = display_unit(one.unit, max(abs(one.least), abs(one.greatest)))
+        levels = [level["value"] for level in one.percentiles.values()]
+        numbers = (one.mean, one.standard_deviation, one.least, *levels, one.greatest)
+        rows.append((one.name, unit.name or "1", *(value * unit.factor for value in numbers)))
+    header = ("metric", "unit", "mean", "standard deviation", "least", "5 %", "50 %", "95 %", "greatest")
+    console.print(table(f"{summary.ran} of {summary.count} variants ran", header, rows, text=(0, 1)))
+    if summary.influences:
+        measures = [name for name in summary.influences[0].measures if not name.startswith("at_")]
+        told = [
+            (one.metric, one.number, *(one.measures[name]["value"] for name in measures)) for one in summary.influences
+        ]
+        words = [name.replace("_", " ") for name in measures]
+        console.print(table("What they depend on (SI)", ("metric", "number", *words), told, text=(0, 1)))
+    for reason, lost in summary.failed.items():
+        console.print(f"{lost['variants']} without a run (variant {lost['first']} first): {reason}")
+    show_findings(console, summary.findings)
+    show_written(console, plain)

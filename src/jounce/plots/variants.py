@@ -1,0 +1,278 @@
+"""Pictures of many runs: what a metric depends on, how numbers and metrics go together, bands over time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.errors import DescriptionError
+from jounce.plots.style import INK, MUTED, PALETTE, at_tick, limits, new_figure, styled
+from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
+from jounce.variants.summary import bands
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.core.types import Array
+
+_MOST_BARS, _MOST_AXES, _MOST_POINTS, _MOST_LINES = 15, 7, 4000, 1500
+_LOWER, _HIGHER = PALETTE[0], PALETTE[1]
+_INDICES = {  # of each design: what is drawn beside the swings, with its words
+    "saltelli": (("first", "alone"), ("total", "with others")),
+    "morris": (("mean_absolute_effect", "mean size"), ("effect_spread", "spread")),
+}
+_HEADINGS = {"saltelli": "share of the variance", "morris": "effect of the whole range"}
+
+
+@styled
+def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
+    """Draw what metrics depend on, the number that matters most above.
+
+    Left, for each metric: its mean over the fifth of the variants with the lowest and the highest values of each
+    number, from its mean over all (of a design of Morris: half of the mean effect to either side). Right: the indices
+    that the design allows, with their 95 % intervals.
+
+    Parameters
+    ----------
+    many : xarray.Dataset
+        Metrics on ``variant``, as :func:`jounce.simulate_many` gives them; SI, shown in usual units.
+    metrics : sequence of str, optional
+        Which; the first three by default.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A row of axes a metric.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="1 s")
+    >>> design = jn.sobol({"strut.damper.coefficient": "20 %", "sprung.mass": "10 %"}, 16)
+    >>> many = jn.simulate_many(jn.load("audi-a6-quarter-car"), trial, design, metrics="max sprung.az")
+    >>> [axes.get_title("left") for axes in tornado(many).axes]
+    ['max sprung.az', 'Regression']
+    """
+    names = metrics_of(many, metrics)[: 3 if metrics is None else None]
+    found = sensitivity_indices(many, names)
+    count = min(found.sizes["number"], _MOST_BARS)
+    figure = new_figure((1.15 + 0.26 * count) * len(names), 9.2)
+    grid = figure.subplots(len(names), 2, squeeze=False, width_ratios=[1.3, 1.0])
+    for row, name in zip(grid, names, strict=True):
+        at = found.sel(metric=name)
+        weight = next(at[key].to_numpy() for key in ("total", "mean_absolute_effect", "regression") if key in at)
+        order = np.argsort(-np.nan_to_num(np.abs(weight)), kind="stable")[:count]
+        _swings(row[0], at.isel(number=order), name, many[name])
+        _indices(row[1], at.isel(number=order), found.attrs["design"], many[name])
+    grid[0, 0].legend(loc="lower right", ncols=2, bbox_to_anchor=(1.0, 1.0), columnspacing=1.2)
+    return figure
+
+
+def _swings(axes: Axes, at: xr.Dataset, name: str, metric: xr.DataArray) -> None:
+    values = metric.to_numpy()
+    centre, unit = float(np.nanmean(values)), _unit(metric)
+    is_morris = "mean_effect" in at
+    for key, side, colour, words in (("at_low", -1, _LOWER, "number low"), ("at_high", 1, _HIGHER, "number high")):
+        moved = side * 0.5 * at["mean_effect"].to_numpy() if is_morris else at[key].to_numpy() - centre
+        moved = moved * unit.factor
+        rows = np.arange(len(moved)) + 0.17 * side
+        axes.barh(rows, moved, left=centre * unit.factor, color=colour, height=0.34, label=words)
+    axes.axvline(centre * unit.factor, color=INK, linewidth=0.8)
+    _rows(axes, [str(path) for path in at["number"].to_numpy()])
+    axes.set_title(name)
+    axes.set_xlabel(
+        unit.label("half of the range to either side" if is_morris else "mean over a fifth of the variants")
+    )
+
+
+def _indices(axes: Axes, at: xr.Dataset, design: str, metric: xr.DataArray) -> None:
+    shown = _INDICES.get(design, (("regression", "coefficient"), ("rank_correlation", "rank")))
+    unit = _unit(metric) if design == "morris" else DisplayUnit("", 1.0)
+    for k, (key, words) in enumerate(shown):
+        value, low, high = (at[f"{key}{end}"].to_numpy() * unit.factor for end in ("", "_low", "_high"))
+        place = np.arange(len(value)) + (k - 0.5) * 0.3
+        error = np.clip([value - low, high - value], 0.0, None)  # a percentile interval need not hold the estimate
+        axes.errorbar(value, place, xerr=error, fmt="o", ms=4, color=PALETTE[2 + k], elinewidth=1.1, label=words)
+    axes.axvline(0.0, color=MUTED, linewidth=0.7)
+    if design == "saltelli":
+        axes.set_xlim(min(-0.03, axes.get_xlim()[0]), max(1.03, axes.get_xlim()[1]))
+    _rows(axes, [""] * at.sizes["number"])
+    axes.set_title({"saltelli": "Sobol's indices", "morris": "Morris' effects"}.get(design, "Regression"))
+    axes.set_xlabel(unit.label(_HEADINGS.get(design, "standardised coefficient")))
+    axes.legend(loc="lower right", ncols=2, bbox_to_anchor=(1.0, 1.0), columnspacing=1.2)
+
+
+def _rows(axes: Axes, names: Sequence[str]) -> None:
+    axes.set_yticks(range(len(names)), [at_tick(name) for name in names])
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.grid(axis="y", visible=False)
+
+
+@styled
+def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
+    """Draw every metric over every number that varies, a dot a variant, with the mean of each tenth of the variants.
+
+    Parameters
+    ----------
+    many : xarray.Dataset
+        As for :func:`tornado`.
+    metrics : sequence of str, optional
+        Which; the first seven by default, over the first seven numbers.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A row a metric, a column a number.
+    """
+    names = metrics_of(many, metrics)[:_MOST_AXES]
+    paths = _varied(many)[:_MOST_AXES]
+    figure = new_figure(0.5 + 1.75 * len(names), max(1.0 + 1.9 * len(paths), 3.6))
+    grid = figure.subplots(len(names), len(paths), squeeze=False, sharex="col", sharey="row")
+    chosen = _chosen(many, _MOST_POINTS)
+    for row, name in zip(grid, names, strict=True):
+        unit = _unit(many[name])
+        y = many[name].to_numpy() * unit.factor
+        for axes, path in zip(row, paths, strict=True):
+            across = _unit(many[path])
+            x = many[path].to_numpy() * across.factor
+            axes.scatter(x[chosen], y[chosen], s=7, color=PALETTE[0], alpha=0.45, linewidths=0, rasterized=True)
+            axes.plot(*_course(x, y), color=PALETTE[1], linewidth=1.6)
+            axes.margins(0.05)
+            axes.ticklabel_format(useOffset=False)
+            axes.locator_params(axis="x", nbins=4)
+        row[0].set_ylabel(unit.label(at_tick(name, 40).replace(" ", "\n", 1)))
+    for axes, path in zip(grid[-1], paths, strict=True):
+        axes.set_xlabel(_unit(many[path]).label(_broken(path)))
+    return figure
+
+
+def _course(x: Array, y: Array) -> tuple[Array, Array]:
+    """Mean place and metric of each tenth of the variants that ran, in the order of x."""
+    good = np.flatnonzero(np.isfinite(y))
+    parts = np.array_split(good[np.argsort(x[good], kind="stable")], min(10, max(len(good) // 3, 1)))
+    whole = [part for part in parts if len(part)]
+    return np.array([x[part].mean() for part in whole]), np.array([y[part].mean() for part in whole])
+
+
+@styled
+def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
+    """Draw every variant as a line through its numbers and metrics, coloured by the first metric.
+
+    Parameters
+    ----------
+    many : xarray.Dataset
+        As for :func:`tornado`.
+    metrics : sequence of str, optional
+        Which; all by default, the first of them colours. At most 12 axes are drawn.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes; each upright one goes from the least to the greatest value.
+    """
+    from matplotlib.collections import LineCollection
+
+    names = metrics_of(many, metrics)[:6]
+    columns = [*_varied(many)[: 12 - len(names)], *names]
+    figure = new_figure(3.6, max(5.0, 1.2 + 1.15 * len(columns)))
+    axes = figure.subplots()
+    first = many[names[0]].to_numpy()
+    chosen = _chosen(many, _MOST_LINES)
+    chosen = chosen[np.isfinite(first[chosen])]
+    chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # what is least lies on top
+    shares, ends = [], []
+    for name in columns:
+        unit = _unit(many[name])
+        values = many[name].to_numpy() * unit.factor
+        low, high = float(np.nanmin(values)), float(np.nanmax(values))
+        shares.append((values[chosen] - low) / (high - low) if high > low else np.full(len(chosen), 0.5))
+        ends.append((low, high, unit))
+    lines = np.stack(
+        [np.broadcast_to(np.arange(len(columns)), (len(chosen), len(columns))), np.array(shares).T], axis=2
+    )
+    alpha = float(np.clip(60.0 / max(len(chosen), 1), 0.12, 0.8))
+    drawn = LineCollection(list(lines), cmap="viridis", linewidths=0.9, alpha=alpha, rasterized=True)
+    drawn.set_array(first[chosen] * ends[len(columns) - len(names)][2].factor)
+    axes.add_collection(drawn)
+    for k, (low, high, _) in enumerate(ends):
+        axes.plot([k, k], [0.0, 1.0], color=INK, linewidth=0.7)
+        for place, value, align in ((-0.02, low, "top"), (1.02, high, "bottom")):
+            axes.annotate(f"{value:.4g}".replace("-", "−"), (k, place), ha="center", va=align, fontsize=7.5)
+    limits(axes, -0.3, len(columns) - 0.7)
+    axes.set_ylim(-0.12, 1.12)
+    names_at = [
+        f"{_broken(name)}\n[{unit.name}]" if unit.name else _broken(name)
+        for name, (_, _, unit) in zip(columns, ends, strict=True)
+    ]
+    axes.set_xticks(range(len(columns)), names_at, fontsize=7.5)
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+    axes.grid(visible=False)
+    bar = figure.colorbar(drawn, ax=axes, pad=0.01, aspect=30)
+    bar.solids.set_alpha(1.0)  # type: ignore[union-attr]
+    bar.set_label(ends[len(columns) - len(names)][2].label(names[0]), fontsize=8.5)
+    bar.outline.set_visible(False)  # type: ignore[operator]
+    return figure
+
+
+@styled
+def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None) -> Figure:
+    """Draw the median of channels over the variants, with bands that hold half and nine tenths of them at each time.
+
+    Parameters
+    ----------
+    many : xarray.Dataset
+        Channels on ``variant`` and ``time`` (``outputs=`` of :func:`jounce.simulate_many`).
+    channels : sequence of str, optional
+        Which; the first four by default.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Axes one below the other, over time (s).
+    """
+    known = [str(name) for name, one in many.data_vars.items() if one.dims == ("variant", "time")]
+    names = [channels] if isinstance(channels, str) else list(channels or known[:4])
+    if not names:
+        raise DescriptionError("no channel was kept over time", where="channels", hint="Ask for outputs.")
+    figure = new_figure(0.5 + 1.9 * len(names))
+    column = figure.subplots(len(names), 1, squeeze=False, sharex=True)[:, 0]
+    time = many["time"].to_numpy()
+    for axes, name in zip(column, names, strict=True):
+        unit = _unit(many[name])
+        found = bands(many, name, (5.0, 25.0, 50.0, 75.0, 95.0)).to_numpy() * unit.factor
+        axes.fill_between(time, found[0], found[4], color=PALETTE[0], alpha=0.18, lw=0, label="5 to 95 %")
+        axes.fill_between(time, found[1], found[3], color=PALETTE[0], alpha=0.35, lw=0, label="25 to 75 %")
+        axes.plot(time, found[2], color=PALETTE[0], label="median")
+        axes.set_ylabel(unit.label(at_tick(name, 30)))
+    column[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
+    column[-1].set_xlabel("time [s]")
+    return figure
+
+
+def _varied(many: xr.Dataset) -> list[str]:
+    found = numbers_of(many)
+    if not found:
+        raise DescriptionError("no number varies", where="many", hint="Give what simulate_many or load_sweep gives.")
+    return found
+
+
+def _chosen(many: xr.Dataset, most: int) -> Array:
+    """Variants that are drawn: all, or as many as a picture takes, evenly."""
+    count = many.sizes["variant"]
+    return np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
+
+
+def _unit(values: xr.DataArray) -> DisplayUnit:
+    largest = float(np.nanmax(np.abs(values.to_numpy()), initial=0.0))
+    return display_unit(str(values.attrs.get("units", "1")), largest)
+
+
+def _broken(path: str) -> str:
+    """A path in lines of words, so that it stands under a narrow column."""
+    return path.replace(".", ".\n").replace(" ", "\n")

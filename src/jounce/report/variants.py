@@ -1,0 +1,210 @@
+"""A sweep as a page: what every metric amounts to and depends on first, then pictures, runs, and its study."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from jounce.core.display import display_unit
+from jounce.plots.display import number
+from jounce.plots.variants import parallel_coordinates, scatter_matrix, tornado, variant_bands
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Cell,
+    Details,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Paragraph,
+    Picture,
+    Section,
+    Table,
+    sections_of,
+)
+from jounce.report.recordings import curve_blocks
+
+if TYPE_CHECKING:
+    from typing import Any
+
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+    from jounce.parts import Rig
+    from jounce.roads import Trial
+    from jounce.variants.study import SweepResult
+    from jounce.variants.summary import Influence, Summary
+
+_SHOWN = 10.0  # s, of a long run at first
+_WORDS = {
+    "first": "alone",
+    "total": "with others",
+    "mean_absolute_effect": "mean size of effects",
+    "mean_effect": "mean effect",
+    "effect_spread": "spread of effects",
+    "regression": "regression",
+    "rank_correlation": "rank correlation",
+}
+_IN_UNITS = ("mean_absolute_effect", "mean_effect", "effect_spread")
+
+
+def sweep_page(
+    found: SweepResult,
+    *,
+    title: str,
+    runs: Mapping[str, xr.Dataset] | None = None,
+    rig: Rig | None = None,
+    trial: Trial | None = None,
+    study: str = "",
+) -> Page:
+    """Put a sweep on a page.
+
+    Parameters
+    ----------
+    found : SweepResult
+        As :func:`jounce.run_sweep` gives it.
+    title : str
+        Name of the study.
+    runs : mapping of str to xarray.Dataset, optional
+        Runs for the viewer by what they are, e.g. those with the least and the greatest value of a metric.
+    rig, trial : Rig and Trial, optional
+        A 3-D rig that moves with the first of them, and what it is driven over.
+    study : str
+        Text of the study's file.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
+    """
+    summary, data = found.summary, found.data
+    parts: dict[str, Callable[[], Section]] = {"Answer": lambda: Section("Answer", _answer(found))}
+    if summary.metrics and summary.influences:
+        parts["What matters"] = lambda: Section("What matters", _matters(summary, data))
+        parts["Scatter"] = lambda: _pictured("Scatter", scatter_matrix(data), "scatter", _SCATTER)
+        parts["Parallel coordinates"] = lambda: _pictured(
+            "Parallel coordinates", parallel_coordinates(data), "parallel", _PARALLEL
+        )
+    if "time" in data.dims and summary.ran:
+        parts["Bands over time"] = lambda: _pictured("Bands over time", variant_bands(data), "bands", _BANDS)
+    if runs:
+        shown = dict(runs)
+        parts["Curves"] = lambda: Section("Curves", _curves(shown, title, rig, trial))
+    parts["How it was made"] = lambda: Section("How it was made", _made(found, study))
+    sections, missing = sections_of(parts)
+    drawn = f"{summary.ran} of {summary.count} variants ran"
+    return Page(title, sections, f"Sweep; {drawn}", missing=missing)
+
+
+_SCATTER = "Every metric over every number, a dot a variant; lines are means of tenths of the variants."
+_PARALLEL = "Every variant as a line through its numbers and metrics, coloured by the first metric."
+_BANDS = "Median of the channels over the variants, with bands that hold half and nine tenths of them at each time."
+_TORNADO = "Means of the metrics where each number is low and high, and indices with 95 % intervals."
+
+
+def _pictured(title: str, figure: Figure, name: str, words: str) -> Section:
+    return Section(title, (Picture(figure, name, words, words),))
+
+
+def _answer(found: SweepResult) -> tuple[Block, ...]:
+    summary = found.summary
+    lost = sum(one["variants"] for one in summary.failed.values())
+    finished = summary.ran + lost
+    facts = [
+        Fact("Variants", str(summary.count), "all finished" if finished == summary.count else f"{finished} finished"),
+        Fact("Ran", str(summary.ran), f"{summary.side_by_side} side by side", "good" if not lost else "fair"),
+    ]
+    if found.seed is not None:
+        facts.append(Fact("Seed", str(found.seed), "the same points each time"))
+    blocks: list[Block] = [Facts(tuple(facts))]
+    if summary.metrics:
+        blocks += [_statistics(summary), _percentiles(summary)]
+    if summary.failed:
+        rows = tuple(
+            (Cell(reason, "bad"), str(one["variants"]), str(one["first"])) for reason, one in summary.failed.items()
+        )
+        blocks.append(Table("Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"))
+    if summary.findings:
+        blocks.append(Findings(summary.findings))
+    return tuple(blocks)
+
+
+def _statistics(summary: Summary) -> Table:
+    rows = []
+    for one in summary.metrics:
+        unit = display_unit(one.unit, max(abs(one.least), abs(one.greatest)))
+        levels = [number(level["value"] * unit.factor) for level in one.percentiles.values()]
+        ends = [
+            f"{number(value * unit.factor)} ({at})"
+            for value, at in ((one.least, one.least_at), (one.greatest, one.greatest_at))
+        ]
+        middle = [number(value * unit.factor) for value in (one.mean, one.standard_deviation)]
+        rows.append((one.name, unit.name or "–", *middle, ends[0], *levels, ends[1]))
+    levels = [f"{key} %" for key in summary.metrics[0].percentiles]
+    header = ("metric", "unit", "mean", "standard deviation", "least (variant)", *levels, "greatest (variant)")
+    return Table("Every metric over the variants", header, tuple(rows), "ll" + "r" * 7)
+
+
+def _percentiles(summary: Summary) -> Details:
+    rows = []
+    for one in summary.metrics:
+        unit = display_unit(one.unit, max(abs(one.least), abs(one.greatest)))
+        levels = [_with_interval(level, unit.factor) for level in one.percentiles.values()]
+        rows.append((one.name, unit.name or "–", *levels))
+    header = ("metric", "unit", *(f"{key} %" for key in summary.metrics[0].percentiles))
+    note = "In brackets the 95 % interval that so many variants, taken as a random sample, leave a percentile."
+    words = "Percentiles and how sure they are"
+    return Details(words, (Table(words, header, tuple(rows), "llrrr", note),))
+
+
+def _with_interval(level: Mapping[str, Any], factor: float) -> str:
+    value = number(level["value"] * factor)
+    ends = level["interval"]
+    return value if ends is None else f"{value} ({' … '.join(number(end * factor, 3) for end in ends)})"
+
+
+def _matters(summary: Summary, data: xr.Dataset) -> tuple[Block, ...]:
+    return Picture(tornado(data), "tornado", _TORNADO, _TORNADO), *(
+        _table(summary, one.name) for one in summary.metrics
+    )
+
+
+def _table(summary: Summary, metric: str) -> Table:
+    """What one metric depends on, the number that matters most first."""
+    own = [one for one in summary.influences if one.metric == metric]
+    measures = [name for name in own[0].measures if name in _WORDS]
+    unit = display_unit(next(one.unit for one in summary.metrics if one.name == metric))
+    factors = {name: unit.factor if name in _IN_UNITS else 1.0 for name in measures}
+
+    def weight(one: Influence) -> float:
+        return -abs(float(one.measures["total" if "total" in one.measures else measures[0]]["value"]))
+
+    rows = tuple(
+        (one.number, *(_with_interval(one.measures[name], factors[name]) for name in measures))
+        for one in sorted(own, key=weight)
+    )
+    header = ("number", *(unit.label(_WORDS[name]) if name in _IN_UNITS else _WORDS[name] for name in measures))
+    return Table(f"What {metric} depends on", header, rows, "l" + "r" * len(measures))
+
+
+def _curves(runs: Mapping[str, xr.Dataset], title: str, rig: Rig | None, trial: Trial | None) -> tuple[Block, ...]:
+    first = next(iter(runs.values()))
+    held = [str(name) for name in first.data_vars if all(name in run for run in runs.values())]
+    ends = ("road.z", "body.az", "sprung.az", "strut.deflection", "tyre.force")
+    chosen = [next((name for name in held if name.endswith(end)), "") for end in ends]
+    long = float(first["time"][-1]) > _SHOWN
+    window = (0.0, _SHOWN) if long else None
+    return curve_blocks(
+        {"": runs}, [one for one in chosen if one] or None, title=title, rig=rig, trial=trial, window=window
+    )
+
+
+def _made(found: SweepResult, study: str) -> tuple[Block, ...]:
+    items = [
+        f"Command: {found.command}",
+        f"Study: {found.study}",
+        f"Shards and all that results follow from: {found.out}",
+    ]
+    lines = tuple(Paragraph(line) for line in study.splitlines() if line.strip())
+    return (Bullets(tuple(items)), *((Details("The study's file", lines),) if lines else ()))
