@@ -66,5 +66,9 @@ def _features() -> str:
 
 
 def compiled_for() -> str:
-    """Processor, and versions of the compiler: code for others is not taken."""
-    return f"{llvmlite.__version__} {llvm.get_host_cpu_name()} {_features()} {llvm.llvm_version_info}"
+    """System and processor, and versions of the compiler: code for others is not taken.
+
+    A folder may be shared with other systems (a container's home), and LLVM ends a process that gives it their objects.
+    """
+    versions = f"{llvmlite.__version__} {llvm.llvm_version_info}"
+    return f"{versions} {llvm.get_process_triple()} {llvm.get_host_cpu_name()} {_features()}"

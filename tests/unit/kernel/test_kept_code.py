@@ -11,7 +11,7 @@ import pytest
 
 from jounce.core import ownership
 from jounce.core.ownership import ForeignError
-from jounce.kernel import cache, native
+from jounce.kernel import cache, machine, native
 
 
 def test_without_a_home_folder_models_are_compiled_all_the_same(monkeypatch):
@@ -25,6 +25,15 @@ def test_without_a_home_folder_models_are_compiled_all_the_same(monkeypatch):
         cache.cache_folder()
     assert cache.recall("key") is None
     cache.keep("key", b"code")
+
+
+def test_native_code_is_not_taken_from_another_system(monkeypatch):
+    """LLVM ends a process that loads an object of another format: nothing could be caught."""
+    here = cache.key_here("model")
+    assert cache.key_here("model") == here
+    for triple in ("x86_64-apple-darwin23.0.0", "x86_64-pc-windows-msvc", "aarch64-unknown-linux-gnu"):
+        monkeypatch.setattr(machine.llvm, "get_process_triple", lambda triple=triple: triple)
+        assert cache.key_here("model") != here
 
 
 def test_native_code_is_not_taken_from_another_kernel(monkeypatch, tmp_path):
