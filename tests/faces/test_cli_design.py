@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+from html import unescape
 from pathlib import Path
 
 import pytest
 
 import jounce as jn
+from jounce.plots import number
 
 QUARTER = ("design", "optimise", "audi-a6-quarter-car", "--set", "tyre.damping_coefficient=0")
 DAMPER = "strut.damper.coefficient"
@@ -31,6 +34,12 @@ def test_springs(cli):
     assert "target" in shown.out
 
 
+def words_of(page: str) -> str:
+    """What a page shows: its text without markup and scripts."""
+    text = re.sub(r"<(script|style)\b.*?</\1>", " ", Path(page).read_text(encoding="utf-8"), flags=re.DOTALL)
+    return " ".join(unescape(re.sub(r"<[^>]+>", " ", text)).split())
+
+
 def test_optimise(cli):
     done = cli(*QUARTER, "--free", f"{DAMPER}=500..5000 N*s/m", "--objective", "sprung.az", *ON_C, "--json")
     assert done.exit_code == 0
@@ -40,12 +49,18 @@ def test_optimise(cli):
     tight = cli(
         *QUARTER, "--free", f"{DAMPER}=500..5000", "--objective", "sprung.az=2", "--objective", "tyre.force=1",
         "--limit", "strut.deflection=9 mm", "--limit", "mode 1 frequency=1..2 Hz", *ON_C,
-        "--figure", "best.svg", "--out", "best.toml",
+        "--figure", "best.svg", "--out", "best.toml", "--report", "best.html",
     )  # fmt: skip
     assert tight.exit_code == 0, tight.err
     assert "active" in tight.out
     assert "converged" in tight.out
     assert Path("best.svg").read_text(encoding="utf-8").startswith("<?xml")
+    text = words_of("best.html")
+    assert "Best design on" in text
+    assert "holds the design" in text  # the limit that is active
+    assert "the start breaks a limit" in text  # 11.3 mm
+    assert "nothing better" not in text
+    assert "Numbers of the design" in text
     assert "# audi-a6-quarter-car, best for sprung.az, tyre.force" in Path("best.toml").read_text(encoding="utf-8")
 
 
@@ -62,7 +77,7 @@ def test_optimise_on_a_simulated_road(cli, bump):
 def test_pareto(cli):
     done = cli(
         "design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--points", "5",
-        "--figure", "front.png", "--json",
+        "--figure", "front.png", "--report", "front.html", "--json",
     )  # fmt: skip
     assert done.exit_code == 0, done.err
     plain = done.json
@@ -71,6 +86,10 @@ def test_pareto(cli):
     assert plain["holding"] == sorted(plain["holding"], reverse=True)
     assert {mark["kind"] for mark in plain["marks"]} == {"present", "closed form", "searched"}
     assert Path("front.png").stat().st_size > 10_000
+    assert plain["report"] == "front.html"
+    text = words_of("front.html")
+    assert all(f"{number(value)}" in text for value in plain["comfort"])
+    assert "closed form" in text
     again = cli("design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--figure", "front.png")
     assert again.exit_code == 2
     assert "--force" in again.err

@@ -54,7 +54,7 @@ def test_draw_keeps_what_is_within_reach(cli, tmp_path: Path) -> None:
 def test_animate_a_sweep(cli, tmp_path: Path) -> None:
     plain = cli("animate", RIG, *TRAVEL, "--report", "a.html", "--json").json
     assert (plain["over"], plain["poses"], plain["out"]) == ("wheel_travel", 5, "a.html")
-    assert "<canvas" in (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "data-viewer" in (tmp_path / "a.html").read_text(encoding="utf-8")
 
 
 def test_animate_a_drive(cli, bump: Path, tmp_path: Path) -> None:

@@ -11,7 +11,8 @@ ESTIMATE = {"value", "standard_error", "interval"}
 
 
 def test_stiffness(cli, spring_files: list[Path]) -> None:
-    outcome = cli("fit", "stiffness", *spring_files, "--load", "175 N", "--json")
+    asked = ("--report", "spring.html", "--figure", "spring.svg")
+    outcome = cli("fit", "stiffness", *spring_files, "--load", "175 N", *asked, "--json")
     assert outcome.exit_code == 0
     found = outcome.json
     assert {"stiffness", "intercept", "loss_factor", "trials", "findings"} <= set(found)
@@ -22,6 +23,14 @@ def test_stiffness(cli, spring_files: list[Path]) -> None:
     assert found["loss_factor"] == pytest.approx(0.0, abs=1e-9)  # both branches are one line
     assert [trial["name"] for trial in found["trials"]] == [file.name for file in spring_files]
     assert found["operating_deflection"] == pytest.approx(175.0 / 22730.0, rel=1e-3)
+    assert (found["report"], found["figure"]) == ("spring.html", "spring.svg")
+    page = Path("spring.html").read_text(encoding="utf-8")
+    assert "22.730" in page
+    assert all(file.name in page for file in spring_files)
+    assert Path("spring.svg").read_text(encoding="utf-8").startswith("<?xml")
+    again = cli("fit", "stiffness", *spring_files, *asked)
+    assert again.exit_code == 2
+    assert "exists" in again.err
 
 
 def test_stiffness_as_a_table(cli, spring_files: list[Path]) -> None:
@@ -122,7 +131,14 @@ def test_decay_as_a_table_with_a_known_stiffness(cli, decay_file: Path) -> None:
 def test_several_decays_are_combined(cli, decay_file: Path, tmp_path: Path) -> None:
     other = tmp_path / "again.csv"
     other.write_bytes(decay_file.read_bytes())
-    found = cli("fit", "decay", decay_file, other, "--channel", "sprung.z", "--mass", "16 kg", "--json").json
+    words = ("fit", "decay", decay_file, other, "--channel", "sprung.z", "--mass", "16 kg")
+    found = cli(*words, "--report", "decays.html", "--json").json
+    page = (tmp_path / "decays.html").read_text(encoding="utf-8")
+    assert "2 free decays combined" in page
+    assert all(f"{name}.csv" in page for name in ("decay", "again"))
+    refused = cli(*words, "--figure", "decays.svg")
+    assert refused.exit_code == 2
+    assert "one picture shows one decay" in refused.err
     assert found["damping_ratio"]["value"] == pytest.approx(0.11, rel=1e-6)
     assert found["files"] == [str(decay_file), str(other)]
 
@@ -194,7 +210,10 @@ def damper_file(tmp_path: Path) -> Path:
 
 
 def test_damper(cli, damper_file: Path) -> None:
-    found = cli("fit", "damper", damper_file, "--law", "bilinear", "--json").json
+    asked = ("--report", "damper.html", "--figure", "damper.svg")
+    found = cli("fit", "damper", damper_file, "--law", "bilinear", *asked, "--json").json
+    assert "bump coefficient" in Path("damper.html").read_text(encoding="utf-8")
+    assert Path("damper.svg").read_text(encoding="utf-8").startswith("<?xml")
     assert found["parameters"]["bump_coefficient"]["value"] == pytest.approx(300.0, rel=1e-6)
     assert found["parameters"]["rebound_coefficient"]["value"] == pytest.approx(900.0, rel=1e-6)
     assert found["units"]["bump_coefficient"] == "N*s/m"

@@ -142,12 +142,16 @@ def test_limits_that_are_wrong_change_nothing(cli, lane, tmp_path: Path) -> None
 def test_history_search_export(cli, lane) -> None:
     imported(cli, lane)
     found = cli(
-        "inspect", "history", "--plate", "b ab 123", "--store", "lane.sqlite", "--figure", "h.svg", "--json"
-    ).json
+        "inspect", "history", "--plate", "b ab 123", "--store", "lane.sqlite", "--figure", "h.svg",
+        "--report", "h.html", "--json",
+    ).json  # fmt: skip
     assert [one["date"] for one in found["wheels"]] == ["2024-06-01", "2025-06-01", "2026-06-01"]
     assert {one["quantity"] for one in found["trends"]} == {"adhesion", "phase_angle_min_deg", "theta_road"}
     assert all(abs(one["change_per_year"]) < 1e-9 for one in found["trends"])  # three times the same record
     assert Path("h.svg").read_text().startswith("<?xml")
+    page = Path("h.html").read_text(encoding="utf-8")
+    assert found["report"] == "h.html"
+    assert all(text in page for text in ("2024-06-01", "adhesion", "%", "Change per year"))
     assert "change per year" in cli("inspect", "history", "--plate", "b ab 123", "--store", "lane.sqlite").out
     shown = cli("inspect", "search", "--store", "lane.sqlite", "--since", "2026-01-01")
     assert "2 records" in shown.out

@@ -171,9 +171,11 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "design": ("design", "kinematics", "study.toml", "--starts", "1", "--out", "design"),
     "record": ("inspect", "simulate", "audi-a6-quarter-car", "--method", "egea", "--out", "lane.csv"),
     "protocol": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018"),
+    "german": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--language", "de"),
+    "equivalence": ("study", "inspection-equivalence", "audi-a6-quarter-car", "--points", "2"),
     "animation": ("animate", KART, "--travel", "-10 mm:10 mm:2 mm"),
 }
-MOVING = ("simulate", "kinematics", "models", "design")
+MOVING = ("simulate", "kinematics", "models", "design", "animation")
 """Pages whose mechanism moves with the curves."""
 PAGES = [name for name in COMMANDS if name not in ("faster", "record")] + ["study"]
 KEPT = Path(__file__).parent / "pages"
@@ -238,7 +240,9 @@ def test_every_kind_of_page_is_opened_zoomed_and_played(
     tall = page.evaluate("document.documentElement.scrollHeight")
     dark = page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(21, 25, 29)"
     assert dark == (scheme == "dark")
-    button = page.get_by_role("button", name="Light" if dark else "Dark", exact=True)
+    words = {"Light": "Hell", "Dark": "Dunkel"} if name == "german" else {}
+    to = "Light" if dark else "Dark"
+    button = page.get_by_role("button", name=words.get(to, to), exact=True)
     assert button.is_visible()
     top = {"x": 0, "y": 0, "width": width, "height": min(tall, TALLEST)}
     seen = shrunk(page.screenshot(full_page=True, clip=top))
@@ -247,7 +251,7 @@ def test_every_kind_of_page_is_opened_zoomed_and_played(
         seen.save(kept, optimize=True)
     assert apart(seen, Image.open(kept)) < ALIKE
     has_player = page.evaluate("typeof jounce === 'object' && (jounce.players ?? []).length > 0")
-    assert has_player == (name not in ("modes", "animation"))
+    assert has_player == (name not in ("modes", "equivalence"))
     if has_player and width == 1400:
         assert page.evaluate("jounce.players[0].view !== null") == (name in MOVING)
         first, last = page.evaluate("jounce.players[0].plots.whole")
@@ -262,6 +266,45 @@ def test_every_kind_of_page_is_opened_zoomed_and_played(
         page.emulate_media(media="print", color_scheme="dark")
         assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
         assert not has_player or not page.locator(".player").first.is_visible()
+    opened.close()
+
+
+def test_a_german_page_has_german_buttons_and_decimal_commas(browser: Any, pages: dict[str, Path]) -> None:
+    opened = Opened(browser, pages["german"])
+    page = opened.page
+    page.locator(".player").scroll_into_view_if_needed()
+    page.evaluate("jounce.players[0].goTo(1.25)")
+    assert page.locator(".clock").inner_text() == "1,250 s"
+    words = page.locator(".player").inner_text()
+    for word in ("Plattenkraft", "Abspielen", "Tempo", "Echtzeit", "Großansicht", "Alles", "Zeit [s]"):
+        assert word in words or word == "Zeit [s]", word
+    for word in ("Play", "speed", "channels", "Full window", "Drag", "plate"):
+        assert word not in words, word
+    page.get_by_role("button", name="Abspielen", exact=True).click()
+    assert page.get_by_role("button", name="Pause", exact=True).is_visible()
+    opened.close()
+
+
+def test_an_animation_is_turned_named_and_swept_back(browser: Any, pages: dict[str, Path]) -> None:
+    opened = Opened(browser, pages["animation"])
+    page = opened.page
+    page.wait_for_timeout(300)
+    names = page.locator(".names span")
+    assert names.count() == 11
+    places = [tuple(names.nth(k).bounding_box()[key] for key in ("x", "y", "width")) for k in range(11)]
+    for k, (x, y, width) in enumerate(places):
+        for other_x, other_y, other_width in places[k + 1 :]:
+            is_beside = x + width <= other_x or other_x + other_width <= x
+            assert is_beside or abs(y - other_y) > 11.0  # names stand below each other
+    page.get_by_role("button", name="names", exact=True).click()
+    assert not names.first.is_visible()
+    assert "spring and damper" in page.locator(".legend").inner_text()
+    player = "jounce.players[0]"
+    page.evaluate(f"{player}.goTo(9.9)")
+    page.locator(".transport select").select_option("1")
+    page.get_by_role("button", name="Play", exact=True).click()
+    assert any(page.wait_for_timeout(50) or page.evaluate(f"{player}.way") < 0 for _ in range(100))
+    assert page.evaluate(f"{player}.now") > 0.0  # it goes back the way it came
     opened.close()
 
 

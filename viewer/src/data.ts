@@ -15,7 +15,7 @@ export interface Pane {
 export interface Motion {
   mechanism: number;
   body: number; // height of the body above its design position, mm
-  travel: number; // of the wheel against the body, mm
+  travel: number; // of the wheel against the body, mm; or what else its poses are counted by, times 1000
   ground: number; // height of the road under the wheel, mm
   load: number; // of the tyre, N
   road: { x: number[]; z: number[]; speed: number } | null; // mm, mm, mm/s
@@ -36,15 +36,19 @@ export interface Model {
   roles: { role: string; label: string; shown: boolean }[];
   scenes: Scene[];
   x: { words: string; unit: string };
+  stage: boolean; // the mechanism is what it is about
+  slower: number | null; // than in reality, at first
 }
 export interface Part { name: string; words: string; colour: string; plate: boolean; points: number[] }
 export interface Mechanism {
   side: number;
-  travel: number[]; // mm, ascending
+  travel: number[]; // mm, or what else the poses are counted by, times 1000; ascending
   names: string[];
   onBody: boolean[];
+  feet: number[]; // points that are drawn to and are no hardpoints
   points: number[][][]; // point, pose, xyz in mm, with the body at its design position
   spin: number[][]; // pose, xyz
+  contact: number[][]; // pose, xyz in mm
   parts: Part[];
   brackets: [number, number, number, number, string][];
   strut: { spring: [number, number]; damper: [number, number]; radius: number; tube: number; coils: number; colour: string };

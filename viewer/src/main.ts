@@ -5,6 +5,7 @@ import "./viewer.css";
 import { Store } from "./data";
 import { dress, make } from "./page";
 import { Player } from "./player";
+import { say } from "./words";
 
 export { LinkedPlots } from "./plots";
 export { MechanismView } from "./mechanism";
@@ -44,7 +45,7 @@ async function start(): Promise<void> {
       links();
     } catch (error) {
       places.forEach((place) => place.replaceChildren(make("p", { class: "bad" },
-        `The interactive plots could not be made (${String(error)}); the figures below show the same.`)));
+        say("failed", String(error)))));
     }
   }
   document.documentElement.dataset.ready = "";

@@ -2,17 +2,21 @@
 
 import {
   AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CatmullRomCurve3, Color, CylinderGeometry, DirectionalLight,
-  DoubleSide, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, OrthographicCamera, Quaternion, Scene as Space,
+  DoubleSide, Group, Line, LineBasicMaterial, LineDashedMaterial, LineSegments, Mesh, MeshLambertMaterial, OrthographicCamera, Quaternion, Scene as Space,
   SphereGeometry, TorusGeometry, TubeGeometry, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { before, type Mechanism, type Motion } from "./data";
 import { colour, make, toggle } from "./page";
+import { say } from "./words";
 
 export interface Moment { body: number; travel: number; ground: number; load: number; time: number }
 
 const UP = new Vector3(0, 1, 0);
-const VIEWS: Record<string, [number, number, number]> = { space: [1, 0.75, 0.5], front: [1, 0, 0], side: [0, 1, 0], top: [0, 0, 1] };
+const SMALL = matchMedia("(max-width: 40rem)");
+const LINE = 13; // px from one name to the next
+type View = "space" | "front" | "side" | "top";
+const VIEWS: Record<View, [number, number, number]> = { space: [1, 0.75, 0.5], front: [1, 0, 0], side: [0, 1, 0], top: [0, 0, 1] };
 
 class Rod {
   readonly mesh: Mesh;
@@ -40,9 +44,10 @@ function helix(radius: number, coils: number): BufferGeometry {
 
 export class MechanismView {
   readonly element = make("div", { class: "mechanism" });
-  private readonly canvas = make("canvas", { tabindex: "0", "aria-label": "The mechanism; drag to turn it" });
+  private readonly canvas = make("canvas", { tabindex: "0", "aria-label": say("mechanism") });
   private readonly state = make("div", { class: "state" });
   private readonly names = make("div", { class: "names" });
+  private readonly legend = make("ul", { class: "legend" });
   private readonly space = new Space();
   private readonly camera = new OrthographicCamera();
   private renderer: WebGLRenderer | null = null;
@@ -53,24 +58,31 @@ export class MechanismView {
   private points: Vector3[] = [];
   private update: (() => void)[] = [];
   private spin = new Vector3(0, 1, 0);
-  private contact = new Vector3();
   private now: Moment = { body: 0, travel: 0, ground: 0, load: 1, time: 0 };
   private wheelGroup = new Group();
+  private pathGroup = new Group();
   private labels: HTMLElement[] = [];
+  private named: number[] = []; // points that the labels belong to
   private isDirty = true;
   private isLost = false;
   private isSeen = false;
   private size = 300;
+  private reach: [number, number] = [300, 300];
 
-  constructor() {
-    const views = make("div", { class: "group", role: "group", "aria-label": "view" });
-    for (const name of Object.keys(VIEWS))
-      views.append(make("button", { type: "button", click: () => this.look(name) }, name));
-    const wheel = toggle("wheel", true, (on) => { this.wheelGroup.visible = on; this.isDirty = true; });
-    const words = toggle("names", false, (on) => { this.names.hidden = !on; this.isDirty = true; });
-    this.names.hidden = true;
-    this.element.append(make("div", { class: "bar" }, views, wheel, words),
+  /** `large`: the mechanism is what the page is about; its points are named, its parts listed and paths drawn at first. */
+  constructor(large = false) {
+    const views = make("div", { class: "group", role: "group", "aria-label": say("view") });
+    for (const name of Object.keys(VIEWS) as View[])
+      views.append(make("button", { type: "button", click: () => this.look(name) }, say(name)));
+    const wheel = toggle(say("wheel"), true, (on) => { this.wheelGroup.visible = on; this.isDirty = true; });
+    const paths = toggle(say("paths"), large, (on) => { this.pathGroup.visible = on; this.isDirty = true; });
+    const isNamed = large && !SMALL.matches;
+    const words = toggle(say("names"), isNamed, (on) => { this.names.hidden = !on; this.isDirty = true; });
+    this.names.hidden = !isNamed;
+    this.pathGroup.visible = large;
+    this.element.append(make("div", { class: "bar" }, views, make("div", { class: "group" }, wheel, paths, words)),
       make("div", { class: "stage" }, this.canvas, this.names, this.state));
+    if (large) this.element.append(this.legend);
     this.space.add(new AmbientLight(0xffffff, 1.9), this.group);
     const sun = new DirectionalLight(0xffffff, 1.9);
     sun.position.set(0.6, 0.3, 1);
@@ -98,7 +110,7 @@ export class MechanismView {
       this.renderer.setPixelRatio(isFast ? Math.min(devicePixelRatio, 2) : 1);
     } catch {
       this.isLost = true;
-      this.state.textContent = "The mechanism is drawn with WebGL, which this browser does not offer.";
+      this.state.textContent = say("noWebGL");
       return false;
     }
     this.resize();
@@ -127,10 +139,8 @@ export class MechanismView {
     });
     const a = m.spin[k]!, b = m.spin[next]!;
     this.spin.set(a[0]! + share * (b[0]! - a[0]!), a[1]! + share * (b[1]! - a[1]!), a[2]! + share * (b[2]! - a[2]!)).normalize();
-    const centre = this.points[m.wheel.centre]!;
-    this.contact.set(centre.x, centre.y, moment.ground);
     for (const step of this.update) step();
-    if (!this.isLost) this.state.textContent = moment.load > 0 ? "" : "no contact";
+    if (!this.isLost) this.state.textContent = moment.load > 0 ? "" : say("noContact");
     this.isDirty = true;
   }
 
@@ -142,23 +152,29 @@ export class MechanismView {
     if (!this.names.hidden) this.place();
   }
 
-  look(name: string): void {
+  look(name: View): void {
     if (!this.controls || !this.shown) return;
-    const [x, y, z] = VIEWS[name]!, side = this.shown.side;
+    const [x, y, z] = VIEWS[name], side = this.shown.side;
     const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
     for (const point of this.points) { low.min(point); high.max(point); }
     const { centre, radius, width } = this.shown.wheel, hub = this.points[centre]!;
     low.min(new Vector3(hub.x - radius, hub.y - width / 2, hub.z - radius));
     high.max(new Vector3(hub.x + radius, hub.y + width / 2, hub.z + radius));
     const middle = low.clone().add(high).multiplyScalar(0.5);
-    this.size = 0.6 * low.distanceTo(high);
+    this.size = 0.5 * low.distanceTo(high);
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).add(new Vector3(x, side * y, z + (name === "top" ? 0 : 1e-3)).normalize().multiplyScalar(6 * this.size));
     if (name === "top") this.camera.position.x -= 1e-2 * this.size; // up is along x
     this.camera.zoom = 1;
     this.camera.near = 0.1; this.camera.far = 20 * this.size;
-    this.frame();
     this.controls.update();
+    this.camera.updateMatrixWorld();
+    const half = high.clone().sub(low).multiplyScalar(0.5), to = new Vector3();
+    this.reach = [0, 1].map((column) => { // of the box around everything, across and upward on the screen
+      to.setFromMatrixColumn(this.camera.matrixWorld, column);
+      return Math.abs(to.x) * half.x + Math.abs(to.y) * half.y + Math.abs(to.z) * half.z;
+    }) as [number, number];
+    this.frame();
     this.isDirty = true;
   }
 
@@ -168,7 +184,8 @@ export class MechanismView {
 
   private frame(): void {
     const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!;
-    const tall = this.size * Math.max(1, h / Math.max(w, 1)), wide = tall * w / Math.max(h, 1);
+    const [across, upward] = this.reach, shape = Math.max(w, 1) / Math.max(h, 1);
+    const tall = 1.15 * Math.max(upward, across / shape), wide = tall * shape;
     Object.assign(this.camera, { left: -wide, right: wide, top: tall, bottom: -tall });
     this.camera.updateProjectionMatrix();
   }
@@ -209,7 +226,40 @@ export class MechanismView {
     this.joints(m, size);
     this.wheel(m);
     this.road(m);
-    this.names.replaceChildren(...(this.labels = m.names.map((name) => make("span", {}, name.replaceAll("_", " ")))));
+    this.axis(m);
+    this.paths(m);
+    this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
+    this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, m.names[i]!.replaceAll("_", " ")))));
+    this.legend.replaceChildren(...[...m.parts, { words: say("strut"), colour: m.strut.colour }].map((part) => {
+      const swatch = make("i", { class: "swatch" });
+      swatch.style.background = tint(part.colour);
+      return make("li", {}, swatch, part.words);
+    }));
+  }
+
+  /** The steering axis, where two points mark it. */
+  private axis(m: Mechanism): void {
+    if (!m.axis) return;
+    const [low, high] = m.axis, geometry = new BufferGeometry().setFromPoints([UP, UP]);
+    const line = new Line(geometry, new LineDashedMaterial({ color: new Color(colour("muted")), dashSize: 12, gapSize: 7 }));
+    line.frustumCulled = false;
+    this.group.add(line);
+    this.update.push(() => {
+      const a = this.points[low]!, along = this.points[high]!.clone().sub(a);
+      geometry.setFromPoints([a.clone().addScaledVector(along, -0.3), a.clone().addScaledVector(along, 1.3)]);
+      line.computeLineDistances();
+    });
+  }
+
+  /** The ways of the wheel's centre and of the contact point through all poses. */
+  private paths(m: Mechanism): void {
+    const visible = this.pathGroup.visible, material = new LineBasicMaterial({ color: new Color(colour("accent")) });
+    this.pathGroup = new Group();
+    this.pathGroup.visible = visible;
+    for (const way of [m.points[m.wheel.centre]!, m.contact])
+      this.pathGroup.add(new Line(new BufferGeometry().setFromPoints(way.map(([x, y, z]) => new Vector3(x, y, z))), material));
+    this.group.add(this.pathGroup);
+    this.update.push(() => this.pathGroup.position.setZ(this.now.body));
   }
 
   private plate(corners: number[], name: string): void {
@@ -265,7 +315,7 @@ export class MechanismView {
     const ball = new SphereGeometry(1.5 * size, 12, 8), box = new BoxGeometry(2.6 * size, 2.6 * size, 2.6 * size);
     const held = new MeshLambertMaterial({ color: new Color(colour("muted")) }), free = new MeshLambertMaterial({ color: new Color(colour("ink")) });
     m.names.forEach((_, i) => {
-      if (i === m.wheel.centre) return;
+      if (i === m.wheel.centre || m.feet.includes(i)) return;
       const mesh = new Mesh(m.onBody[i] ? box : ball, m.onBody[i] ? held : free);
       this.group.add(mesh);
       this.update.push(() => mesh.position.copy(this.points[i]!));
@@ -332,9 +382,16 @@ export class MechanismView {
 
   private place(): void {
     const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!, one = new Vector3();
-    this.labels.forEach((label, i) => {
-      one.copy(this.points[i]!).project(this.camera);
-      label.style.transform = `translate(${(0.5 + 0.5 * one.x) * w + 6}px, ${(0.5 - 0.5 * one.y) * h - 8}px)`;
+    const wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
+    const found = this.labels.map((label, i) => {
+      one.copy(this.points[this.named[i]!]!).project(this.camera);
+      const x = (0.5 + 0.5 * one.x) * w, width = wide[i]!;
+      return { label, width, x: x + width + 8 < w ? x + 7 : x - width - 7, y: (0.5 - 0.5 * one.y) * h - 8 };
+    }).sort((a, b) => a.y - b.y);
+    found.forEach((name, i) => {
+      const before = found.slice(0, i).filter((other) => other.x < name.x + name.width && name.x < other.x + other.width);
+      name.y = Math.max(name.y, ...before.map((other) => other.y + LINE)); // names stand below each other, not over
+      name.label.style.transform = `translate(${name.x}px, ${name.y}px)`;
     });
   }
 }

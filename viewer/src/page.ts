@@ -1,5 +1,7 @@
 /** Small things that every component needs: elements, numbers, colours. */
 
+import { localised, say } from "./words";
+
 type Attributes = Record<string, string | boolean | ((event: never) => void)>;
 
 /** Makes an element; texts become text, never markup. */
@@ -34,7 +36,7 @@ export function written(value: number | null | undefined, digits = 4): string {
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e") as [string, string];
   const power = Number(exponent);
   const text = power < -4 || power > 5 ? `${mantissa}e${power}` : value.toFixed(Math.max(0, digits - 1 - power));
-  return text.replaceAll("-", "−");
+  return localised(text);
 }
 
 /** The same of a value that is known to a step only: digits below it are not written. */
@@ -66,7 +68,7 @@ export function themeButton(): HTMLButtonElement {
   const root = document.documentElement;
   const isDark = () => (root.dataset.theme ? root.dataset.theme === "dark" : system.matches);
   const button = make("button", { type: "button", class: "theme" });
-  const name = () => { button.textContent = isDark() ? "Light" : "Dark"; button.title = `Show this page ${isDark() ? "light" : "dark"}`; };
+  const name = () => { button.textContent = say(isDark() ? "light" : "dark"); button.title = say(isDark() ? "showLight" : "showDark"); };
   button.addEventListener("click", () => { root.dataset.theme = isDark() ? "light" : "dark"; name(); changed(); });
   system.addEventListener("change", () => { name(); changed(); });
   name();

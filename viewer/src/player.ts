@@ -4,6 +4,7 @@ import { at, type Model, type Scene, type Store } from "./data";
 import { MechanismView } from "./mechanism";
 import { make, toggle, whenColoursChange, written } from "./page";
 import { LinkedPlots } from "./plots";
+import { localised, say } from "./words";
 
 const SLOWER = [1, 2, 5, 10, 20, 50, 100];
 /** Channels that are all offered at once; of more those that are shown, and the others behind a button. */
@@ -14,26 +15,27 @@ export class Player {
   readonly element = make("div", { class: "player", tabindex: "-1" });
   private readonly plots = new LinkedPlots((x) => { if (!this.playing) this.goTo(x); }, (range) => this.seen(range));
   private readonly view: MechanismView | null;
-  private readonly choice = make("select", { "aria-label": "trial" });
+  private readonly choice = make("select", { "aria-label": say("choice") });
   private readonly note = make("span", { class: "mark" });
-  private readonly channels = make("div", { class: "group channels", role: "group", "aria-label": "channels" });
-  private readonly play = make("button", { type: "button", class: "play" }, "Play");
-  private readonly slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", "aria-label": "time" });
+  private readonly channels = make("div", { class: "group channels", role: "group", "aria-label": say("channels") });
+  private readonly play = make("button", { type: "button", class: "play" }, say("play"));
+  private readonly slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", "aria-label": "" });
   private readonly clock = make("output", { class: "clock" });
-  private readonly speed = make("select", { "aria-label": "speed" });
+  private readonly speed = make("select", { "aria-label": say("speed") });
   private readonly roles = new Map<string, boolean>();
   private readonly panes = new Map<string, boolean>();
-  private readonly livelyPart = make("button", { type: "button", title: "where it is lively (9)", click: () => this.lively() }, "Lively part");
+  private readonly livelyPart = make("button", { type: "button", title: say("zoomToEvent"), click: () => this.lively() }, say("event"));
   private scene: Scene;
   private now = 0;
   private playing = false;
+  private way = 1;
   private last = 0;
   /** Milliseconds between the pictures shown while playing, the last of them last. */
   readonly frames: number[] = [];
 
   constructor(private readonly model: Model, private readonly store: Store) {
     this.scene = model.scenes[0]!;
-    this.view = model.scenes.some((scene) => scene.motion) ? new MechanismView() : null;
+    this.view = model.scenes.some((scene) => scene.motion) ? new MechanismView(model.stage) : null;
     for (const { role, shown } of model.roles) this.roles.set(role, shown);
     model.scenes.forEach((scene, i) => this.choice.append(make("option", { value: String(i) }, scene.label)));
     this.build();
@@ -57,7 +59,7 @@ export class Player {
     const [first, last] = this.plots.whole;
     this.now = Math.min(Math.max(time, first), last);
     this.slider.value = String(this.now);
-    this.clock.textContent = `${this.now.toFixed(3).replace("-", "−")} ${this.model.x.unit}`;
+    this.clock.textContent = `${localised(this.now.toFixed(3))} ${this.model.x.unit}`;
     this.plots.mark(this.now);
     const motion = this.scene.motion;
     if (motion && this.view) {
@@ -68,37 +70,39 @@ export class Player {
 
   private build(): void {
     const { model } = this;
-    const overlays = make("div", { class: "group overlays", role: "group", "aria-label": "curves" });
+    const overlays = make("div", { class: "group overlays", role: "group", "aria-label": say("curves") });
     for (const { role, label, shown } of model.roles) {
       const button = toggle(label, shown, (on) => { this.roles.set(role, on); this.plots.setShown(role, on); });
       button.prepend(make("i", { class: `swatch ${role}` }));
       overlays.append(button);
     }
+    overlays.hidden = model.roles.length < 2;
     const step = (by: number) => () => this.stepScene(by);
-    const scenes = make("div", { class: "group" }, make("button", { type: "button", title: "previous trial ([)", click: step(-1) }, "‹"),
-      this.choice, make("button", { type: "button", title: "next trial (])", click: step(1) }, "›"), this.note);
+    const scenes = make("div", { class: "group" }, make("button", { type: "button", title: say("previous"), click: step(-1) }, "‹"),
+      this.choice, make("button", { type: "button", title: say("next"), click: step(1) }, "›"), this.note);
     this.choice.addEventListener("change", () => this.show(model.scenes[Number(this.choice.value)]!));
     if (model.scenes.length < 2) scenes.hidden = true;
     const zooms = make("div", { class: "group" },
-      make("button", { type: "button", title: "zoom in (+)", click: () => this.plots.zoomBy(0.5, this.now) }, "+"),
-      make("button", { type: "button", title: "zoom out (−)", click: () => this.plots.zoomBy(2, this.now) }, "−"),
-      make("button", { type: "button", title: "everything (0, or double click)", click: () => this.plots.reset() }, "All"),
+      make("button", { type: "button", title: say("zoomIn"), click: () => this.plots.zoomBy(0.5, this.now) }, "+"),
+      make("button", { type: "button", title: say("zoomOut"), click: () => this.plots.zoomBy(2, this.now) }, "−"),
+      make("button", { type: "button", title: say("everything"), click: () => this.plots.reset() }, say("all")),
       this.livelyPart);
-    const wide = toggle("Full window", false, (on) => { this.element.classList.toggle("wide", on); document.body.classList.toggle("behind", on); }, "fill the window (f)");
+    const wide = toggle(say("wide"), false, (on) => { this.element.classList.toggle("wide", on); document.body.classList.toggle("behind", on); }, say("fillWindow"));
     wide.classList.add("widen");
     const isTime = model.x.unit === "s";
-    for (const slower of SLOWER) this.speed.append(make("option", { value: String(slower) }, slower > 1 ? `1/${slower}` : isTime ? "real time" : "fast"));
-    this.speed.value = isTime ? "10" : "2";
+    const slow = model.slower ?? (isTime ? 10 : 2), speeds = [...new Set([...SLOWER, slow])].sort((a, b) => a - b);
+    for (const slower of speeds) this.speed.append(make("option", { value: String(slower) }, slower > 1 ? `1/${slower}` : say(isTime ? "realTime" : "fast")));
+    this.speed.value = String(slow);
     this.play.addEventListener("click", () => this.toggle());
     this.slider.addEventListener("input", () => { this.pause(); this.goTo(Number(this.slider.value)); });
-    const main = make("div", { class: this.view ? "stage-and-plots" : "plots-only" }, this.plots.element);
+    const main = make("div", { class: !this.view ? "plots-only" : model.stage ? "stage-and-plots stage-first" : "stage-and-plots" }, this.plots.element);
     if (this.view) main.append(this.view.element);
     this.element.append(
       make("div", { class: "bar" }, scenes, overlays, make("span", { class: "grow" }), zooms, wide),
       make("div", { class: "bar" }, this.channels),
       main,
-      make("div", { class: "bar transport" }, this.play, this.slider, this.clock, make("label", {}, "speed ", this.speed)),
-      make("p", { class: "hint" }, "Drag to zoom, double click for everything, Ctrl + wheel and Shift + wheel zoom and pan. Keys: space plays, ← → step, + − 0 zoom, [ ] change the trial, f fills the window."),
+      make("div", { class: "bar transport" }, this.play, this.slider, this.clock, make("label", {}, `${say("speed")} `, this.speed)),
+      make("p", { class: "hint" }, say("hint")),
     );
     this.element.addEventListener("keydown", (event) => this.key(event));
   }
@@ -131,7 +135,7 @@ export class Player {
     });
     if (others) {
       const open = this.channels.classList.contains("every");
-      buttons.push(toggle(`${others} more`, open, (on) => { this.channels.classList.toggle("every", on); }, "all other channels"));
+      buttons.push(toggle(say("more", String(others)), open, (on) => { this.channels.classList.toggle("every", on); }, say("otherChannels")));
     }
     this.channels.replaceChildren(...buttons);
   }
@@ -140,11 +144,12 @@ export class Player {
     const { scene } = this;
     let panes = scene.panes.filter((pane) => this.isShown(pane.name, pane.shown));
     if (!panes.length) panes = scene.panes.slice(0, 1);
+    this.slider.setAttribute("aria-label", this.model.x.words);
     this.plots.show({
       x: this.store.get(scene.x), xLabel: `${this.model.x.words} [${this.model.x.unit}]`, spans: scene.spans, window: scene.window,
       panes: panes.map((pane) => ({
         title: pane.words, unit: pane.unit,
-        lines: pane.curves.map((curve) => ({ label: curve.label, role: curve.role, y: this.store.get(curve.y), step: this.store.step(curve.y), shown: this.roles.get(curve.role) ?? true })),
+        lines: pane.curves.map((curve) => ({ label: this.model.roles.length > 1 ? curve.label : "", role: curve.role, y: this.store.get(curve.y), step: this.store.step(curve.y), shown: this.roles.get(curve.role) ?? true })),
       })),
     }, window);
     this.plots.mark(this.now);
@@ -178,9 +183,9 @@ export class Player {
 
   private start(): void {
     const [low, high] = this.plots.window;
-    if (this.now >= high - 1e-9 || this.now < low) this.goTo(low);
-    this.playing = true; this.last = 0; this.frames.length = 0;
-    this.play.textContent = "Pause";
+    if (this.now >= high - 1e-9 * (high - low) || this.now < low) this.goTo(low);
+    this.playing = true; this.way = 1; this.last = 0; this.frames.length = 0;
+    this.play.textContent = say("pause");
   }
 
   /** What is passed in a second at full speed: a second, or all of what was swept in two. */
@@ -189,7 +194,7 @@ export class Player {
     return this.model.x.unit === "s" ? 1 : (last - first) / 2;
   }
 
-  private pause(): void { this.playing = false; this.play.textContent = "Play"; }
+  private pause(): void { this.playing = false; this.play.textContent = say("play"); }
 
   /** What is seen is played, again and again. */
   private step(time: number): void {
@@ -198,8 +203,12 @@ export class Player {
       if (this.last) { this.frames.push(passed); if (this.frames.length > 600) this.frames.shift(); }
       this.last = time;
       const [low, high] = this.plots.window;
-      let next = this.now + this.rate * Math.min(passed, 250) / 1000 / Number(this.speed.value);
-      if (next > high) { next = STILL.matches ? high : low; if (STILL.matches) this.pause(); }
+      let next = this.now + this.way * this.rate * Math.min(passed, 250) / 1000 / Number(this.speed.value);
+      if (next > high || next < low) {
+        if (STILL.matches) this.pause();
+        if (this.model.x.unit !== "s") this.way = -this.way; // a sweep goes back the way it came
+        next = STILL.matches || this.model.x.unit !== "s" ? Math.min(Math.max(next, low), high) : low;
+      }
       this.goTo(next);
     }
     this.draw();

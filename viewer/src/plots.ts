@@ -3,6 +3,7 @@
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
 import { colour, make, writtenTo } from "./page";
+import { localised } from "./words";
 
 export interface Line { label: string; role: string; y: Numbers; step: number; shown: boolean }
 export interface PlotPane { title: string; unit: string; lines: Line[] }
@@ -117,14 +118,14 @@ export class LinkedPlots {
 
   private add(pane: PlotPane, isLast: boolean): void {
     const plotted = this.shown!;
-    const head = make("div", { class: "pane-head" }, make("b", {}, pane.title), make("span", { class: "unit" }, `[${pane.unit || "–"}]`));
+    const head = make("div", { class: "pane-head" }, make("span", {}, make("b", {}, pane.title), make("span", { class: "unit" }, ` [${pane.unit || "–"}]`)));
     for (const line of pane.lines)
-      head.append(make("span", { class: "value" }, make("i", { class: `swatch ${line.role}` }), `${line.label} `, make("output", {}, "–")));
+      head.append(make("span", { class: "value" }, ...(line.label ? [make("i", { class: `swatch ${line.role}` }), `${line.label} `] : []), make("output", {}, "–")));
     const holder = make("div", { class: "pane" });
     this.element.append(head, holder);
     const ink = colour("ink"), grid = { stroke: colour("line"), width: 1 }, faint = colour("span");
     const font = "12px system-ui, sans-serif";
-    const values = (_: uPlot, ticks: number[]) => ticks.map((tick) => String(Number(tick.toPrecision(10))).replace("-", "−"));
+    const values = (_: uPlot, ticks: number[]) => alike(ticks);
     const plot = new uPlot({
       width: Math.max(this.element.clientWidth, 200), height: this.height(isLast),
       padding: [6, 12, 0, 0],
@@ -136,9 +137,9 @@ export class LinkedPlots {
         y: false,
         bind: { dblclick: () => null },
       },
-      scales: { x: { time: false, auto: false, range: () => this.range } },
+      scales: { x: { time: false, auto: false, range: () => this.range }, y: { range: (_u: uPlot, low: number | null, high: number | null) => around(low, high) } },
       axes: [
-        { stroke: ink, grid, ticks: { show: false }, size: isLast ? 40 : 6, font, values: isLast ? values : () => [], label: isLast ? plotted.xLabel : undefined, labelSize: 16, labelFont: font, labelGap: 0, gap: 3 },
+        { stroke: ink, grid, ticks: { show: false }, size: isLast ? 24 : 6, font, values: isLast ? values : () => [], label: isLast ? plotted.xLabel : undefined, labelSize: 16, labelFont: font, labelGap: 0, gap: 3 },
         { stroke: ink, grid, ticks: { show: false }, size: AXIS, font, values },
       ],
       series: [{}, ...pane.lines.map((line) => {
@@ -190,4 +191,20 @@ export class LinkedPlots {
     if (event.shiftKey) this.pan(Math.sign(event.deltaY || event.deltaX) * 0.1);
     else this.zoomBy(event.deltaY > 0 ? 1.25 : 0.8, plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
   }
+}
+
+/** Labels of an axis, all with as many digits behind the point. */
+function alike(ticks: number[]): string[] {
+  const texts = ticks.map((tick) => String(Number(tick.toPrecision(10))));
+  if (texts.some((text) => text.includes("e"))) return texts.map(localised);
+  const digits = Math.max(0, ...texts.map((text) => text.split(".")[1]?.length ?? 0));
+  return ticks.map((tick) => localised(tick === 0 ? "0" : tick.toFixed(digits)));
+}
+
+/** What an axis shows of values from `low` to `high`: of those that are all alike, some way to both sides. */
+function around(low: number | null, high: number | null): [number, number] {
+  if (low === null || high === null) return [0, 1];
+  if (high > low) return uPlot.rangeNum(low, high, 0.1, true) as [number, number];
+  const aside = 0.1 * Math.abs(low) || 1;
+  return [low - aside, low + aside];
 }

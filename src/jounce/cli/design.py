@@ -14,6 +14,7 @@ from jounce.cli.options import (
     Changes,
     FigureFile,
     Force,
+    ReportFile,
     VehicleName,
     bare_number,
     changes,
@@ -25,6 +26,7 @@ from jounce.cli.options import (
     positive_quantity,
     quantity,
     write_picture,
+    write_report,
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
 from jounce.core.display import shown_as
@@ -144,6 +146,7 @@ def optimise(
     set_: Changes = None,
     out: RigFile = None,
     figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -151,7 +154,7 @@ def optimise(
 
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
-    check_outputs(rig=out, figure=figure, force=force)
+    check_outputs(rig=out, figure=figure, report=report, force=force)
     bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
     limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     weights = _weights(objective)
@@ -165,9 +168,18 @@ def optimise(
         say("searching")
         found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
     _write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
-    drawn, missing = write_picture(found, figure, f"{vehicle} over {found.driven}", force=force)
+    title = f"{vehicle} over {found.driven}"
+    drawn, missing = write_picture(found, figure, title, force=force)
+
+    def page() -> Page:
+        from jounce.report import optimisation_page
+
+        return optimisation_page(found, title=Path(vehicle).stem)
+
+    document, undrawn = write_report(page, report, force=force)
     plain = {"rig": vehicle, "set": wanted, **found.to_dict()}
-    plain |= {"out": out and str(out), "figure": drawn}
+    plain |= {"out": out and str(out), "figure": drawn, "report": document}
+    missing = [*missing, *undrawn]
     return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json, missing=missing)
 
 
@@ -185,6 +197,7 @@ def pareto(
     band: RoadBand = None,
     set_: Changes = None,
     figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -192,7 +205,7 @@ def pareto(
 
     Example: jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png
     """
-    check_outputs(figure=figure, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
     limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     velocity, waves = positive_quantity(speed, "m/s", "--speed"), _band(band)
@@ -207,7 +220,15 @@ def pareto(
             comfort=comfort, holding=holding, travel=travel, constraints=limits, points=points, band=waves,
         )  # fmt: skip
     drawn, missing = write_picture(front, figure, vehicle, force=force)
-    plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": drawn}
+
+    def page() -> Page:
+        from jounce.report import front_page
+
+        return front_page(front, title=Path(vehicle).stem)
+
+    document, undrawn = write_report(page, report, force=force)
+    plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": drawn, "report": document}
+    missing = [*missing, *undrawn]
     return Reply(plain, lambda console: draw_front(console, plain, front), as_json, missing=missing)
 
 

@@ -12,11 +12,15 @@ from jounce.cli.options import (
     AsJson,
     Columns,
     Database,
+    FigureFile,
+    Force,
     ForceSign,
+    ReportFile,
     Resample,
     SampleTime,
     StrokeSign,
     Variable,
+    check_outputs,
     columns,
     files,
     optional_positive,
@@ -24,18 +28,24 @@ from jounce.cli.options import (
     positive_quantity,
     quantity,
     reading,
+    write_picture,
+    write_report,
 )
-from jounce.cli.reply import Reply, estimates, progress, show_findings, table
-from jounce.core.errors import RecordingError, nearest
+from jounce.cli.reply import Reply, estimates, progress, show_findings, show_written, table
+from jounce.core.errors import OutputError, RecordingError, nearest
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     import xarray as xr
+    from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.identify.damper import DamperResult
+    from jounce.identify.damper import DamperCurve, DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.stiffness import StiffnessResult
+    from jounce.report import Page
 
 
 app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
@@ -74,6 +84,9 @@ def stiffness(
     force_positive: ForceSign = None,
     columns_: Columns = None,
     variable: Variable = "",
+    figure: FigureFile = None,
+    report: ReportFile = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Fit the stiffness of a spring or a tyre to repeated force-deflection trials.
@@ -88,6 +101,7 @@ def stiffness(
     from jounce.identify.stiffness import fit_stiffness
     from jounce.recordings.formats import TableFormat
 
+    check_outputs(figure=figure, report=report, force=force)
     choice: dict[str, Any] = {
         "law": law,
         "degree": degree,
@@ -103,8 +117,21 @@ def stiffness(
     trials, notes = read_force_deflection(found, told, stroke_positive, force_positive)  # type: ignore[arg-type]
     result = fit_stiffness(trials, **choice)
     findings = (*notes, *result.findings)
-    plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings)}
-    return Reply(plain, lambda out: _draw_stiffness(out, result, findings), as_json)
+    title = _title(found)
+
+    def picture() -> Figure:
+        from jounce.plots import stiffness_fit
+
+        return stiffness_fit(result, trials)
+
+    def page() -> Page:
+        from jounce.report import stiffness_page
+
+        return stiffness_page(result, trials, findings, title=title)
+
+    written, missing = _written(picture, page, title, figure, report, force=force)
+    plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings), **written}
+    return Reply(plain, lambda out: _draw_stiffness(out, result, findings, plain), as_json, missing=missing)
 
 
 @app.command("decay")
@@ -129,6 +156,9 @@ def decay(
     sample_time: SampleTime = None,
     resample: Resample = None,
     database: Database = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Separate viscous damping, dry friction and quadratic drag in a free decay.
@@ -143,6 +173,7 @@ def decay(
 
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     check_stroke(channel, stroke_positive, where="--stroke-positive")  # type: ignore[arg-type]
+    check_outputs(figure=figure, report=report, force=force)
     moving = positive_quantity(mass, "kg", "--mass")
     known = optional_positive(stiffness_, "N/m", "--stiffness")
     told = reading(columns_, sample_time, variable, resample, database)
@@ -150,6 +181,11 @@ def decay(
     results: list[DecayResult] = []
     notes: list[Finding] = []
     every = files(measured, "FILE")
+    if figure is not None and len(every) > 1:
+        raise OutputError(
+            "one picture shows one decay", where="--figure", found=f"{len(every)} files", hint="See --report."
+        )
+    records: list[tuple[Any, Any]] = []
     with progress() as say:
         for k, file in enumerate(every, 1):
             say(f"fitting {k} of {len(every)}: {file.name}")
@@ -157,6 +193,7 @@ def decay(
             notes += found
             data = compression_positive(data, stroke_positive, None)  # type: ignore[arg-type]
             record, kind = _decay_record(data, channel, str(file))
+            records.append((data["time"].to_numpy(), record))
             results.append(
                 fit_decay(
                     data["time"].to_numpy(),
@@ -172,9 +209,23 @@ def decay(
             )
     result = results[0] if len(results) == 1 else combine_decays(results)
     findings = (*notes, *result.findings)
-    return Reply(
-        _decay_plain(result, measured, channel, findings), lambda out: _draw_decay(out, result, findings), as_json
-    )
+    title = _title(every)
+
+    def picture() -> Figure:
+        from jounce.plots import decay_fit
+
+        return decay_fit(results[0], *records[0])
+
+    def page() -> Page:
+        from jounce.report import decay_page
+
+        names = [file.name if len({f.name for f in every}) == len(every) else str(file) for file in every]
+        decays = {name: (one, *record) for name, one, record in zip(names, results, records, strict=True)}
+        return decay_page(result, decays, findings, title=title)
+
+    written, missing = _written(picture, page, title, figure, report, force=force)
+    plain = {**_decay_plain(result, measured, channel, findings), **written}
+    return Reply(plain, lambda out: _draw_decay(out, result, findings, plain), as_json, missing=missing)
 
 
 def _decay_record(data: xr.Dataset, channel: str, file: str) -> tuple[Any, str]:
@@ -216,7 +267,9 @@ def _decay_plain(
     }
 
 
-def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Finding, ...]) -> None:
+def _draw_stiffness(
+    out: Console, result: StiffnessResult, findings: tuple[Finding, ...], plain: dict[str, Any]
+) -> None:
     low, high = (1e3 * end for end in result.fitted_range)
     rows = [("stiffness", result.stiffness, "N/m"), (f"intercept ({result.intercept_choice})", result.intercept, "N")]
     if result.tangent_stiffness is not None:
@@ -239,9 +292,12 @@ def _draw_stiffness(out: Console, result: StiffnessResult, findings: tuple[Findi
     trials.append(("standard deviation between trials", result.repeatability, None, None, None, None))
     out.print(table("Trials", header, trials))
     show_findings(out, findings)
+    show_written(out, plain)
 
 
-def _draw_decay(out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...]) -> None:
+def _draw_decay(
+    out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...], plain: dict[str, Any]
+) -> None:
     named = {name: getattr(result, name) for name, _ in _DECAY_ESTIMATES}
     rows = [
         (name.replace("_hz", "").replace("_", " "), named[name], unit)
@@ -253,6 +309,7 @@ def _draw_decay(out: Console, result: DecayResult | CombinedDecay, findings: tup
     title = "Free decay" if runs == 1 else f"{runs} free decays combined"
     out.print(estimates(f"{title}, {result.cycles:g} cycles", rows))
     show_findings(out, findings)
+    show_written(out, plain)
 
 
 @app.command("damper")
@@ -275,6 +332,9 @@ def damper(
     sample_time: SampleTime = None,
     resample: Resample = None,
     database: Database = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
     """Fit a damper law to a record of imposed motion and force.
@@ -288,6 +348,7 @@ def damper(
     from jounce.identify.damper import fit_damper
     from jounce.recordings import read_recording
 
+    check_outputs(figure=figure, report=report, force=force)
     data, notes = read_recording(record, **reading(columns_, sample_time, variable, resample, database))
     signals = {name: data[name].to_numpy() for name in ("displacement", "velocity", "force") if name in data}
     for name in ("displacement", "force"):
@@ -315,11 +376,49 @@ def damper(
             **choice,
         )
     findings = (*notes, *result.findings)
-    plain = {"file": str(record), **to_plain(result), "findings": to_plain(findings)}
-    return Reply(plain, lambda out: _draw_damper(out, result, findings), as_json)
+
+    def curve() -> DamperCurve:
+        from jounce.identify.damper import damper_curve
+
+        measured = (signals["displacement"], signals.get("velocity"), signals["force"], data["time"].to_numpy())
+        return damper_curve(result, *measured, velocity_from=velocity_from)  # type: ignore[arg-type]
+
+    def picture() -> Figure:
+        from jounce.plots import figure_of
+
+        return figure_of(curve(), law=result.law)
+
+    def page() -> Page:
+        from jounce.report import damper_page
+
+        return damper_page(result, curve(), findings, title=record.stem)
+
+    written, missing = _written(picture, page, record.stem, figure, report, force=force)
+    plain = {"file": str(record), **to_plain(result), "findings": to_plain(findings), **written}
+    return Reply(plain, lambda out: _draw_damper(out, result, findings, plain), as_json, missing=missing)
 
 
-def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ...]) -> None:
+def _title(found: Sequence[Path]) -> str:
+    """What a picture or a page is of: the file, or the first and the last of several."""
+    return found[0].stem if len(found) == 1 else f"{found[0].stem} to {found[-1].stem}"
+
+
+def _written(
+    picture: Callable[[], Figure],
+    page: Callable[[], Page],
+    title: str,
+    figure: Path | None,
+    report: Path | None,
+    *,
+    force: bool,
+) -> tuple[dict[str, Any], list[Finding]]:
+    """Write what is asked for; what could not be drawn loses no result."""
+    drawn, missing = write_picture(picture, figure, title, force=force)
+    document, undrawn = write_report(page, report, force=force)
+    return {"figure": drawn, "report": document}, [*missing, *undrawn]
+
+
+def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ...], plain: dict[str, Any]) -> None:
     rows = [(name.replace("_", " "), found, result.units[name]) for name, found in result.parameters.items()]
     out.print(
         estimates(f"{result.law} law, {result.samples} samples of {result.cycles:g} cycles, R2 = {result.r2:.4f}", rows)
@@ -335,6 +434,7 @@ def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ..
     if result.friction is not None:
         out.print(f"  friction = {_toml(result.friction)}", soft_wrap=True)
     show_findings(out, findings)
+    show_written(out, plain)
 
 
 def _toml(table: dict[str, Any]) -> str:

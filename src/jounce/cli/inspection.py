@@ -20,12 +20,14 @@ from jounce.cli.options import (
     Changes,
     FigureFile,
     Force,
+    ReportFile,
     changes,
     check_outputs,
     positive_quantity,
     quantity,
     warn_of,
     write_picture,
+    write_report,
 )
 from jounce.cli.reply import (
     DONE,
@@ -60,6 +62,7 @@ if TYPE_CHECKING:
     from jounce.inspection.quantities import Quantity
     from jounce.inspection.result import WheelResult
     from jounce.parts.testers import Tester
+    from jounce.report import Page
 
 
 app = typer.Typer(
@@ -636,6 +639,7 @@ def history(
     plate: Annotated[str, typer.Option(help="Number plate; case, spaces and hyphens are ignored.")],
     store: StoreName,
     figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -662,7 +666,14 @@ def history(
         return vehicle_history(visits)
 
     name = " ".join(filter(None, (records[-1].plate, records[-1].vehicle)))
+
+    def page() -> Page:
+        from jounce.report import history_page
+
+        return history_page(visits, trends, title=name)
+
     drawn, missing = write_picture(picture, figure, name, force=force)
+    document, undrawn = write_report(page, report, force=force)
     plain = {
         "plate": records[-1].plate, "vehicle": records[-1].vehicle, "records": [one.number for one in records],
         "wheels": [
@@ -672,8 +683,9 @@ def history(
             }
             for one in visits
         ],
-        "trends": trends, "figure": drawn,
+        "trends": trends, "figure": drawn, "report": document,
     }  # fmt: skip
+    missing = [*missing, *undrawn]
     return Reply(plain, lambda out: _draw_history(out, plain, visits, trends), as_json, missing=missing)
 
 

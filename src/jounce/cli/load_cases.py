@@ -7,16 +7,33 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, bare_numbers, changes, check_outputs, chosen_rig, pairs
+from jounce.cli.options import (
+    AsJson,
+    Changes,
+    Force,
+    ReportFile,
+    RigName,
+    bare_numbers,
+    changes,
+    check_outputs,
+    chosen_rig,
+    pairs,
+    write_report,
+)
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import not_drawn
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import xarray as xr
     from rich.console import Console
 
+    from jounce.core.findings import Finding
     from jounce.kinematics import LoadCase, LoadedAxle
+    from jounce.parts import Rig
+    from jounce.report import Page
 
 _CAR = 'axle=front, mass="280 kg", wheelbase="1.55 m"'
 _CASE = '"braking 1.2 g: longitudinal=-1.2"'
@@ -43,6 +60,7 @@ def load_cases(
     set_: Changes = None,
     out: Annotated[Path | None, typer.Option(help="Write every force: CASES.csv, SI.")] = None,
     figure: Annotated[Path | None, typer.Option(metavar="DIR", help="Draw every case into this folder.")] = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -56,7 +74,7 @@ def load_cases(
 
     if out is not None:
         check_writable(out, what="load cases", suffixes=(".csv",), force=force)
-    check_outputs(folder=figure, force=force)
+    check_outputs(folder=figure, report=report, force=force)
     with progress() as say:
         say("loading")
         chosen = chosen_rig(rig, changes(set_))
@@ -74,9 +92,18 @@ def load_cases(
                 write_load_cases(check_corner(chosen), found, figure, force=force)
             except Exception as error:  # noqa: BLE001 - whatever it is, the forces are told
                 missing, figure = [not_drawn(str(figure), error)], None
-    plain: dict[str, Any] = {**_plain(found), "findings": findings}
+        document, undrawn = write_report(lambda: _page(chosen, found, findings, rig), report, force=force)
+    missing = [*missing, *undrawn]
+    plain: dict[str, Any] = {**_plain(found), "findings": findings, "report": document}
     plain["out"], plain["figure"] = (None if path is None else str(path) for path in (out, figure))
     return Reply(plain, lambda console: _draw(console, rig, found, plain), as_json, missing=missing)
+
+
+def _page(chosen: Rig, found: xr.Dataset, findings: Sequence[Finding], rig: str) -> Page:
+    from jounce.kinematics.model import check_corner
+    from jounce.report import load_cases_page
+
+    return load_cases_page(check_corner(chosen), found, findings, title=f"Load cases of {Path(rig).stem}")
 
 
 def _car(texts: list[str]) -> LoadedAxle:

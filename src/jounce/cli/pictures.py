@@ -206,7 +206,7 @@ def animate(
 
     Example: jounce animate kart-double-wishbone --travel "-20 mm:20 mm:1 mm" --report motion.html
     """
-    from jounce.plots.mechanisms.animation import animate as write_animation
+    from jounce.report.animation import animate as write_animation
     from jounce.roads.trial import trial_findings
 
     files = _animations(report, figure, force=force)
@@ -220,6 +220,7 @@ def animate(
 
         poses = simulate(chosen, driven, detail=True) if driven else _sweep(chosen, _ranges(travel, rack))
         part = None if between is None else _ends(between, "s" if driven else "m")
+        title = Path(rig).stem if driven is None else f"{Path(rig).stem} on {Path(str(excitation or road)).stem}"
         for file in files:
             write_animation(
                 chosen,
@@ -229,7 +230,7 @@ def animate(
                 between=part,
                 slow=slower,
                 frames=frames,
-                title=Path(rig).stem,
+                title=title,
                 force=force,
                 progress=say,
             )
@@ -249,7 +250,7 @@ def animate(
 
 def _animations(report: Path | None, figure: Path | None, *, force: bool) -> list[Path]:
     """Refuse, before the work, files that could not be written; give those that are asked for."""
-    from jounce.plots.mechanisms.animation import check_animation
+    from jounce.report.animation import check_animation
 
     for option, file, allowed in (("--report", report, (".html",)), ("--figure", figure, (".gif", ".mp4"))):
         if file is not None and file.suffix.lower() not in allowed:

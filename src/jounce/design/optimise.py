@@ -578,8 +578,17 @@ def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, conv
             found.append(Finding(number.path, "note", text, number.value))
     value = problem.objective(np.array([number.value for number in numbers]))[0]
     if value > 1.0 - 1e-6:
-        found.append(Finding("optimise", "note", "nothing better than the start was found.", value))
+        text = "nothing better than the start was found."
+        if any(_is_broken(limit, problem.numbers(problem.start)[limit.metric.text][0]) for limit in problem.limits):
+            text = f"the start breaks a limit; keeping all costs {100.0 * (value - 1.0):.2g} % of the objective."
+        found.append(Finding("optimise", "note", text, value))
     return found
+
+
+def _is_broken(limit: Any, values: Array) -> bool:
+    low = -np.inf if limit.lower is None else limit.lower - 1e-9 * abs(limit.lower)
+    high = np.inf if limit.upper is None else limit.upper + 1e-9 * abs(limit.upper)
+    return bool(np.any((values < low) | (values > high)))
 
 
 def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:

@@ -13,7 +13,6 @@ from jounce.plots.dispatch import figure_of, show
 from jounce.plots.display import number, quantity
 from jounce.plots.fits import damper_loops, decay_fit, objectives, stiffness_fit, tyre_pressure, update
 from jounce.plots.kinematics import kinematic_curves, write_kinematics
-from jounce.plots.mechanisms.animation import animate
 from jounce.plots.mechanisms.drawing import mechanism
 from jounce.plots.mechanisms.geometry import suspension_geometry
 from jounce.plots.paper_figures import adjusted_and_not, paper_figures, update_on_every_trial
@@ -25,7 +24,6 @@ __all__ = [
     "DisplayUnit",
     "add_note",
     "adjusted_and_not",
-    "animate",
     "compare",
     "damper_loops",
     "decay_fit",

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from jounce.core.display import DisplayUnit, display_unit, shown_as
 from jounce.core.errors import RecordingError, nearest
 from jounce.papers.audi_a6_paper import FREE_LENGTH, READ_LENGTH
+from jounce.plots.display import quantity
 from jounce.plots.style import INK, MUTED, PALETTE, legend_above, new_figure, styled
 
 if TYPE_CHECKING:
@@ -60,7 +62,7 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
     rows = figure.subplots(len(by_moment), 1, sharex=True, squeeze=False)[:, 0]
     for axes, (moment, runs) in zip(rows, by_moment.items(), strict=True):
         _draw(axes, runs, channel)
-        axes.set_title(f"pitch moment {_text(moment)} N·m from 3 s on")
+        axes.set_title(f"pitch moment {quantity(moment, 'N*m')} from 3 s on")
     _finish(figure, list(rows))
     return figure
 
@@ -86,18 +88,19 @@ def start_up_transient(study: AudiCase) -> Figure:
     found = study.start_up
     figure = new_figure(2.6)
     axes = figure.subplots()
-    axes.plot(found.signals["time"], 1e3 * found.signals["body.z"], color=PALETTE[0])
+    unit = display_unit("m")
+    axes.plot(found.signals["time"], unit.factor * found.signals["body.z"], color=PALETTE[0])
     for value, text, above in (
         (found.initial, "initial state of the demo", -10),
         (found.equilibrium, "equilibrium", 4),
     ):
-        axes.axhline(1e3 * value, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
-        note = f"{text}: {_text(1e3 * value, '.1f')} mm"
+        axes.axhline(unit.factor * value, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+        note = f"{text}: {quantity(value, 'm', 3)}"
         axes.annotate(
-            note, (1.0, 1e3 * value), (-2, above), xycoords=("axes fraction", "data"), textcoords="offset points",
-            ha="right", color=MUTED, fontsize=8.5,
+            note, (1.0, unit.factor * value), (-2, above), xycoords=("axes fraction", "data"),
+            textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
         )  # fmt: skip
-    axes.set(xlabel="time [s]", ylabel="height of the body [mm]", xlim=(0.0, float(found.signals["time"][-1])))
+    axes.set(xlabel="time [s]", ylabel=unit.label("height of the body"), xlim=(0.0, float(found.signals["time"][-1])))
     return figure
 
 
@@ -106,21 +109,23 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
     """Draw plate, spring length (mm) and spring force (kN) over time for all models of the corner on its exciter."""
     figure = new_figure(6.4)
     rows = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [0.5, 1.6, 1.2]})
+    length_unit, force = display_unit("m"), shown_as("kN")
     plate = study.runs[0].signals.isel(time=study.runs[0].signals["time"] <= duration)
-    rows[0].plot(plate["time"], 1e3 * plate["plate.z"], color=INK, linewidth=0.9)
+    rows[0].plot(plate["time"], length_unit.factor * plate["plate.z"], color=INK, linewidth=0.9)
     for run in study.runs:
         part = run.signals.isel(time=run.signals["time"] <= duration)
         style = {"label": run.variant, **_MODELS[run.variant]}
-        rows[1].plot(part["time"], 1e3 * part["spring.length"], **style)
-        rows[2].plot(part["time"], 1e-3 * part["spring.force"], **style)
+        rows[1].plot(part["time"], length_unit.factor * part["spring.length"], **style)
+        rows[2].plot(part["time"], 1e-3 * force.factor * part["spring.force"], **style)
     for length in (FREE_LENGTH, READ_LENGTH):
-        rows[1].axhline(1e3 * length, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+        rows[1].axhline(length_unit.factor * length, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
     rows[1].annotate(
         f"dashed: the paper's {1e3 * FREE_LENGTH:g} mm and {1e3 * READ_LENGTH:g} mm",
-        (1.0, 1e3 * READ_LENGTH), (-2, -27), xycoords=("axes fraction", "data"), textcoords="offset points",
-        ha="right", color=MUTED, fontsize=8.5,
+        (1.0, length_unit.factor * READ_LENGTH), (-2, -27), xycoords=("axes fraction", "data"),
+        textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
     )  # fmt: skip
-    labels = ("plate\n[mm]", "spring length\n[mm]", "spring force\n[kN]")
+    lengths = (_label(words, length_unit) for words in ("plate", "spring length"))
+    labels = (*lengths, _label("spring force", force))
     for axes, label in zip(rows, labels, strict=True):
         axes.set_ylabel(label)
     rows[1].margins(y=0.1)
@@ -135,19 +140,20 @@ def exciter_torque_curve(study: EccentricExciter) -> Figure:
     """Draw torque (N m) and plate force (kN) over two turns of steady motion, beside the torque of eq. (5)."""
     figure = new_figure(4.6)
     rows = figure.subplots(2, 1, sharex=True)
+    torque, force = display_unit("N*m"), shown_as("kN")
     for run in study.runs:
         time = run.signals["time"]
         part = run.signals.isel(time=time >= float(time[-1]) - _TURNS)
         style = {"label": run.variant, **_MODELS[run.variant]}
-        rows[0].plot(part["time"], part["excenter.torque"], **style)
-        rows[1].plot(part["time"], 1e-3 * part["plate.force"], **style)
-    rows[0].axhline(study.torque, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+        rows[0].plot(part["time"], torque.factor * part["excenter.torque"], **style)
+        rows[1].plot(part["time"], 1e-3 * force.factor * part["plate.force"], **style)
+    rows[0].axhline(torque.factor * study.torque, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
     rows[0].annotate(
-        f"eq. (5): {study.torque:.2f} N·m, constant", (1.0, study.torque), (-2, -10),
+        f"eq. (5): {quantity(study.torque, 'N*m')}, constant", (1.0, torque.factor * study.torque), (-2, -10),
         xycoords=("axes fraction", "data"), textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
     )  # fmt: skip
-    rows[0].set_ylabel("drive torque\n[N·m]")
-    rows[1].set(xlabel="time [s]", ylabel="force on plate\n[kN]")
+    rows[0].set_ylabel(_label("drive torque", torque))
+    rows[1].set(xlabel="time [s]", ylabel=_label("force on plate", force))
     rows[1].margins(x=0.0)
     legend_above(rows[0])
     figure.align_ylabels(rows)
@@ -155,12 +161,13 @@ def exciter_torque_curve(study: EccentricExciter) -> Figure:
 
 
 def _draw(axes: Axes, runs: Sequence[CaseRun], channel: str) -> None:
-    words, unit, factor = _QUANTITIES[channel]
+    words, metric, size = _QUANTITIES[channel]
+    unit = shown_as(metric)
     for run in runs:
         part = run.signals.isel(time=run.signals["time"] >= _BEGIN)
         line = _LINES[run.variant]
-        axes.plot(part["time"], factor * part[channel], label=run.variant, linewidth=1.2, **line)
-    axes.set_ylabel(f"{words}\n[{unit}]")
+        axes.plot(part["time"], size * unit.factor * part[channel], label=run.variant, linewidth=1.2, **line)
+    axes.set_ylabel(_label(words, unit))
 
 
 def _finish(figure: Figure, rows: Sequence[Axes]) -> None:
@@ -173,5 +180,5 @@ def _finish(figure: Figure, rows: Sequence[Axes]) -> None:
     figure.align_ylabels(rows)
 
 
-def _text(value: float, form: str = ".6g") -> str:
-    return f"{value:{form}}".replace("-", "−")
+def _label(words: str, unit: DisplayUnit) -> str:
+    return f"{words}\n[{unit.name}]"

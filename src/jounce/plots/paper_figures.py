@@ -70,20 +70,38 @@ def force_against_deflection(
 
     figure = new_figure(3.6, 5.2)
     axes = figure.subplots()
+    length, force = display_unit("m"), display_unit("N")
     reach = 0.0
     for k, trial in enumerate(trials):
         seated, _ = seat(trial, zero=laws[0].zero)
         reach = max(reach, float(seated.deflection.max()))
         label = f"experiment, {len(trials)} trial{'s' if len(trials) > 1 else ''}" if k == 0 else None
-        axes.plot(1e3 * seated.deflection, seated.force, ".", color=MEASURED, alpha=0.35, markersize=3.0, label=label)
+        axes.plot(
+            length.factor * seated.deflection,
+            force.factor * seated.force,
+            ".",
+            color=MEASURED,
+            alpha=0.35,
+            markersize=3.0,
+            label=label,
+        )
     for (colour, dashes), law in zip(((AFTER, "-"), (PALETTE[1], (0, (4, 1.6)))), laws, strict=False):
         low, high = law.fitted_range
         offset = law.intercept.value if law.law == "linear" and law.intercept is not None else 0.0
         x = np.linspace(low, max(high, reach), 200)
-        name = f"{law.law} fit" + (f" from {1e3 * low:.3g} mm" if low > 0.0 else ", all deflections")
+        name = f"{law.law} fit" + (
+            f" from {length.factor * low:.3g} {length.name}" if low > 0.0 else ", all deflections"
+        )
         name += f": {quantity(law.stiffness.value, 'N/m')}" if law.law == "linear" else ""
-        axes.plot(1e3 * x, law.curve(x) + offset, color=colour, linewidth=1.5, linestyle=dashes, label=name)
-    axes.set(xlabel="deflection [mm]", ylabel="force [N]", title=title)
+        axes.plot(
+            length.factor * x,
+            force.factor * (law.curve(x) + offset),
+            color=colour,
+            linewidth=1.5,
+            linestyle=dashes,
+            label=name,
+        )
+    axes.set(xlabel=length.label("deflection"), ylabel=force.label("force"), title=title)
     axes.legend(loc="upper left")
     return figure
 
@@ -93,12 +111,13 @@ def obstacle_profiles(roads: Sequence[Road]) -> Figure:
     """Draw obstacles side by side: height against distance, both in mm."""
     figure = new_figure(2.3)
     grid = figure.subplots(1, len(roads), squeeze=False, sharey=True)[0]
+    unit = display_unit("m")
     for letter, axes, road in zip("abcdef", grid, roads, strict=False):
         x = np.linspace(road.start - 0.03, road.end() + 0.03, 2000)
-        axes.plot(1e3 * (x - road.start), 1e3 * road.height_at(x), color=AFTER)
+        axes.plot(unit.factor * (x - road.start), unit.factor * road.height_at(x), color=AFTER)
         what = f"a series of {road.count} obstacles" if isinstance(road, Train) else "single obstacle"
-        axes.set(xlabel="distance [mm]", title=f"({letter}) {what}")
-    grid[0].set_ylabel("height [mm]")
+        axes.set(xlabel=unit.label("distance"), title=f"({letter}) {what}")
+    grid[0].set_ylabel(unit.label("height"))
     return figure
 
 

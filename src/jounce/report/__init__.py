@@ -8,9 +8,14 @@ physical number.
 from __future__ import annotations
 
 from jounce.plots.style import write_figure
+from jounce.report.animation import animate
 from jounce.report.campaign import campaign_page, write_campaign
+from jounce.report.decisions import front_page, optimisation_page
 from jounce.report.equivalence import equivalence_page
+from jounce.report.fits import damper_page, decay_page, stiffness_page
+from jounce.report.history import history_page
 from jounce.report.kinematic_design import kinematic_design_page
+from jounce.report.load_cases import load_cases_page
 from jounce.report.models import model_comparison_page, modes_page, roughness_page
 from jounce.report.page import (
     Bullets,
@@ -46,14 +51,22 @@ __all__ = [
     "Section",
     "Subsection",
     "Table",
+    "animate",
     "campaign_page",
+    "damper_page",
+    "decay_page",
     "equivalence_page",
+    "front_page",
+    "history_page",
     "kinematic_design_page",
+    "load_cases_page",
     "model_comparison_page",
     "modes_page",
+    "optimisation_page",
     "recordings_page",
     "ride_page",
     "roughness_page",
+    "stiffness_page",
     "sweep_page",
     "write_campaign",
     "write_figure",

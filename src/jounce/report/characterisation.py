@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,11 +25,12 @@ if TYPE_CHECKING:
     from jounce.campaign.description import DecayBench
     from jounce.campaign.result import CampaignResult
     from jounce.identify.decay import DecayResult
+    from jounce.identify.force_deflection import ForceDeflectionTrial
     from jounce.identify.stiffness import StiffnessResult
     from jounce.parts import Rig
 
 
-_ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
+ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
 _NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free decays"}
 
 
@@ -92,7 +94,13 @@ def _replaced(result: CampaignResult) -> Table:
 
 
 def _stiffness(result: CampaignResult, found: StiffnessResult, place: str, title: str, file: str) -> tuple[Block, ...]:
-    points = result.characterisation.loaded.get(place, [])
+    return stiffness_blocks(found, result.characterisation.loaded.get(place, []), title, file)
+
+
+def stiffness_blocks(
+    found: StiffnessResult, points: Sequence[ForceDeflectionTrial], title: str, file: str
+) -> tuple[Block, ...]:
+    """What was found of a stiffness, its figure, and every trial of it."""
     choice = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}[found.intercept_choice]
     rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, "N/m"))]
     if found.intercept is not None:
@@ -100,7 +108,7 @@ def _stiffness(result: CampaignResult, found: StiffnessResult, place: str, title
     if found.tangent_stiffness is not None:
         rows.append(("local stiffness at the static operating point", *estimate_cells(found.tangent_stiffness, "N/m")))
     summary = Table(
-        f"Fit for the {title}: {found.law} law, all trials", _ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
+        f"Fit for the {title}: {found.law} law, all trials", ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
     )
     alternative = (
         f"Force against deflection of the {title} with a {found.law} fit through {len(found.trials)} trials, "
@@ -167,7 +175,7 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
         note.append(f"exponent of the power law {number(found.exponent, 3)}")
     table = Table(
         "Tyre stiffness against inflation pressure",
-        ("pressure", *_ESTIMATE[1:]),
+        ("pressure", *ESTIMATE[1:]),
         rows,
         "lrrrl",
         "; ".join(note) + "." if note else "",
@@ -187,7 +195,7 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     found = bench.decay
     assert found is not None
     blocks: list[Block] = [
-        _decay_table(
+        decay_table(
             found,
             f"Damping from {len(bench.decays)} free decays combined"
             if len(bench.decays) > 1
@@ -202,24 +210,29 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     pictures: list[Chart] = []
     files = unique_slugs([f"bench decay {Path(name).stem.removeprefix('decay')}" for name, _, _ in records])
     for file, (name, time, signal), one in zip(files, records, bench.decays, strict=True):
-        alternative = (
-            f"Free decay {name} with the fitted response: damping coefficient "
-            f"{estimate_text(one.damping_coefficient, 'N*s/m')}, dry friction {estimate_text(one.coulomb_force, 'N')}."
-        )
-        caption = (
-            f"{name}: measured and fitted response; successive turning points; apparent damping ratios from single "
-            f"decrements. R² {one.r2:.4f}."
-        )
-        panels = decay_panels(one, np.asarray(time, float), np.asarray(signal, float), name)
-        pictures.append(Chart(panels, file, caption, alternative, columns=3))
+        pictures.append(decay_chart(one, np.asarray(time, float), np.asarray(signal, float), name, file))
     blocks += pictures[:1]
     if len(bench.decays) > 1:
-        blocks.append(_each_decay(bench.decays, [record[0] for record in records]))
+        blocks.append(each_decay(bench.decays, [record[0] for record in records]))
         blocks.append(Details("Figures of the other decays", tuple(pictures[1:])))
     return tuple(blocks)
 
 
-def _decay_table(found: Any, caption: str) -> Table:
+def decay_chart(one: DecayResult, time: Array, signal: Array, name: str, file: str) -> Chart:
+    """A free decay as measured and fitted, with its turning points and decrements; time in s, the record in SI."""
+    alternative = (
+        f"Free decay {name} with the fitted response: damping coefficient "
+        f"{estimate_text(one.damping_coefficient, 'N*s/m')}, dry friction {estimate_text(one.coulomb_force, 'N')}."
+    )
+    caption = (
+        f"{name}: measured and fitted response; successive turning points; apparent damping ratios from single "
+        f"decrements. R² {one.r2:.4f}."
+    )
+    return Chart(decay_panels(one, time, signal, name), file, caption, alternative, columns=3)
+
+
+def decay_table(found: Any, caption: str) -> Table:
+    """What one or several free decays say of damping."""
     quantities = (
         ("viscous damping coefficient", found.damping_coefficient, "N*s/m"),
         ("viscous damping ratio", found.damping_ratio, "1"),
@@ -233,7 +246,7 @@ def _decay_table(found: Any, caption: str) -> Table:
     rows = tuple((words, *estimate_cells(one, si)) for words, one, si in quantities if one is not None)
     return Table(
         caption,
-        _ESTIMATE,
+        ESTIMATE,
         rows,
         "lrrrl",
         f"{number(found.cycles, 3)} cycles in total; values are referred to the sprung mass.",
@@ -274,7 +287,8 @@ def _with_interval(value: str, _error: str, interval: str, _unit: str) -> str:
     return f"{value} ({interval})" if interval != "–" else value
 
 
-def _each_decay(decays: tuple[DecayResult, ...], names: list[str]) -> Table:
+def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> Table:
+    """Every one of several decays, one row each."""
     rows = tuple(
         (
             name,

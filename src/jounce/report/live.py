@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from jounce.core.types import Array
 from jounce.plots.mechanisms.drawing import COILS, DAMPER_BODY
+from jounce.plots.mechanisms.scene import MIDDLE
 from jounce.plots.thinning import thinned
 from jounce.report.chart import Panel, Series
 
@@ -53,15 +54,23 @@ class Pane:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """A 3-D rig with its poses over the travel of its wheel, the body at its design position."""
+    """A 3-D rig with its poses over the travel of its wheel, the body at its design position; or each as it was.
+
+    What ``poses`` are counted by is what the ``travel`` of a motion says.
+    """
 
     drawing: Drawing
     poses: Poses
+    rolls: bool = True
+    """Whether it is driven over a road, with the radius of its tyre unloaded; on a plate it has that of the design."""
 
 
 @dataclass(frozen=True)
 class Motion:
-    """How a mechanism moved: heights and travel over time, shape (n,), m; ``load`` of the tyre in N."""
+    """How a mechanism moved: heights and travel over time, shape (n,), m; ``load`` of the tyre in N.
+
+    ``travel`` finds the pose of the mechanism, whatever its poses are counted by.
+    """
 
     mechanism: Mechanism
     body: Array
@@ -107,7 +116,10 @@ class Scene:
 
 @dataclass(frozen=True)
 class Viewer:
-    """Scenes one of which is shown, with the curves that can be switched: (role, label, shown at first)."""
+    """Scenes one of which is shown, with the curves that can be switched: (role, label, shown at first).
+
+    On a ``stage`` the mechanism is what it is about, and large. It is played ``slower`` than in reality at first.
+    """
 
     title: str
     scenes: tuple[Scene, ...]
@@ -115,6 +127,17 @@ class Viewer:
     caption: str = ""
     words: str = "time"
     unit: str = "s"
+    stage: bool = False
+    slower: float | None = None
+
+
+def named_words(name: str, words: str) -> str:
+    """A channel's name with what it is, which is said once: ``camber angle``, ``sprung.az, vertical acceleration``.
+
+    >>> named_words("motion_ratio", "motion ratio: spring over wheel"), named_words("sprung.z", "height")
+    ('motion ratio: spring over wheel', 'sprung.z, height')
+    """
+    return words if words.startswith((name, name.replace("_", " "))) else f"{name}, {words}"
 
 
 def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ()) -> tuple[Panel, ...]:
@@ -131,7 +154,7 @@ def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ())
                 ),
                 f"{words} [{unit}]" if k == len(panes) - 1 else "",
                 f"[{pane.unit or '–'}]",
-                pane.words if pane.words.startswith(pane.name) else f"{pane.name}: {pane.words}",
+                named_words(pane.name, pane.words),
                 bands=tuple((low, high, "") for low, high in scene.spans),
                 x_range=scene.window or (float(scene.x[0]), float(scene.x[-1])),
                 width=500,
@@ -253,6 +276,8 @@ def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
             "roles": [{"role": role, "label": label, "shown": shown} for role, label, shown in viewer.roles],
             "scenes": [scene(one) for one in viewer.scenes],
             "x": {"words": viewer.words, "unit": viewer.unit},
+            "stage": viewer.stage,
+            "slower": viewer.slower,
         }
         for viewer in viewers
     ]
@@ -289,8 +314,10 @@ def mechanism_data(one: Mechanism) -> dict[str, Any]:
         "travel": _mm(poses.over[order]),
         "names": names,
         "onBody": [name in drawing.on_body for name in names],
+        "feet": [index[name] for name in MIDDLE.values() if name in index],
         "points": [_mm(poses.points[name][order]) for name in names],
         "spin": np.round(poses.spin_axis[order], 5).tolist(),
+        "contact": _mm(poses.contact[order]),
         "parts": [
             {
                 "name": part.name,
@@ -313,7 +340,7 @@ def mechanism_data(one: Mechanism) -> dict[str, Any]:
         "axis": None if drawing.steering_axis is None else [index[name] for name in drawing.steering_axis],
         "wheel": {
             "centre": index["wheel_centre"],
-            "radius": _mm(np.array(drawing.undeformed_radius)),
+            "radius": _mm(np.array(drawing.undeformed_radius if one.rolls else drawing.radius)),
             "width": _mm(np.array(drawing.width)),
         },
     }

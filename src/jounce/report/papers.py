@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from jounce.core.display import display_unit
 from jounce.core.serialise import to_json
 from jounce.papers.audi_a6 import RAMP, SPEED, AudiCase, Window
 from jounce.papers.audi_a6_exciter import EccentricExciter, Range
@@ -267,7 +268,7 @@ def _summary(study: AudiCase) -> Section:
     for run in study.runs:
         if run.moment == first:
             window = run.outputs["z"][1]
-            note = f"{run.variant}: largest from 6 s to 8 s, M_y = {number(first, 3)} N·m"
+            note = f"{run.variant}: largest from 6 s to 8 s, M_y = {quantity(first, 'N*m')}"
             furthest = max(window.min, window.max, key=abs)
             facts.append(Fact("body bounce", quantity(furthest, "m", 4), note))
     return Section(
@@ -277,20 +278,23 @@ def _summary(study: AudiCase) -> Section:
 
 def _windows(study: AudiCase) -> Section:
     tables = []
-    names = (f"{what} {end} {unit}" for what, unit in (("z", "[mm]"), ("θ", "[mrad]")) for end in ("min", "max"))
+    length = display_unit("m")
+    units = (("z", length.name), ("θ", "mrad"))
+    names = (f"{what} {end} [{unit}]" for what, unit in units for end in ("min", "max"))
     header = ("variant, window", *(text for name in names for text in (name, "at [s]")))
     for moment in dict.fromkeys(run.moment for run in study.runs):
         rows = tuple(
-            (f"{run.variant}, {z.start:g}–{z.end:g} s", *_extremes(z), *_extremes(theta))
+            (f"{run.variant}, {z.start:g}–{z.end:g} s", *_extremes(z, length.factor), *_extremes(theta, 1e3))
             for run in study.runs
             if run.moment == moment
             for z, theta in zip(run.outputs["z"], run.outputs["theta"], strict=True)
         )
-        caption = f"Extremes with a pitch moment of {_signed(moment)} N·m from 3 s on; θ is positive nose down."
+        given = quantity(moment, "N*m")
+        caption = f"Extremes with a pitch moment of {given} from 3 s on; θ is positive nose down."
         tables.append(Table(caption, header, rows, "l" + "r" * 8))
     peaks = tuple(
         (
-            f"{run.variant}, {_signed(run.moment)} N·m",
+            f"{run.variant}, {quantity(run.moment, 'N*m')}",
             quantity(run.peak_acceleration, "m/s^2", 4),
             quantity(run.least_wheel_force, "N", 4),
         )
@@ -300,17 +304,13 @@ def _windows(study: AudiCase) -> Section:
     return Section("Windows", (*tables, Table("Peak acceleration and least wheel force.", heads, peaks, "lrr")))
 
 
-def _extremes(window: Window) -> tuple[str, str, str, str]:
-    return _thousand(window.min), f"{window.t_min:.3f}", _thousand(window.max), f"{window.t_max:.3f}"
-
-
-def _thousand(value: float) -> str:
-    """Write a value in thousandths of its unit (m or rad) with three decimals."""
-    return f"{1e3 * value + 0.0:.3f}".replace("-0.000", "0.000").replace("-", "−")
-
-
-def _signed(value: float) -> str:
-    return f"{value:.6g}".replace("-", "−")
+def _extremes(window: Window, factor: float) -> tuple[str, str, str, str]:
+    """Least and greatest value, so many times as large, with three decimals (four where they are small), and when."""
+    digits = 3 if factor >= 100.0 else 4
+    low, high = (f"{factor * value + 0.0:.{digits}f}" for value in (window.min, window.max))
+    zero = f"{0.0:.{digits}f}"
+    low, high = (text.replace(f"-{zero}", zero).replace("-", "−") for text in (low, high))
+    return low, f"{window.t_min:.3f}", high, f"{window.t_max:.3f}"
 
 
 def _case_curves(study: AudiCase) -> Section:
@@ -325,14 +325,16 @@ def _case_curves(study: AudiCase) -> Section:
         pictures.append(Picture(case_curve(study, channel), f"figure-{figure}-{name}", text, text))
     for moment in dict.fromkeys(run.moment for run in study.runs):
         text = (
-            f"What figure 16 of the paper shows, with a pitch moment of {_signed(moment)} N·m: bounce, pitch, forces "
-            "of the axles on the body, road under both axles, moment."
+            f"What figure 16 of the paper shows, with a pitch moment of {quantity(moment, 'N*m')}: bounce, pitch, "
+            "forces of the axles on the body, road under both axles, moment."
         )
         name = f"figure-16-signals-{abs(moment):.0f}Nm"
         pictures.append(Picture(case_overview(study, moment), name, text, text))
     moments = dict.fromkeys(run.moment for run in study.runs)
     groups = {
-        f"pitch moment {_signed(moment)} N·m": {run.variant: run.signals for run in study.runs if run.moment == moment}
+        f"pitch moment {quantity(moment, 'N*m')}": {
+            run.variant: run.signals for run in study.runs if run.moment == moment
+        }
         for moment in moments
     }
     return Section("Curves", (Paragraph(_SAME), *curve_blocks(groups, list(titles), title="Curves", figures=pictures)))
@@ -360,8 +362,8 @@ def _statics(study: AudiCase) -> Section:
     )
     text = (
         f"In equilibrium the centre of gravity lies {quantity(-rest.z, 'm', 6)} below its position with undeformed "
-        f"springs, and the body is pitched by {_thousand(rest.theta)} mrad: nose up, because K_f L_f differs from "
-        "K_r L_r. All variants have the same statics and modes."
+        f"springs, and the body is pitched by {number(1e3 * rest.theta, 5)} mrad: nose up, because K_f L_f differs "
+        "from K_r L_r. All variants have the same statics and modes."
     )
     names = ("natural frequency", "damped", "damping ratio", "height [m]", "pitch [rad]")
     return Section(
@@ -380,8 +382,8 @@ def _demo(study: AudiCase) -> Section:
     start, printed = study.start_up, study.printed
     words = "Height of the body when the paper's vehicle starts from the demo's initial state."
     first = (
-        f"The demo starts at {_signed(1e3 * start.initial)} mm, the equilibrium of its own car. The paper's "
-        f"vehicle has its equilibrium at {_signed(1e3 * start.equilibrium)} mm: unless the initial state is changed, a "
+        f"The demo starts at {quantity(start.initial, 'm', 6)}, the equilibrium of its own car. The paper's "
+        f"vehicle has its equilibrium at {quantity(start.equilibrium, 'm', 6)}: unless the initial state is changed, a "
         f"transient of {quantity(start.transient, 'm', 3)} runs through the first second. The runs here start in "
         "equilibrium."
     )
@@ -518,7 +520,7 @@ def _linear(study: EccentricExciter) -> tuple[Block, ...]:
     )
     tester = tuple(
         (
-            f"{one.tyre_damping_coefficient:g} N·s/m",
+            quantity(one.tyre_damping_coefficient, "N*s/m"),
             f"{100.0 * one.adhesion:.1f} %",
             quantity(one.frequency_hz, "Hz", 3),
         )
@@ -533,8 +535,8 @@ def _linear(study: EccentricExciter) -> tuple[Block, ...]:
             "The tyre of the two-mass model also carries the weight of the wheel.",
         ),
         Table(
-            "Amplitudes at 5 Hz per mm of plate amplitude.",
-            ("model", "body [mm]", "wheel [mm]", "spring [mm]", "force on the plate"),
+            "Amplitudes at 5 Hz over that of the plate.",
+            ("model", "body [–]", "wheel [–]", "spring [–]", "force on the plate"),
             response,
             "lrrrr",
         ),

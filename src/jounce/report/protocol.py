@@ -7,12 +7,13 @@ import json
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from jounce.core.display import chosen_units, shown_in
 from jounce.core.errors import unknown
 from jounce.core.findings import DrawingError, not_drawn
 from jounce.core.serialise import to_json, to_plain
@@ -27,9 +28,9 @@ from jounce.inspection.record import day_of, is_simulated
 from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
-from jounce.report.live import Viewer
+from jounce.report.live import Pane, Viewer
 from jounce.report.page import with_minus
-from jounce.report.recordings import curve_blocks
+from jounce.report.recordings import DIFFERENCE, curve_blocks
 from jounce.report.render import TEMPLATES, filled, inline_svg
 from jounce.report.typeset import TYPESETTER, breakable, compiled
 
@@ -191,7 +192,23 @@ def _viewers(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset], words: Ma
             groups[words[graded.axle] if graded.axle in words else words["axle"]] = wheels
     if not groups:
         return ()
-    return tuple(block for block in curve_blocks(groups, ["plate.force"], title="") if isinstance(block, Viewer))
+    with shown_in("metric"):
+        blocks = curve_blocks(groups, ["plate.force"], title="")
+    return tuple(_in_words(block, words) for block in blocks if isinstance(block, Viewer))
+
+
+def _in_words(viewer: Viewer, words: Mapping[str, str]) -> Viewer:
+    """Name channels as the rest of the page does; differences are of the second wheel from the first."""
+    between = " − ".join(label for _, label, _ in reversed(viewer.roles))
+
+    def pane(one: Pane) -> Pane:
+        mark = DIFFERENCE if one.name.startswith(DIFFERENCE) else ""
+        channel = one.name.removeprefix(DIFFERENCE)
+        name = mark + words.get(channel.replace(".", "_"), channel)
+        return replace(one, name=name, words=f"{name}: {between}" if mark else name)
+
+    scenes = (replace(scene, panes=tuple(map(pane, scene.panes))) for scene in viewer.scenes)
+    return replace(viewer, scenes=tuple(scenes), words=words["time"])
 
 
 def _of_side(record: xr.Dataset, side: str) -> xr.Dataset:
@@ -265,13 +282,14 @@ def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, la
     found = {}
     for i, graded in enumerate(vehicle.axles):
         egea = graded.limits.methods.get("egea")
-        figure = inspection_curves(
-            graded.inspection,
-            (records or {}).get(graded.axle),
-            language=language,
-            phase_limit=None if egea is None else egea.passing_from(),
-            height=_HEIGHTS[len(vehicle.axles)],
-        )
+        with shown_in("metric"):
+            figure = inspection_curves(
+                graded.inspection,
+                (records or {}).get(graded.axle),
+                language=language,
+                phase_limit=None if egea is None else egea.passing_from(),
+                height=_HEIGHTS[len(vehicle.axles)],
+            )
         found[f"axle{i}.svg"] = rendered(figure, [".svg"], salt=f"axle{i}")[".svg"]
     return found
 
@@ -326,7 +344,9 @@ def protocol_content(
 
     At most ``most`` reasons and remarks are shown; the rest is counted.
     """
-    words = words_in(language)
+    words = dict(words_in(language))
+    if chosen_units() != "metric":  # limits are in the units of the test methods, and so is what is held against them
+        words["differences_note"] += f" {words['units_note']}"
     reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)
     shown = reasons[:most]
     noted = remarks[: max(most - len(shown), 0)]
@@ -334,7 +354,7 @@ def protocol_content(
     limits = vehicle.axles[0].limits
     return {
         "language": language,
-        "words": dict(words),
+        "words": words,
         "title": words["title"],
         "simulated": any(is_simulated(one.inspection.facts) for one in vehicle.axles),
         "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],

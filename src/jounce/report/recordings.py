@@ -16,7 +16,7 @@ from jounce.core.types import Array
 from jounce.plots.comparison import apart, common_axis, common_channels, line_of, named_runs, through
 from jounce.plots.display import number, settled, words_of
 from jounce.report.chart import Chart
-from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, scene_panels
+from jounce.report.live import Curve, Mechanism, Motion, Pane, Scene, Viewer, named_words, scene_panels
 from jounce.report.page import Block, Details, Findings, Page, Section, Table, slug
 
 if TYPE_CHECKING:
@@ -30,6 +30,8 @@ _ROLES = ("after", "other-5", "other-1", "other-2", "other-3", "other-4", "other
 _REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
 _MOST_CHANNELS = 120
 _POSES = 25
+_MOST_POSES = 2000
+"""Shown one by one; of longer runs the mechanism follows the travel of its wheel."""
 _LONG = 10.0
 """m, from which on a distance is one of a road."""
 
@@ -179,7 +181,7 @@ def _most_channels(named: Mapping[str, xr.Dataset], axis: str) -> int:
     return max(_MOST_NUMBERS // samples, thinned) // (2 * len(named) - 1)
 
 
-_DIFFERENCE = "Δ "
+DIFFERENCE = "Δ "
 
 
 def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) -> list[str]:
@@ -242,10 +244,12 @@ def _scene(
             else:
                 gaps.append(Curve(label, role, apart(read, reference) * units[name].factor))
         words = str(next(data[name].attrs.get("long_name", "") for data in named.values() if name in data))
-        panes.append(Pane(name, f"{name}, {words or words_of(name)}", units[name].name, tuple(curves), name in first))
+        panes.append(
+            Pane(name, named_words(name, words or words_of(name)), units[name].name, tuple(curves), name in first)
+        )
         if gaps:
-            words = f"{_DIFFERENCE}{name}, difference from {next(iter(named))}"
-            differences.append(Pane(f"{_DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False))
+            words = f"{DIFFERENCE}{name}, difference from {next(iter(named))}"
+            differences.append(Pane(f"{DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False))
     made = motion(x) if motion is not None else None
     return Scene("curves", "curves", x * unit.factor, (*panes, *differences), motion=made)
 
@@ -254,19 +258,47 @@ def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -
     """Give what makes the motion of the mechanism over the common axis, where the rig is a corner in 3-D."""
     from jounce.parts import Corner
 
-    if not isinstance(rig, Corner) or axis not in ("time", "wheel_travel"):
-        return None
-    if axis == "time" and not {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars)):
+    if not isinstance(rig, Corner):
         return None
     try:
-        return _moving(data, axis, rig, trial)
+        if "wheel_centre.z" in data and data.sizes[axis] <= _MOST_POSES:
+            return _posed(data, axis, rig, trial)
+        if axis == "wheel_travel" or (axis == "time" and {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars))):
+            return _moving(data, axis, rig, trial)
     except JounceError:  # the curves are shown all the same
-        return None
+        pass
+    return None
+
+
+def _posed(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
+    """Every pose as it was: the recording says where the hardpoints were."""
+    from jounce.plots.mechanisms.scene import poses_of, scene_of
+
+    drawing = scene_of(rig)
+    poses = poses_of(rig, drawing, data)
+    mechanism, order = Mechanism(drawing, poses, axis == "time"), np.argsort(poses.over)
+    over = poses.over[order]
+
+    def motion(x: Array) -> Motion:
+        ground, load = (np.interp(x, over, values[order]) for values in (poses.ground, poses.touches.astype(float)))
+        return Motion(mechanism, np.zeros_like(x), x, ground, load, *_driven(trial, x, drawing, axis))
+
+    return motion
+
+
+def _driven(trial: Trial | None, x: Array, drawing: Any, axis: str) -> tuple[Any, float]:
+    """The road that passes under the wheel, and how fast; none under a plate."""
+    from jounce.plots.mechanisms.scene import roadway_of
+
+    if axis != "time" or trial is None or trial.road is None or trial.speed is None:
+        return None, 0.0
+    return roadway_of(trial, x, drawing.undeformed_radius), float(trial.speed)
 
 
 def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
+    """The mechanism over its travel, carried by its body."""
     from jounce.kinematics import sweep_travel
-    from jounce.plots.mechanisms.scene import poses_of, roadway_of, scene_of
+    from jounce.plots.mechanisms.scene import poses_of, scene_of
 
     drawing = scene_of(rig)
     if axis == "time":
@@ -275,7 +307,7 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
         travel = data[axis].to_numpy()
     low, high = min(float(np.nanmin(travel)), -1e-3), max(float(np.nanmax(travel)), 1e-3)
     poses = poses_of(rig, drawing, sweep_travel(rig, np.linspace(low, high, _POSES), points=True))
-    mechanism = Mechanism(drawing, poses)
+    mechanism = Mechanism(drawing, poses, axis == "time")
 
     def motion(x: Array) -> Motion:
         def read(name: str, default: float) -> Array:
@@ -286,10 +318,8 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
             ground = np.interp(x, poses.over[order], poses.contact[order, 2])
             return Motion(mechanism, np.zeros_like(x), x, ground, np.ones_like(x))
         body = read("sprung.z", 0.0)
-        road, speed = None, 0.0
-        if trial is not None and trial.road is not None and trial.speed is not None:
-            road, speed = roadway_of(trial, x, drawing.undeformed_radius), float(trial.speed)
         moved = read("unsprung.z", 0.0) - body
+        road, speed = _driven(trial, x, drawing, axis)
         return Motion(mechanism, body, moved, read("road.z", 0.0), read("tyre.force", 1.0), road, speed)
 
     return motion
@@ -302,7 +332,7 @@ def _extremes(
     names: Sequence[str],
     units: Mapping[str, DisplayUnit],
 ) -> Table:
-    """Least and greatest value of every channel of every run, and the largest difference from the first."""
+    """Minimum and maximum of every channel of every run, and the largest difference from the first."""
     several = len(named) > 1
     rows = []
     for name in names:
@@ -311,6 +341,7 @@ def _extremes(
             if name not in data or data[name].dims != (axis,):
                 continue
             x, y = line_of(data, name, axis)
+            y = settled(y, str(data[name].attrs.get("units", "1")))
             cells = [name if reference is None else "", *((label,) if several else ())]
             known = np.isfinite(y)
             if not known.any():
@@ -324,7 +355,7 @@ def _extremes(
             rows.append(tuple(cells))
             reference = reference or (x, y)
     place = f"at [{unit.name or '–'}]"
-    header = ["channel", *(["run"] if several else []), "unit", "least", place, "greatest", place]
+    header = ["channel", *(["run"] if several else []), "unit", "minimum", place, "maximum", place]
     header += ["largest difference", place] if several else []
     align = "l" + "l" * several + "l" + "r" * (4 + 2 * several)
     note = f"Differences are from {next(iter(named))}, where both are known." if several else ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from jounce.core.display import shown_in
 from jounce.core.errors import RecordingError
 from jounce.papers.audi_a6 import AudiCase, run_audi_a6
 from jounce.papers.audi_a6_exciter import EccentricExciter, run_eccentric_exciter
@@ -15,6 +16,8 @@ from jounce.plots.audi_a6 import (
     exciter_torque_curve,
     start_up_transient,
 )
+from jounce.report import Table
+from jounce.report.papers import audi_case_page
 
 
 @pytest.fixture(scope="module")
@@ -64,3 +67,28 @@ def test_exciter(exciter):
     assert [line.get_ydata()[0] for line in length.lines[:3]] == pytest.approx([341.0] * 3, abs=1e-9)
     torque = exciter_torque_curve(exciter).axes[0]
     assert {line.get_label() for line in torque.lines[:3]} == {"summed", "series", "two-mass"}
+
+
+def test_figures_of_the_cases_follow_the_chosen_units(case, exciter):
+    sizes = {
+        "bounce.displacement": ("bounce\n[in]", 1.0 / 25.4),
+        "front.force": ("front force\n[lbf]", 1e3 / 4.4482216),
+    }
+    for channel, (label, size) in sizes.items():
+        usual = case_curve(case, channel).axes[0].lines[0].get_ydata()
+        with shown_in("imperial"):
+            axes = case_curve(case, channel).axes[0]
+        assert axes.get_ylabel() == label
+        np.testing.assert_allclose(axes.lines[0].get_ydata(), np.asarray(usual) * size, rtol=1e-6)
+    with shown_in("imperial"):
+        labels = [axes.get_ylabel() for axes in (*exciter_spring(exciter).axes, *exciter_torque_curve(exciter).axes)]
+        page = audi_case_page(case)
+    assert labels == [
+        "plate\n[in]", "spring length\n[in]", "spring force\n[lbf]", "drive torque\n[lbf·ft]", "force on plate\n[lbf]",
+    ]  # fmt: skip
+    tables = [block for block in page.blocks() if isinstance(block, Table)]
+    extremes = next(table for table in tables if table.caption.startswith("Extremes with a pitch moment"))
+    assert extremes.header[1] == "z min [in]"
+    window = next(run for run in case.runs).outputs["z"][0]
+    cell = extremes.rows[0][1]
+    assert float(str(cell).replace("−", "-")) == pytest.approx(window.min / 0.0254, abs=5.1e-4)

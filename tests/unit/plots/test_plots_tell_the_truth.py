@@ -11,8 +11,8 @@ from jounce.plots.design import ride_spectra, trade_off
 from jounce.plots.display import kinematic_value, settled
 from jounce.plots.fits import _draw_correlation
 from jounce.plots.kinematics import kinematic_curves
-from jounce.plots.mechanisms.animation import _digits
 from jounce.plots.style import new_figure
+from jounce.report.live import Packed
 from jounce.report.papers import _headline
 from jounce.ride.study import RideStudy, compare_rides, iso_trial
 
@@ -26,9 +26,10 @@ def ride() -> RideStudy:
 class TestViewer:
     def test_small_changes_of_large_values_are_drawn_without_steps(self):
         camber = -2.0 + 1e-4 * np.linspace(-1.0, 1.0, 81) ** 2  # degrees
-        shown, digits = _digits(camber)
-        assert digits == 3  # as written
-        assert np.abs(np.array(shown) - camber).max() < 1e-3 * np.ptp(camber)
+        packed = Packed()
+        packed.add(camber)
+        assert packed.arrays[0]["step"] < 1e-3 * np.ptp(camber)
+        assert packed.arrays[0]["low"] == pytest.approx(camber.min(), abs=1e-3 * np.ptp(camber))
 
     def test_rounding_is_no_curve(self):
         noise = 1e-7 * np.sin(np.arange(50.0))

@@ -7,11 +7,13 @@ import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import xarray as xr
 
+from jounce.core.display import shown_in
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
 from jounce.inspection.grading import VehicleGrade, grade, grade_vehicle
@@ -82,6 +84,38 @@ def record() -> xr.Dataset:
     force = 3590.0 + 500.0 * np.sin(60.0 * time)
     names = ("left.plate.force", "right.plate.force")
     return xr.Dataset(dict.fromkeys(names, ("time", force)), coords={"time": time})
+
+
+def viewer_in(page: str) -> dict[str, Any]:
+    data = re.search(r'id="jounce-data">(.*?)</script>', page)
+    assert data is not None
+    (viewer,) = json.loads(data[1])["viewers"]
+    assert isinstance(viewer, dict)
+    return viewer
+
+
+def test_the_viewer_speaks_the_language_of_its_page(sound: VehicleGrade, record: xr.Dataset) -> None:
+    records = {"front": record}
+    german = viewer_in(protocol_html(sound, records=records, language="de"))
+    assert german["x"] == {"words": "Zeit", "unit": "s"}
+    assert [role["label"] for role in german["roles"]] == ["Links", "Rechts"]
+    (axle,) = german["scenes"]
+    assert axle["label"] == "Vorderachse"
+    panes = {pane["name"]: pane["words"] for pane in axle["panes"]}
+    assert panes == {"Plattenkraft": "Plattenkraft", "Δ Plattenkraft": "Δ Plattenkraft: Rechts − Links"}
+    english = viewer_in(protocol_html(sound, records=records))
+    assert english["x"]["words"] == "time"
+    panes = {pane["name"]: pane["words"] for pane in english["scenes"][0]["panes"]}
+    assert panes == {"plate force": "plate force", "Δ plate force": "Δ plate force: Right − Left"}
+
+
+def test_units_are_those_of_the_test_methods(sound: VehicleGrade, record: xr.Dataset) -> None:
+    usual = protocol_html(sound, records={"front": record})
+    with shown_in("imperial"):
+        page = protocol_html(sound, records={"front": record})
+    said = " Units are those of the test methods (EUSAMA, EGEA), whatever others are chosen."
+    assert said not in usual
+    assert page.replace(said, "") == usual
 
 
 class Text(HTMLParser):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from jounce.plots.mechanisms.animation import animate
 from jounce.plots.mechanisms.drawing import mechanism
 
-__all__ = ["animate", "mechanism"]
+__all__ = ["mechanism"]

@@ -1,30 +1,23 @@
-"""Mechanisms in motion: a page for the browser, a GIF, or an MP4 through ffmpeg."""
+"""Mechanisms in motion: what is shown of a sweep or a run, and films of it: a GIF, or an MP4 through ffmpeg."""
 
 from __future__ import annotations
 
-import html
-import json
-import re
 import subprocess
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from importlib import import_module, resources
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import MissingPackageError
 from jounce.core.programs import program_on_path
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import Formats
-from jounce.plots.display import settled
 from jounce.plots.mechanisms.drawing import (
-    COILS,
-    DAMPER_BODY,
     MM,
     View,
     draw_directions,
@@ -47,105 +40,46 @@ if TYPE_CHECKING:
     from jounce.roads import Trial
 
 
-_MOST_IN_PAGE, _MOST_IN_FILM = 1000, 300
+_MOST_IN_FILM = 300
 _SAME_HEIGHT = 1e-4  # m
 _AT_JUMPS = 0.02  # share of the samples
 
 
-def animate(
+def motion_of(
     rig: Corner,
     poses: xr.Dataset,
-    path: Path | str,
     *,
     trial: Trial | None = None,
     between: tuple[float | str, float | str] | None = None,
     slow: float = 5.0,
-    frames: int | None = None,
+    most: Callable[[float], int],
     title: str = "",
-    force: bool = False,
-    progress: Callable[[str], None] = lambda _text: None,
-) -> Path:
-    """Show a sweep or a run of a 3-D rig in motion; the suffix chooses how.
+    say: Callable[[str], None] = lambda _text: None,
+) -> Motion:
+    """Take what an animation shows of a sweep or a run: a part of it, and of that no more poses than ``most``.
 
-    Parameters
-    ----------
-    rig : Corner
-        What moves.
-    poses : xarray.Dataset
-        A sweep (``jn.sweep_travel(rig, ..., points=True)``) or a run (``jn.simulate(rig, trial, detail=True)``).
-    path : Path or str
-        ``.html`` (one page that opens anywhere without a network: turn, play, read values), ``.gif``, or ``.mp4``
-        (through ffmpeg).
-    trial : Trial, optional
-        What the run was driven over: its road then passes under the wheel; otherwise a plate lifts the wheel.
-    between : tuple, optional
-        First and last travel (m) or time (s), or texts with units, to show only a part.
-    slow : float
-        How many times slower than in reality a run is played [1].
-    frames : int, optional
-        The most poses to show; by default 1000 in a page and 300 in a film. A film of a run takes no more than it needs
-        for 25 pictures a second.
-    title : str
-        Heading; model and side by default.
-    force : bool
-        Overwrite an existing file.
-    progress : callable
-        Called with one line of text as the work goes on.
-
-    Returns
-    -------
-    Path
-        The file written; the same input gives the same page.
-
-    Raises
-    ------
-    OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
-    MissingPackageError
-        For ``.mp4`` without ffmpeg.
-    DescriptionError
-        When the poses are not of this trial, or for a part that they do not reach.
-    RecordingError
-        For poses without hardpoints.
-
-    Examples
-    --------
-    >>> import pathlib, tempfile
-    >>> import jounce as jn
-    >>> rig = jn.load("kart-double-wishbone")
-    >>> sweep = jn.sweep_travel(rig, [-0.02, 0.0, 0.02], points=True)
-    >>> animate(rig, sweep, pathlib.Path(tempfile.mkdtemp()) / "motion.html").name
-    'motion.html'
+    ``most`` is asked with the time (s) that a film of it plays; the other arguments are those of
+    :func:`jounce.animate`.
     """
-    file = check_animation(path, force=force)
     if not (np.isfinite(slow) and slow > 0.0):
         raise DescriptionError("out of range", where="slow", found=slow, allowed="above 0")
-    if frames is not None and frames < 1:
-        raise DescriptionError("out of range", where="frames", found=frames, allowed="at least 1")
     scene = scene_of(rig)
     tracks = poses_of(rig, scene, poses)
     if between is not None:
         ends = (tracks.nearest(to_si(value, tracks.unit, where="between"), "between") for value in between)
         first, last = sorted(ends)
         tracks = tracks.taken(slice(first, last + 1))
-    motion = Motion(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, progress)
-    is_page = file.suffix.lower() == ".html"
-    most = frames or (_MOST_IN_PAGE if is_page else _MOST_IN_FILM)
-    if tracks.in_time and not is_page:
-        most = min(most, max(2, round(FRAMES_A_SECOND * motion.seconds) + 1))
-    kept = tracks
-    if len(tracks) > most:  # evenly chosen
-        kept = tracks.taken(np.unique(np.round(np.linspace(0, len(tracks) - 1, most)).astype(int)))
-    motion = replace(motion, poses=kept, road=_roadway(trial, tracks, kept, scene))
-    return ANIMATIONS.write(motion, file, force=force)
+    motion = Motion(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say)
+    kept, count = tracks, most(motion.seconds if tracks.in_time else np.inf)
+    if len(tracks) > count:  # evenly chosen
+        kept = tracks.taken(np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int)))
+    return replace(motion, poses=kept, road=_roadway(trial, tracks, kept, scene))
 
 
-def check_animation(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a file that could not be written: its suffix, its folder, what stands there, ffmpeg."""
-    file = ANIMATIONS.check(path, force=force)
-    if file.suffix.lower() == ".mp4":
-        ffmpeg()
-    return file
+def film_poses(frames: int | None) -> Callable[[float], int]:
+    """How many poses a film of so many seconds takes, at most."""
+    most = frames or _MOST_IN_FILM
+    return lambda seconds: int(min(most, max(2.0, FRAMES_A_SECOND * seconds + 1.5)))
 
 
 def _roadway(trial: Trial | None, poses: Poses, kept: Poses, scene: Scene) -> Roadway | None:
@@ -318,135 +252,4 @@ def _film_panel(figure: Figure, view: View, cloud: Array, k: int) -> Axes:
     return axes
 
 
-# --- the page: one file for any browser, nothing from a network -------------------------------------------------
-
-_REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
-_FIRST = ("tyre.force", "camber")
-_SWEEP_SPEEDS = (("slow", 8.0), ("normal", 20.0), ("fast", 50.0))
-_SIGN = re.compile(r",? (?:compression|bump|up) positive\b|, positive [\w ]+")
-"""What long names say of signs; there is no room for it beside the values."""
-_MOST_DIGITS = 4
-_SLOWER = (1.0, 2.0, 4.0, 10.0, 20.0, 50.0)
-
-
-def _write_page(motion: Motion, file: Path) -> None:
-    """Write the page; the same input gives the same text."""
-    template = resources.files("jounce.plots.mechanisms").joinpath("viewer.html").read_text(encoding="utf-8")
-    data = json.dumps(_data(motion), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    page = template.replace("{{title}}", html.escape(motion.title))
-    file.write_text(page.replace("{{data}}", data.replace("<", "\\u003c")), encoding="utf-8", newline="\n")
-
-
-def _data(motion: Motion) -> dict[str, Any]:
-    scene, poses, road = motion.scene, motion.poses, motion.road
-    names = list(poses.points)
-    index = {name: i for i, name in enumerate(names)}
-    parts = [part for part in scene.parts if all(name in index for name in part.points)]
-    brackets = [one for one in scene.brackets if {one.point, one.first, one.second} <= set(index)]
-    show = poses.display
-    over, digits = _digits(poses.over * show.factor)
-    return {
-        "side": scene.side,
-        "inTime": poses.in_time,
-        "words": poses.words,
-        "unit": show.name,
-        "digits": digits,
-        "over": over,
-        "start": 0 if poses.in_time else int(np.abs(poses.over).argmin()),
-        "names": names,
-        "onBody": [name in scene.on_body for name in names],
-        "points": [_track(poses.points[name]) for name in names],
-        "parts": [
-            {
-                "name": part.name,
-                "words": part.words,
-                "colour": part.colour,
-                "plate": part.plate,
-                "points": [index[name] for name in part.points],
-            }
-            for part in parts
-        ],
-        "brackets": [
-            [index[one.point], index[one.first], index[one.second], round(one.share, 4), one.colour] for one in brackets
-        ],
-        "strut": {
-            "spring": [index[name] for name in scene.spring],
-            "damper": [index[name] for name in scene.damper],
-            "radius": _millimetres(np.array(scene.coil_radius)),
-            "tube": _millimetres(np.array(DAMPER_BODY * scene.damper_length)),
-            "coils": COILS,
-            "colour": scene.strut_colour,
-        },
-        "axis": None if scene.steering_axis is None else [index[name] for name in scene.steering_axis],
-        "wheel": {
-            "centre": index["wheel_centre"],
-            "radius": _millimetres(np.array(scene.undeformed_radius if poses.in_time else scene.radius)),
-            "width": _millimetres(np.array(scene.width)),
-            "pressed": poses.in_time,
-        },
-        "spin": np.round(poses.spin_axis, 5).tolist(),
-        "contact": _millimetres(poses.contact),
-        "ground": _millimetres(poses.ground),
-        "touches": poses.touches.astype(int).tolist(),
-        "road": None
-        if road is None
-        else {
-            name: _millimetres(line) for name, line in (("x", road.distance), ("z", road.height), ("way", road.driven))
-        },
-        "signals": _signals(poses),
-        "first": next((name for name in _FIRST if name in poses.signals), ""),
-        **_speeds(poses, motion.slow),
-    }
-
-
-def _millimetres(values: Array) -> Any:
-    """Lengths in mm to a hundredth."""
-    return np.round(MM * values, 2).tolist()
-
-
-def _track(track: Array) -> dict[str, Any]:
-    """Places of a point, or its place where it stands still."""
-    still = bool(np.ptp(track, axis=0).max() < 5e-6)
-    return {"at": _millimetres(track[0])} if still else {"track": _millimetres(track)}
-
-
-def _signals(poses: Poses) -> list[dict[str, Any]]:
-    """What else is known of each pose; forces in joints are left to the recording."""
-    found = []
-    for name, values in poses.signals.items():
-        if name.endswith(_REACTIONS) or name == "constraint.residual" or not np.isfinite(values).any():
-            continue
-        known = values[np.isfinite(values)]
-        unit = display_unit(poses.signal_units[name], float(np.abs(known).max()))
-        shown, digits = _digits(settled(values, poses.signal_units[name]) * unit.factor)
-        words = _SIGN.sub("", poses.signal_words[name])
-        found.append({"name": name, "words": words, "unit": unit.name, "digits": digits, "values": shown})
-    return found
-
-
-def _digits(values: Array) -> tuple[list[float | None], int]:
-    """Values as they are drawn, and how many digits stand behind the point where they are written.
-
-    Written are four significant digits of the largest; drawn is what a screen shows of their range.
-    """
-    finite = np.isfinite(values)
-    largest = float(np.abs(values[finite]).max(initial=0.0))
-    range_ = float(np.ptp(values[finite])) if finite.any() else 0.0
-    digits = 0 if largest == 0.0 else int(np.clip(3 - np.floor(np.log10(largest)), 0, _MOST_DIGITS))
-    drawn = digits + 2 if range_ == 0.0 else int(np.clip(4 - np.floor(np.log10(range_)), digits, 12))
-    rounded = np.round(values, drawn) + 0.0
-    return [float(value) if ok else None for value, ok in zip(rounded, finite, strict=True)], digits
-
-
-def _speeds(poses: Poses, slow: float) -> dict[str, Any]:
-    """Choices of speed: words and poses a second, and the one to begin with."""
-    if not poses.in_time:
-        return {"speeds": list(_SWEEP_SPEEDS), "speed": _SWEEP_SPEEDS[1][1]}
-    length = float(poses.over[-1] - poses.over[0]) or 1.0
-    rate = (len(poses) - 1) / length
-    choices = sorted({*_SLOWER, slow})
-    speeds = [("real time" if one == 1.0 else f"1/{one:g}", round(rate / one, 4)) for one in choices]
-    return {"speeds": speeds, "speed": round(rate / slow, 4)}
-
-
-ANIMATIONS = Formats("animations", {".html": _write_page, ".gif": _write_gif, ".mp4": _write_mp4})
+FILMS = Formats("animations", {".gif": _write_gif, ".mp4": _write_mp4})

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.writing import write_files
@@ -36,7 +38,7 @@ _LEAST = 1e-3  # N
 
 @styled
 def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
-    """Draw one load case: front and top view of both wheels where they stand, with forces in kN.
+    """Draw one load case: front and top view of both wheels where they stand, with forces in kN (lbf).
 
     Parameters
     ----------
@@ -50,7 +52,7 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Axes ``front`` and ``top``, in mm: forces of the road on the wheels, and those of the suspension on the body.
+        Axes ``front`` and ``top``: forces of the road on the wheels, and those of the suspension on the body.
 
     Raises
     ------
@@ -85,13 +87,13 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
     across = (0.0, 1.0, 0.0)
     views = axis_view("front view", across, (0.0, 0.0, 1.0)), axis_view("top view", across, (-1.0, 0.0, 0.0))
     largest = max(float(np.linalg.norm(force)) for _, pose, one in wheels for _, _, force in _forces(pose, one))
-    labels = ("front", "z [mm]"), ("top", "x [mm]")
+    length, force_unit = display_unit("m"), shown_as("kN")
+    labels = ("front", length.label("z")), ("top", length.label("x"))
     for k, (view, (label, up)) in enumerate(zip(views, labels, strict=True)):
         axes = figure.add_axes((0.07, 0.55 - 0.46 * k, 0.90, 0.38), label=label)
-        axes.set(xlabel="y [mm]", ylabel=up)
+        axes.set(xlabel=length.label("y"), ylabel=up)
         axes.set_title(view.name + (", forward down" if k else ", seen from ahead: the left wheel on the right"))
         axes.set_aspect("equal", adjustable="box")
-        show_ticks(axes, view)
         for scene, pose, one in wheels:
             draw_pose(axes, view, scene, pose)
             _draw_forces(axes, view, _forces(pose, one), max(largest, _LEAST))
@@ -103,8 +105,11 @@ def load_case(rig: Corner, found: xr.Dataset, case: str) -> Figure:
         flat, room = MM * view.flat(np.vstack(cloud)), MM * np.array([0.12, 0.05])
         low, high = flat.min(axis=0) - room, flat.max(axis=0) + room
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-    travels = [f"{MM * float(one['wheel_travel']):+.1f}" for _, _, one in wheels]
-    text = f"numbers: kN; wheel travel: left {travels[0]} mm, right {travels[1]} mm".replace("-", "−")
+        show_ticks(axes, view)
+        _tell_forces(axes, view, [f for _, pose, one in wheels for f in _forces(pose, one)], max(largest, _LEAST))
+    digits = 1 if length.factor >= MM else 2
+    travels = [f"{length.factor * float(one['wheel_travel']):+.{digits}f} {length.name}" for _, _, one in wheels]
+    text = f"numbers: {force_unit.name}; wheel travel: left {travels[0]}, right {travels[1]}".replace("-", "−")
     figure.text(0.97, 0.012, text, ha="right", color=MUTED, fontsize=8.5)
     told = (_ON_ROAD, "force of the road on the wheel"), (_ON_BODY, "force of the suspension on the body")
     for i, (colour, words) in enumerate(told):
@@ -167,10 +172,45 @@ def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
         start, end = MM * view.flat(_ends(colour, place, force, largest))
         arrow = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 0}
         axes.annotate("", tuple(end), tuple(start), arrowprops=arrow, zorder=6.0)
-        if size >= _TOLD * largest:
-            free, text = start if colour == _ON_ROAD else end, f"{1e-3 * size:.2f}"
-            beside: dict[str, Any] = {"textcoords": "offset points", "fontsize": 7.5, "color": colour, "zorder": 6.5}
-            axes.annotate(text, tuple(free), (3, 3), **beside)
+
+
+def _tell_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
+    """Write sizes of forces beside the free ends of their arrows, the largest first, none over another."""
+    from matplotlib.patheffects import withStroke
+
+    unit = shown_as("kN")
+    sizes = [(float(np.linalg.norm(force)), colour, place, force) for colour, place, force in forces]
+    told = sorted((one for one in sizes if one[0] >= _TOLD * largest), key=lambda one: -one[0])
+    to_points = axes.transData + axes.figure.dpi_scale_trans.inverted()
+    taken: list[Array] = []
+    for size, colour, place, force in told:
+        start, end = MM * view.flat(_ends(colour, place, force, largest))
+        free, fast = (start, end) if colour == _ON_ROAD else (end, start)
+        text = f"{1e-3 * unit.factor * size:.{2 if unit.name == 'kN' else 0}f}"
+        room = np.array([_LETTER * len(text), _LINE])
+        at = 72.0 * to_points.transform(free)
+        tried = [np.array(offset) for offset in _beside(room, free - fast)]
+        free_places = [one for one in tried if all((abs(at + one - other) >= room).any() for other in taken)]
+        offset = (free_places or tried)[0]
+        taken.append(at + offset)
+        axes.annotate(
+            text, tuple(free), tuple(offset), textcoords="offset points", fontsize=7.5, color=colour, zorder=6.5,
+            ha="left", va="bottom", path_effects=[withStroke(linewidth=2.0, foreground="white")],
+        )  # fmt: skip
+
+
+_LETTER, _LINE = 4.9, 9.5  # points, of a number in 7.5 pt
+
+
+def _beside(room: Array, away: Array) -> Iterator[tuple[float, float]]:
+    """Where a number may stand about the free end of an arrow, which points ``away``; ahead of it and nearest first."""
+    wide, tall = room
+    across = (3.0, -wide - 3.0) if away[0] >= 0.0 else (-wide - 3.0, 3.0)
+    for step in range(5):
+        up, down = 1.0 + step * tall, -tall - 1.0 - step * tall
+        for height in (up, down) if away[1] >= 0.0 else (down, up):
+            for side in across:
+                yield side, height
 
 
 def write_load_cases(rig: Corner, found: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:

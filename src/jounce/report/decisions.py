@@ -1,0 +1,171 @@
+"""Designs found by search as pages: the best one, or a front of them, with what it costs and gains."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jounce.core.display import display_unit
+from jounce.plots import figure_of
+from jounce.plots.display import number, percent, quantity
+from jounce.report.page import Block, Cell, Fact, Facts, Findings, Page, Picture, Section, Table, Tone
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
+    from jounce.design.pareto import ParetoFront
+
+
+def optimisation_page(found: Optimisation, *, title: str) -> Page:
+    """Put the best design of a search on a page: what it gains, its numbers, and the limits that hold it.
+
+    Parameters
+    ----------
+    found : Optimisation
+        As :func:`jounce.optimise` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> found = jn.optimise(jn.load("kart-quarter-car"), {"strut.damper.coefficient": (50.0, 500.0)}, ["sprung.az"])
+    >>> [section.title for section in optimisation_page(found, title="A kart").sections]
+    ['Answer', 'Metrics']
+    """
+    facts = [
+        Fact(name, _change(found, name), f"from {number(found.before[name])} to {number(found.after[name])}, SI")
+        for name in found.objective
+    ]
+    end = "converged" if found.converged else "did not converge"
+    slopes = "exact gradients" if found.derivatives == "exact" else "finite-difference gradients"
+    tone: Tone = "good" if found.converged else "bad"
+    facts.append(Fact("search", end, f"{found.iterations} steps, {found.evaluations} designs, {slopes}", tone))
+    answer: list[Block] = [Facts(tuple(facts)), _numbers(found.numbers)]
+    if found.constraints:
+        answer.append(_limits(found.constraints))
+    if found.findings:
+        answer.append(Findings(found.findings))
+    names = dict.fromkeys((*found.objective, *found.before))
+    rows = tuple((name, *map(number, (found.before[name], found.after[name])), _change(found, name)) for name in names)
+    words = "What is minimised, the limits and the numbers, from the start to the best design."
+    metrics = (
+        Picture(figure_of(found), "optimisation", words, words),
+        Table("Metrics, SI", ("metric", "start", "best", "change"), rows, "lrrr"),
+    )
+    return Page(
+        title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {_cubed(found.driven)}"
+    )
+
+
+def _cubed(driven: str) -> str:
+    return driven.replace("^3", "³")
+
+
+def _change(found: Optimisation, name: str) -> str:
+    before = found.before[name]
+    change = found.after[name] / before - 1.0 if before else None
+    return ("+" if change and change > 0.0 else "") + percent(change)
+
+
+def _numbers(found: Sequence[DesignNumber]) -> Table:
+    rows = []
+    for one in found:
+        unit = display_unit(one.unit, max(abs(one.lower), abs(one.upper)))
+        values = (number(value * unit.factor) for value in (one.start, one.value, one.lower, one.upper))
+        flat = " to ".join(number(end * unit.factor) for end in one.flat) if one.flat else "–"
+        at = Cell(f"at its {one.at} bound", "fair") if one.at else "within"
+        rows.append((one.path, unit.name or "–", *values, at, flat))
+    header = ("number", "unit", "start", "best", "lower bound", "upper bound", "", "objective within 1 %")
+    return Table("Numbers of the design", header, tuple(rows), "llrrrrlr")
+
+
+def _limits(found: Sequence[DesignConstraint]) -> Table:
+    rows = []
+    for one in found:
+        unit = display_unit(one.unit, max(abs(one.start), abs(one.value)))
+        ends = (None if end is None else end * unit.factor for end in (one.lower, one.upper))
+        values = (one.start * unit.factor, one.value * unit.factor, *ends)
+        state = Cell("holds the design", "fair") if one.is_active else "not reached"
+        rows.append(
+            (
+                ", ".join(dict.fromkeys((one.name, one.channel))),
+                unit.name or "–",
+                *map(number, values),
+                state,
+                number(one.gain, 3),
+            )
+        )
+    header = ("limit", "unit", "start", "best", "at least", "at most", "", "gain")
+    note = "Gain: change of the objective in % where the limit is loosened by 1 %."
+    return Table("Limits", header, tuple(rows), "llrrrrlr", note)
+
+
+def front_page(front: ParetoFront, *, title: str) -> Page:
+    """Put a Pareto front on a page: where the design of today stands, the front, and every design on it.
+
+    Parameters
+    ----------
+    front : ParetoFront
+        As :func:`jounce.pareto` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    roles = ("comfort", "holding", "travel")
+    columns = {role: getattr(front, role) for role in roles}
+    units = {role: display_unit(front.units[role], float(abs(columns[role]).max())) for role in roles}
+    ends = [
+        Fact(
+            {"comfort": "comfort", "holding": "road holding", "travel": "travel"}[role],
+            f"{quantity(float(columns[role].min()), front.units[role])} to "
+            f"{quantity(float(columns[role].max()), front.units[role])}",
+            front.metrics[role],
+        )
+        for role in roles
+    ]
+    state = "all designs are optimal" if front.converged else "some designs are not optimal"
+    tone: Tone = "good" if front.converged else "bad"
+    facts = Facts((*ends, Fact("designs on the front", str(len(front.comfort)), state, tone)))
+    heads = [units[role].label(front.metrics[role]) for role in roles]
+    marks = tuple(
+        (
+            mark.name,
+            mark.kind,
+            *(number(getattr(mark, role) * units[role].factor) for role in roles),
+            ", ".join(
+                f"{path}: {quantity(value, front.number_units.get(path, '1'))}" for path, value in mark.values.items()
+            )
+            or "–",
+        )
+        for mark in front.marks
+    )
+    beside = Table("For comparison", ("design", "by", *heads, "dampers"), marks, "llrrrl")
+    given = {path: display_unit(front.number_units[path], float(abs(v).max())) for path, v in front.numbers.items()}
+    rows = tuple(
+        (
+            str(i + 1),
+            *(number(float(columns[role][i]) * units[role].factor) for role in roles),
+            *(number(float(values[i]) * given[path].factor) for path, values in front.numbers.items()),
+        )
+        for i in range(len(front.comfort))
+    )
+    header = ("", *heads, *(unit.label(path) for path, unit in given.items()))
+    every = Table(
+        "From the most comfortable design to the one that holds the road best", header, rows, "r" * len(header)
+    )
+    words = "Comfort against road holding of the designs on the front, beside the present one; numbers along the front."
+    answer: list[Block] = [facts, Picture(figure_of(front), "front", words, words), beside]
+    if front.findings:
+        answer.append(Findings(front.findings))
+    sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
+    return Page(title, sections, f"Pareto front on {_cubed(front.driven)}")

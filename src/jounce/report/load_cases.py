@@ -1,0 +1,86 @@
+"""Forces in an axle's links, joints and pickup points in load cases of the car, as a page."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.display import display_unit
+from jounce.plots.display import number
+from jounce.plots.mechanisms.load_cases import load_case
+from jounce.report.page import Block, Findings, Page, Picture, Section, Subsection, Table, slug
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import xarray as xr
+
+    from jounce.core.findings import Finding
+    from jounce.parts.corners import Corner
+
+
+def load_cases_page(rig: Corner, found: xr.Dataset, findings: Sequence[Finding], *, title: str) -> Page:
+    """Put load cases on a page: every force by case and wheel, then each case drawn.
+
+    Parameters
+    ----------
+    rig : Corner
+        The corner that the cases are of.
+    found : xarray.Dataset
+        As :func:`jounce.load_cases` gives it.
+    findings : sequence of Finding
+        What weakens the numbers.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> car = jn.LoadedAxle(
+    ...     axle="front", mass=280.0, wheelbase=1.55, centre_of_mass_height=0.3, weight_share=0.48, brake_share=0.65
+    ... )
+    >>> rig = jn.load("formula-student-front")
+    >>> found = jn.load_cases(rig, car, {"braking 1.2 g": {"longitudinal": -1.2}})
+    >>> [section.title for section in load_cases_page(rig, found, (), title="Front axle").sections]
+    ['Answer', 'Drawn']
+    """
+    cases = [str(name) for name in found["case"].to_numpy()]
+    names = [str(name) for name in found.data_vars]
+    points = [name[:-3] for name in names if name.endswith(".fx")]
+    sizes = {point: np.sqrt(sum(found[f"{point}.f{axis}"].to_numpy() ** 2 for axis in "xyz")) for point in points}
+    wheels = _table("Loads and travel of the wheels", cases, found, {
+        name.replace("_", " "): (found[name].to_numpy(), str(found[name].attrs["units"]))
+        for name in ("vertical_force", "lateral_force", "longitudinal_force", "wheel_travel")
+    })  # fmt: skip
+    links = _table("Forces of links and springs, compression positive", cases, found, {
+        name.replace("_", " ").replace(".", ", "): (found[name].to_numpy(), str(found[name].attrs["units"]))
+        for name in names if name.endswith((".axial_force", ".force", ".torque"))
+    })  # fmt: skip
+    pickups = _table("Sizes of forces at hardpoints", cases, found, {
+        point.replace("_", " "): (values, "N") for point, values in sizes.items()
+    })  # fmt: skip
+    answer: list[Block] = [Findings(tuple(findings))] if findings else []
+    answer += [wheels, links, pickups]
+    words = "Forces of the road on the wheels (red) and of the suspension on the body (blue), front and top view."
+    drawn = tuple(
+        Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, found, case), slug(case), words, words),))
+        for case in cases
+    )
+    return Page(title, (Section("Answer", tuple(answer)), Section("Drawn", drawn)), "Load cases")
+
+
+def _table(caption: str, cases: Sequence[str], found: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]) -> Table:
+    """A row for each quantity and wheel, a column for each case."""
+    rows = []
+    for words, (numbers, si) in values.items():
+        unit = display_unit(si, float(np.nanmax(np.abs(numbers), initial=0.0)))
+        for k, wheel in enumerate(map(str, found["wheel"].to_numpy())):
+            cells = (number(float(value) * unit.factor) for value in numbers[:, k])
+            rows.append((words, unit.name, wheel, *cells))
+    return Table(caption, ("", "unit", "wheel", *cases), tuple(rows), "lll" + "r" * len(cases))

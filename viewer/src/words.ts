@@ -1,0 +1,45 @@
+/** The viewer's words, in the language of its page. */
+
+const ENGLISH = {
+  light: "Light", dark: "Dark", showLight: "Show this page light", showDark: "Show this page dark",
+  failed: "The interactive plots could not be made (#); the figures of this page show the same.",
+  choice: "what is shown", previous: "previous ([)", next: "next (])", curves: "curves", channels: "channels",
+  more: "# more", otherChannels: "all other channels",
+  zoomIn: "zoom in (+)", zoomOut: "zoom out (−)", all: "All", everything: "everything (0, or double click)",
+  event: "Event", zoomToEvent: "zoom to the event (9)", wide: "Full window", fillWindow: "fill the window (f)",
+  play: "Play", pause: "Pause", speed: "speed", realTime: "real time", fast: "fast",
+  hint: "Drag to zoom, double click for everything; Ctrl + wheel zooms, Shift + wheel pans. Keys: space plays, ← → step, + − 0 zoom, [ ] change what is shown, f fills the window.",
+  view: "view", space: "3-D", front: "front", side: "side", top: "top", wheel: "wheel", names: "names", paths: "paths",
+  mechanism: "The mechanism; drag to turn it, click on it to zoom with the wheel",
+  noContact: "no contact", noWebGL: "The mechanism is drawn with WebGL, which this browser does not offer.",
+  strut: "spring and damper", contactPoint: "contact point",
+};
+
+const GERMAN: typeof ENGLISH = {
+  light: "Hell", dark: "Dunkel", showLight: "Seite hell darstellen", showDark: "Seite dunkel darstellen",
+  failed: "Die interaktiven Diagramme konnten nicht erstellt werden (#); die Abbildungen der Seite zeigen dasselbe.",
+  choice: "Auswahl", previous: "zurück ([)", next: "weiter (])", curves: "Kurven", channels: "Kanäle",
+  more: "# weitere", otherChannels: "alle weiteren Kanäle",
+  zoomIn: "vergrößern (+)", zoomOut: "verkleinern (−)", all: "Alles", everything: "gesamter Bereich (0 oder Doppelklick)",
+  event: "Ereignis", zoomToEvent: "auf das Ereignis zoomen (9)", wide: "Großansicht", fillWindow: "ganzes Fenster nutzen (f)",
+  play: "Abspielen", pause: "Pause", speed: "Tempo", realTime: "Echtzeit", fast: "schnell",
+  hint: "Bereich aufziehen zum Zoomen, Doppelklick zeigt alles; Strg + Mausrad zoomt, Umschalt + Mausrad verschiebt. Tasten: Leertaste spielt ab, ← → Einzelschritt, + − 0 Zoom, [ ] wechselt die Auswahl, f Großansicht.",
+  view: "Ansicht", space: "3-D", front: "vorn", side: "Seite", top: "oben", wheel: "Rad", names: "Namen", paths: "Bahnkurven",
+  mechanism: "Die Radaufhängung; ziehen dreht sie, nach einem Klick zoomt das Mausrad",
+  noContact: "kein Bodenkontakt", noWebGL: "Die Radaufhängung wird mit WebGL gezeichnet, das dieser Browser nicht anbietet.",
+  strut: "Feder und Dämpfer", contactPoint: "Radaufstandspunkt",
+};
+
+const isGerman = document.documentElement.lang.startsWith("de");
+const words = isGerman ? GERMAN : ENGLISH;
+
+/** A text of the viewer; `#` in it is what is given. */
+export function say(word: keyof typeof ENGLISH, given = ""): string {
+  return words[word].replace("#", () => given);
+}
+
+/** A number as the language of the page writes it: true minus signs, its decimal mark. */
+export function localised(text: string): string {
+  const signed = text.replaceAll("-", "−");
+  return isGerman ? signed.replace(".", ",") : signed;
+}
