@@ -91,3 +91,35 @@ def test_a_file_with_odd_names_is_written_as_valid_toml(cli, tmp_path: Path):
     file.write_text(json.dumps({**table, "Name": 'a "quoted" \\ name\nof two lines'}), encoding="utf-8")
     assert cli("import", "chrono", file, "--out", "rig.toml").exit_code == 0
     assert jn.load(tmp_path / "rig.toml").source.startswith('a "quoted" \\ name\nof two lines')
+
+
+POINTS = """name,x [mm],y [mm],z [mm]
+LCA front,150,220,122
+LCA rear,-150,220,118
+Lower outer,5,560,130
+Tie rod inner,65,225,148
+Tie rod outer,70,556,165
+Hub,0,600,226
+Top mount,0,480,700
+Lwr strut mount,0,540,330
+"""
+
+
+def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
+    (tmp_path / "points.csv").write_text(POINTS, encoding="utf-8")
+    refused = cli("import", "hardpoints", "points.csv")
+    assert refused.exit_code == 2
+    assert "also wheel_centre" in refused.err
+    outcome = cli("import", "hardpoints", "points.csv", "--name", "Hub=wheel_centre", "--out", "rig.toml")
+    assert outcome.exit_code == 0
+    assert "rig.toml: mcpherson, hardpoints of points.csv" in outcome.out
+    assert "the wheel's radius is taken for 226 mm" in outcome.out
+    assert jn.load(tmp_path / "rig.toml").hardpoints.strut_bottom == pytest.approx((0.0, 0.54, 0.33))
+    for words, message in (
+        (("--side", "middle"), "unknown side 'middle'"),
+        (("--axle", "third"), "unknown axle 'third'"),
+        (("--name", "Hub"), "not two names"),
+        (("--name", "Hub=wheel_centre", "--axes", "x"), "not three axes"),
+    ):
+        refused = cli("import", "hardpoints", "points.csv", *words)
+        assert (refused.exit_code, message in refused.err) == (2, True)

@@ -487,19 +487,99 @@ def chrono(
 
     Example: jounce import chrono suspension.json --out rig.toml --wheel-radius "344 mm"
     """
+    from jounce.parts.importers import import_chrono
+
+    return _imported(
+        file,
+        out,
+        lambda: import_chrono(
+            file,
+            wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius", most=LENGTH),
+            wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
+            tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
+            sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
+        ),
+        force=force,
+        as_json=as_json,
+    )
+
+
+@import_app.command("hardpoints")
+def hardpoints(
+    file: Annotated[
+        Path, typer.Argument(metavar="TABLE", help="Text (name, x, y, z; Lotus; OptimumKinematics), .xlsx.")
+    ],
+    out: Annotated[Path | None, typer.Option(help="Rig file to write; stdout by default.")] = None,
+    unit: Annotated[
+        str | None, typer.Option(help="Of the coordinates: mm, m, inch, cm. Default: what the file says.")
+    ] = None,
+    axes: Annotated[
+        str | None, typer.Option(help='What in the table is forward, left and up, e.g. "-x,-y,z". Default: x,y,z.')
+    ] = None,
+    side: Annotated[str, typer.Option(help="Corner that is read where there are both: left or right.")] = "left",
+    axle: Annotated[str | None, typer.Option(help="Axle that is read where there are both: front or rear.")] = None,
+    model: Annotated[str | None, typer.Option(help="Suspension. Default: the one that has these points.")] = None,
+    name: Annotated[
+        list[str] | None, typer.Option(metavar="THEIRS=OURS", help="A name in the table and the hardpoint it is.")
+    ] = None,
+    wheel_radius: Annotated[
+        str | None, typer.Option(help="Undeformed tyre radius. Default: height of the wheel centre (estimated).")
+    ] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Convert a table of hardpoints to the left corner of a 3-D rig, for its kinematics.
+
+    Example: jounce import hardpoints points.csv --out rig.toml
+    """
+    from jounce.parts.importers import import_hardpoints
+
+    pairs = dict(_pair(text) for text in name or ())
+    sides, axles = ("left", "right"), ("front", "rear")
+    if side not in sides:
+        raise unknown(side, sides, what="side", where="--side")
+    if axle is not None and axle not in axles:
+        raise unknown(axle, axles, what="axle", where="--axle")
+    return _imported(
+        file,
+        out,
+        lambda: import_hardpoints(
+            file,
+            unit=unit,
+            axes=axes,
+            side=side,  # type: ignore[arg-type]
+            axle=axle,  # type: ignore[arg-type]
+            model=model,
+            names=pairs,
+            wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius", most=LENGTH),
+        ),
+        force=force,
+        as_json=as_json,
+    )
+
+
+def _pair(text: str) -> tuple[str, str]:
+    theirs, equals, ours = text.rpartition("=")
+    if not equals or not theirs.strip() or not ours.strip():
+        raise DescriptionError("not two names", where="--name", found=text, allowed="THEIRS=OURS")
+    return theirs.strip(), ours.strip()
+
+
+def _imported(
+    file: Path,
+    out: Path | None,
+    read: Callable[[], tuple[Any, list[Finding], str]],
+    *,
+    force: bool,
+    as_json: bool,
+) -> Reply:
+    """What every import does: look whether the rig can be written, read the file, write it, say what was found."""
     from jounce.core.writing import check_writable, write_atomically
     from jounce.parts import rig_findings
-    from jounce.parts.importers import import_chrono
 
     if out is not None:
         check_writable(out, what="rigs", suffixes=(".toml",), force=force)
-    rig, findings, text = import_chrono(
-        file,
-        wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius", most=LENGTH),
-        wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
-        tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
-        sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
-    )
+    rig, findings, text = read()
     found = [*findings, *rig_findings(rig, "" if out is None else str(out))]
     if out is not None:
         write_atomically(out, text, force=force)

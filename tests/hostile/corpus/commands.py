@@ -51,6 +51,7 @@ BASES = {
     "design kinematics": "design kinematics none.toml --out designed",
     "export fmu": "export fmu kart-quarter-car --out kart.fmu --sources-only",
     "import chrono": "import chrono chrono.json",
+    "import hardpoints": "import hardpoints points.csv",
     "fit stiffness": "fit stiffness spring.csv",
     "fit decay": 'fit decay base.csv --channel road.z --mass "16 kg"',
     "fit damper": "fit damper damper.csv",
@@ -238,6 +239,7 @@ def prepare() -> None:
     Path("plate.csv").unlink()
     assert Path("lane.sqlite").is_file(), (code, said)
     shutil.copy(Path(__file__).parents[2] / "files" / "chrono" / "DoubleWishbone.json", "chrono.json")
+    shutil.copy(Path(__file__).parents[2] / "files" / "hardpoints" / "strut.txt", "points.csv")
 
 
 def said_by(words: list[str]) -> tuple[int, str, str]:

@@ -23,6 +23,7 @@ SAMPLES = {
     "Chrono: multi-link": "chrono/Sedan_MultiLink.json",
     "tyre: Pacejka": "tyre_tir/audi_Pac02Tire.tir",
     "tyre: with tables": "tyre_tir/mf_185_80R14.tir",
+    "hardpoints": "hardpoints/strut.txt",
     "OpenCRG: text": "road_crg/handmade_curved.crg",
     "OpenCRG: options": "road_crg/handmade_sloped_opts.crg",
     "OpenCRG: binary": "road_crg/halfround_4in.crg",
@@ -88,6 +89,12 @@ def _road(file: Path) -> Any:
     return road.end(), height.tolist()
 
 
+def _hardpoints(file: Path) -> Any:
+    from jounce.parts.importers import import_hardpoints
+
+    return import_hardpoints(file)[0].model_dump_json()
+
+
 def _fmu(file: Path) -> Any:
     from jounce.control import read_fmu
 
@@ -96,6 +103,7 @@ def _fmu(file: Path) -> Any:
 
 _READ: dict[str, Callable[[Path], Any]] = {
     ".json": _chrono, ".tir": _tyre, ".crg": _road, ".csv": _road, ".fmu": _fmu,
+    ".txt": _hardpoints,
 }  # fmt: skip
 
 

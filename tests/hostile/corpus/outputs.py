@@ -96,7 +96,11 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
             ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)
         ),
         **dict.fromkeys(
-            ((one, "--out") for one in ("adjust", "import chrono", "design springs", "design optimise")), (".toml",)
+            (
+                (one, "--out")
+                for one in ("adjust", "import chrono", "import hardpoints", "design springs", "design optimise")
+            ),
+            (".toml",),
         ),
         **dict.fromkeys(((one, "--out") for one in ("modes", "iri", "study lumped-vs-spatial")), (".csv", ".json")),
         **dict.fromkeys(((one, "--figure") for one in ("kinematics", "load-cases")), ("",)),

@@ -2,6 +2,7 @@
 
 from jounce.parts.importers.chrono import import_chrono
 from jounce.parts.importers.chrono_file import ChronoCorner, DamperMap, RigidPart, read_chrono_corner, shipped_corner
+from jounce.parts.importers.hardpoints import import_hardpoints
 from jounce.parts.importers.tir import TyreProperties, read_tir, tyre_from_tir
 
 __all__ = [
@@ -10,6 +11,7 @@ __all__ = [
     "RigidPart",
     "TyreProperties",
     "import_chrono",
+    "import_hardpoints",
     "read_chrono_corner",
     "read_tir",
     "shipped_corner",

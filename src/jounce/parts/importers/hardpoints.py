@@ -1,0 +1,613 @@
+"""Tables of hardpoints as every program writes them: names, unit, axes and side found or given, then a 3-D rig."""
+
+from __future__ import annotations
+
+import csv
+import re
+import tomllib
+import zipfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal, cast
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, unknown
+from jounce.core.files import existing_file
+from jounce.core.findings import Finding
+from jounce.core.optional import require
+from jounce.core.types import Array
+from jounce.core.units import conversion_factor
+from jounce.parts.bodies import distance_to_line
+from jounce.parts.corners import Corner
+from jounce.parts.files import RIGS, rig_from_table, rig_text
+
+Side = Literal["left", "right"]
+_NAMES = {
+    "lower_arm_front": "lower wishbone front pivot|lca front|chas low for|lower control arm front|lower front inner",
+    "lower_arm_rear": "lower wishbone rear pivot|lca rear|chas low aft|lower control arm rear|lower rear inner",
+    "lower_ball_joint": "lower wishbone outer ball joint|lca outer|upri low pnt|lower outer|lower outer ball joint",
+    "upper_arm_front": "upper wishbone front pivot|uca front|chas upp for|upper control arm front|upper front inner",
+    "upper_arm_rear": "upper wishbone rear pivot|uca rear|chas upp aft|upper control arm rear|upper rear inner",
+    "upper_ball_joint": "upper wishbone outer ball joint|uca outer|upri upp pnt|upper outer|upper outer ball joint",
+    "tie_rod_inner": "inner track rod ball joint|tierod inner|chas tie pnt|tie rod inboard|toe link inner",
+    "tie_rod_outer": "outer track rod ball joint|tierod outer|upri tie pnt|tie rod outboard|toe link outer",
+    "wheel_centre": "wheel centre point|wheel center point|wheel center|wc",
+    "pushrod_outer": "push rod wishbone end|nsma ppatt pnt|nsma ppatt|pushrod outboard|push rod outer|prod outboard",
+    "pushrod_inner": "push rod rocker end|rock rod pnt|pushrod inboard|push rod inner",
+    "rocker_pivot": "rocker axis 1st point|chas roc piv",
+    "rocker_axis": "rocker axis 2nd point|chas roc axi",
+    "strut_bottom": "damper to rocker point|damper wishbone end|lwr strut mount|strut lwr mount|rock coi pnt|"
+    "spring damper lower|damper lower|shock lower|lower strut mount",
+    "strut_top": "damper to body point|damper body end|top mount|chas att pnt|spring damper upper|damper upper|"
+    "shock upper|strut upper mount|strut top point|upper strut mount",
+    "spring_bottom": "lower spring pivot point|spring lwr seat|spring lower seat",
+    "spring_top": "upper spring pivot point|spring upr seat|spring upper seat",
+}
+"""Names of Lotus Shark, Adams Car, OptimumKinematics and of tables by hand; the names of rig files are known, too."""
+_CONTACT = ("contact point", "contact patch", "tyre contact patch", "tyre contact", "tire contact patch", "cp")
+_SIDES = {"l": "left", "lh": "left", "left": "left", "r": "right", "rh": "right", "right": "right"}
+_CORNERS = {"fl": ("front", "left"), "fr": ("front", "right"), "rl": ("rear", "left"), "rr": ("rear", "right")}
+_UNITS = {"mm": "mm", "millimeter": "mm", "millimetre": "mm", "cm": "cm", "m": "m", "meter": "m", "metre": "m",
+          "in": "inch", "inch": "inch", "inches": "inch", "ft": "foot", "millimeters": "mm", "meters": "m"}  # fmt: skip
+_UNIT_LINE = re.compile(r"(?i)\W*(?:length\s+)?units?\b[\s:=,;]*\W?([a-z]+)\W*")
+_UNIT_IN = re.compile(r"[\[(]\s*([A-Za-z]+)\s*[\])]")
+_LABEL = re.compile(r"(?i)^\W*(?:point\b)?\W*\d*\W*(?:point\s+\d+\s*:)?\s*")
+_NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
+_ENTRY = re.compile(r"\W*([^:]*[A-Za-z][^:]*?)[\"']?\s*:\s*[\[{](.*)[\]}]\W*")
+"""Point of a YAML or JSON file: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
+_HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
+_RADIUS = (0.08, 0.8)  # m
+_LARGEST, _ROWS = 20_000_000, 20_000
+_ADVICE = "Give names with --name THEIRS=OURS."
+
+
+@dataclass(frozen=True)
+class _Row:
+    """One point as written: its name, its coordinates, and where."""
+
+    name: str
+    place: Array
+    where: str
+
+
+@dataclass
+class _Table:
+    """What a file holds: rows, the unit that it names, and lines with numbers that are no points."""
+
+    file: Path
+    rows: list[_Row] = field(default_factory=list)
+    unit: str = ""
+    unread: list[str] = field(default_factory=list)
+
+
+def import_hardpoints(
+    path: Path | str,
+    *,
+    unit: str | None = None,
+    axes: str | None = None,
+    side: Side = "left",
+    axle: Literal["front", "rear"] | None = None,
+    model: str | None = None,
+    names: Mapping[str, str] | None = None,
+    wheel_radius: float | None = None,
+    source: str | None = None,
+) -> tuple[Corner, list[Finding], str]:
+    """Read a table of hardpoints as the left corner of a 3-D rig, for its kinematics.
+
+    Reads ``name, x, y, z`` with any separator, point lists of Lotus Shark, tables of OptimumKinematics and Adams, text
+    or ``.xlsx`` (extra ``io``). Masses, springs and dampers are in no such table: the rig leaves them out.
+
+    Parameters
+    ----------
+    path : Path or str
+        The table.
+    unit : str, optional
+        Unit of the coordinates, such as ``"mm"``; by default what the file says, else metres or millimetres where half
+        the track can only be meant so.
+    axes : str, optional
+        What in the table is our x (forward), y (left) and z (up), such as ``"-x,-y,z"``; by default x, y and z, with x
+        turned round where the arm's front lies behind its rear.
+    side : {"left", "right"}
+        Which corner is read where the table holds both. Right ones are mirrored.
+    axle : {"front", "rear"}, optional
+        Which axle is read where the table holds both.
+    model : str, optional
+        Suspension; by default the one that has these points.
+    names : mapping, optional
+        Name in the table to ours.
+    wheel_radius : float, optional
+        Undeformed radius of the tyre [m]; by default the height of the wheel centre.
+    source : str, optional
+        Text for ``source`` of the rig; by default the name of the file.
+
+    Returns
+    -------
+    rig : Corner
+        The left corner, without what the table does not hold.
+    findings : list of Finding
+        What was assumed, turned round or left out.
+    text : str
+        The rig file that describes it.
+
+    Raises
+    ------
+    DescriptionError
+        For what is no table, names that are unknown, points that are missing or given twice, a unit that cannot be
+        meant, sides that are not opposite, and points that are no mechanism.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.parts import load
+    >>> rig = load("formula-student-front")
+    >>> lines = [f"{name},{x},{y},{z}" for name, (x, y, z) in rig.hardpoints.given().items()]
+    >>> file = Path(tempfile.mkdtemp()) / "points.csv"
+    >>> _ = file.write_text("name,x [m],y [m],z [m]" + chr(10) + chr(10).join(lines))
+    >>> found, _, _ = import_hardpoints(file)
+    >>> found.model, found.hardpoints == rig.hardpoints
+    ('double-wishbone', True)
+    """
+    file = existing_file(path)
+    reading = _Reading(_read(file), side, axle, {**(names or {})})
+    return reading.rig(unit, axes, model, wheel_radius, source)
+
+
+# --- the file
+
+
+def _read(file: Path) -> _Table:
+    if file.stat().st_size > _LARGEST:
+        raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 20 MB")
+    table = _Table(file)
+    columns: list[int] = []
+    for count, (where, cells) in enumerate(_sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)):
+        if count > _ROWS:
+            raise DescriptionError("too many rows", where=str(file), allowed=f"up to {_ROWS}")
+        header = _header(cells)
+        if header is not None:
+            columns, unit = header
+            table.unit = unit or table.unit
+            continue
+        row = _row(cells, columns, where)
+        if row is not None:
+            table.rows.append(row)
+        elif told := _UNIT_LINE.fullmatch(" ".join(cells).strip()):
+            table.unit = _known_unit(told[1], where)
+        elif any(map(_is_number, cells)):
+            table.unread.append(where)
+    if not table.rows:
+        raise DescriptionError(
+            "no points are in it", where=str(file), allowed="rows of a name and three coordinates: name, x, y, z"
+        )
+    return table
+
+
+def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
+    content = file.read_bytes()
+    if b"\0" in content:
+        raise DescriptionError("not a text file", where=str(file), allowed="text, or .xlsx")
+    for number, line in enumerate(content.decode("utf-8-sig", errors="replace").splitlines(), 1):
+        bare = line.strip()
+        if bare and not bare.startswith(("//", "%", "!", "$")):
+            yield f"{file}, line {number}", _cells(bare)
+
+
+def _cells(line: str) -> list[str]:
+    """Cells of a line: between semicolons, tabs or commas, else words; decimal commas become points.
+
+    >>> _cells("lca front; 1,5; 2; 3"), _cells("'a, b', 1, 2, 3"), _cells("1 2 3 POINT:1 Lower pivot")
+    (['lca front', '1.5', '2', '3'], ['a, b', '1', '2', '3'], ['1', '2', '3', 'POINT:1', 'Lower', 'pivot'])
+    >>> _cells("  top_mount: {x: 1, y: -2.5, z: 3}"), _cells('"top": [1, 2, 3],')
+    (['top_mount', '1', '-2.5', '3'], ['top', '1', '2', '3'])
+    """
+    if entry := _ENTRY.fullmatch(line):
+        return [entry[1], *(re.sub(r"^\W*[xyz]\W*:", "", cell).strip() for cell in entry[2].split(","))]
+    if ";" in line or "\t" in line:
+        cells = line.split(";" if ";" in line else "\t")
+        return [re.sub(r"^([+-]?\d+),(\d+)$", r"\1.\2", cell.strip(" \"'")) for cell in cells]
+    if "," in line:
+        quote = "'" if line.count("'") > line.count('"') else '"'
+        try:
+            return [cell.strip(" \"'") for cell in next(csv.reader([line], quotechar=quote, skipinitialspace=True))]
+        except csv.Error:
+            return [cell.strip() for cell in line.split(",")]
+    return [word.strip("\"'") for word in re.findall(r"'[^']*'|\"[^\"]*\"|\S+", line)]
+
+
+def _sheet(file: Path) -> Iterator[tuple[str, list[str]]]:
+    """Rows of all sheets of an Excel file."""
+    openpyxl = require("openpyxl", "io")
+    try:
+        with zipfile.ZipFile(file) as archive:
+            if sum(info.file_size for info in archive.infolist()) > 10 * _LARGEST:
+                raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 200 MB")
+        book = openpyxl.load_workbook(file, read_only=True, data_only=True)
+        for sheet in book.worksheets:
+            for number, row in enumerate(sheet.iter_rows(values_only=True), 1):
+                cells = ["" if value is None else str(value).strip() for value in row]
+                if any(cells):
+                    yield f"{file}, {sheet.title}, row {number}", cells
+    except DescriptionError:
+        raise
+    except Exception as error:  # noqa: BLE001 - openpyxl raises whatever a damaged file leads to
+        raise DescriptionError(f"not an Excel file that can be read: {error}", where=str(file)) from None
+
+
+def _is_number(text: str) -> bool:
+    return _NUMBER.fullmatch(text) is not None
+
+
+def _header(cells: list[str]) -> tuple[list[int], str] | None:
+    """Columns of x, y and z with their unit, where these cells name them."""
+    found = {}
+    for index, cell in enumerate(cells):
+        word = re.sub(r"[\[(].*", "", cell).strip(" {}").lower().replace("_", " ")
+        axis = re.fullmatch(r"([xyz])(?: value| coord| coordinate| position| location)?", word)
+        if axis and axis[1] not in found:
+            found[axis[1]] = index
+    if set(found) != {"x", "y", "z"}:
+        return None
+    units = {inside[1] for index in found.values() if (inside := _UNIT_IN.search(cells[index]))}
+    if len(units) > 1:
+        raise DescriptionError("columns in different units", where="header", found=", ".join(sorted(units)))
+    return [found[axis] for axis in "xyz"], _known_unit(units.pop(), "header") if units else ""
+
+
+def _known_unit(text: str, where: str) -> str:
+    if text.lower() not in _UNITS:
+        raise unknown(text, sorted({*_UNITS.values()}), what="unit", where=where)
+    return _UNITS[text.lower()]
+
+
+def _row(cells: list[str], columns: list[int], where: str) -> _Row | None:
+    """A name and three numbers; None where these cells are something else."""
+    if columns and max(columns) < len(cells) and all(_is_number(cells[i]) for i in columns):
+        words = [cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)]
+        words = words or [cell for i, cell in enumerate(cells) if i not in columns and cell and not _is_number(cell)]
+        return _Row(words[0], _numbers([cells[i] for i in columns]), where) if words else None
+    numeric = [_is_number(cell) for cell in cells]
+    runs = [i for i in range(len(cells) - 2) if all(numeric[i : i + 3]) and not (i and numeric[i - 1])]
+    if not runs:
+        return None
+    first = runs[0]
+    if numeric[first + 3 : first + 4] == [True]:
+        raise DescriptionError(
+            "more than three numbers behind each other",
+            where=where,
+            found=" ".join(cells)[:80],
+            allowed="a name and three coordinates, or a header that names the columns x, y and z",
+        )
+    before = " ".join(cell for cell in cells[:first] if cell and not _is_number(cell))
+    name = before or _LABEL.sub("", " ".join(cells[first + 3 :]))
+    return _Row(name, _numbers(cells[first : first + 3]), where) if name else None
+
+
+def _numbers(texts: list[str]) -> Array:
+    return np.array([float(text.lower().replace("d", "e")) for text in texts])
+
+
+# --- names, side, unit, axes
+
+
+def _plain(name: str) -> str:
+    """A name in small words: ``LowerWishboneFrontPivot`` and ``lower_wishbone-front pivot`` are one.
+
+    >>> _plain("CHAS_LowFor_L"), _plain("hpl_lca_front"), _plain("LowerWishboneFrontPivot FL")
+    ('chas low for l', 'hpl lca front', 'lower wishbone front pivot fl')
+    """
+    return " ".join(re.findall(r"[a-z0-9]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()))
+
+
+def _sorted_out(name: str) -> tuple[str, str, str]:
+    """Plain name without what says its corner, axle and side.
+
+    >>> _sorted_out("CHAS_LowFor_L"), _sorted_out("hpr_lca_front"), _sorted_out("Left tie rod inner")
+    (('chas low for', '', 'left'), ('lca front', '', 'right'), ('tie rod inner', '', 'left'))
+    """
+    words = _plain(name).split()
+    if words and words[0] in ("hpl", "hpr", "hps"):
+        return " ".join(words[1:]), "", {"hpl": "left", "hpr": "right"}.get(words[0], "")
+    for end in (0, -1):
+        if len(words) > 1 and words[end] in _CORNERS:
+            axle, side = _CORNERS[words.pop(end)]
+            return " ".join(words), axle, side
+    side = ""
+    for end in (-1, 0):
+        if len(words) > 1 and words[end] in _SIDES:
+            side = _SIDES[words.pop(end)]
+            break
+    axle = words.pop(0) if len(words) > 2 and words[0] in ("front", "rear") else ""
+    return " ".join(words), axle, side
+
+
+def known_names() -> dict[str, str]:
+    """Plain name of a point to ours: those of all rig files, and those of other programs."""
+    found: dict[str, str] = {}
+    for kind in Corner.__subclasses__():
+        points = kind.model_fields["hardpoints"].annotation
+        found |= {name.replace("_", " "): name for name in getattr(points, "model_fields", {})}
+    for ours, theirs in _NAMES.items():
+        found |= dict.fromkeys(theirs.split("|"), ours)
+    return found
+
+
+class _Reading:
+    """A table while it becomes a rig."""
+
+    def __init__(self, table: _Table, side: str, axle: str | None, names: dict[str, str]) -> None:
+        self.table, self.file = table, table.file
+        self.findings: list[Finding] = []
+        self.estimated: list[str] = []
+        self.contact: Array | None = None
+        self.points = self._chosen(side, axle, names)
+
+    def note(self, message: str, value: float | None = None, severity: Literal["note", "warning"] = "note") -> None:
+        """Add to the findings."""
+        self.findings.append(Finding(str(self.file), severity, message, value))
+
+    def _chosen(self, side: str, axle: str | None, names: dict[str, str]) -> dict[str, Array]:
+        """Points of the wanted corner by our names."""
+        own = {_plain(theirs): ours for theirs, ours in names.items()}
+        known = known_names()
+        for theirs, ours in names.items():
+            if ours not in known.values():
+                raise unknown(ours, set(known.values()), what="hardpoint", where=f"name {theirs}")
+            if not any(_plain(theirs) in (_plain(row.name), _sorted_out(row.name)[0]) for row in self.table.rows):
+                raise unknown(theirs, [row.name for row in self.table.rows], what="name", where=str(self.file))
+        sorted_out = [(row, *_sorted_out(row.name)) for row in self.table.rows]
+        axles = {found for _, _, found, _ in sorted_out if found}
+        if axle is None and len(axles) > 1:
+            hint = "Say which one is read: --axle front or rear."
+            raise DescriptionError("the table holds two axles", where=str(self.file), hint=hint)
+        has_both = {found for _, _, _, found in sorted_out if found} == {"left", "right"}
+        corners: dict[str, dict[str, _Row]] = {"left": {}, "right": {}}
+        unused = []
+        for row, plain, of_axle, of_side in sorted_out:
+            if axle and of_axle and of_axle != axle:
+                continue
+            ours = own.get(_plain(row.name), own.get(plain, known.get(plain, "")))
+            ours = "contact" if plain in _CONTACT and not ours else ours
+            if not ours:
+                unused.append(row.name)
+                continue
+            for name in (of_side,) if of_side and has_both else ("left", "right"):
+                self._keep(corners[name], ours, row)
+        if has_both:
+            self._refuse_one_side(corners)
+        if unused:
+            self.note(f"names that say nothing here, whose points are left out: {', '.join(unused[:30])}. {_ADVICE}")
+        if self.table.unread:
+            self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {self.table.unread[0]}.")
+        chosen = {name: row.place for name, row in corners[side].items()}
+        self.contact = chosen.pop("contact", None)
+        return chosen
+
+    @staticmethod
+    def _keep(points: dict[str, _Row], name: str, row: _Row) -> None:
+        before = points.setdefault(name, row)
+        if not np.array_equal(before.place, row.place):
+            raise DescriptionError(
+                f"{name} is given twice",
+                where=row.where,
+                found=f"{row.name!r} at {row.place.tolist()}, and {before.name!r} at {before.place.tolist()} "
+                f"({before.where})",
+                allowed="every point once",
+            )
+
+    def _refuse_one_side(self, corners: Mapping[str, Mapping[str, _Row]]) -> None:
+        for name, row in corners["left"].items():
+            other = corners["right"].get(name)
+            if other is not None and row is not other and row.place[1] * other.place[1] > 0.0:
+                raise DescriptionError(
+                    "left and right points lie on the same side",
+                    where=other.where,
+                    found=f"{row.name} with y = {row.place[1]:g}, {other.name} with y = {other.place[1]:g}",
+                    allowed="signs of y that differ",
+                )
+
+    def rig(
+        self, unit: str | None, axes: str | None, model: str | None, wheel_radius: float | None, source: str | None
+    ) -> tuple[Corner, list[Finding], str]:
+        """The rig, what there is to say about it, and its file."""
+        if wheel_radius is not None and not wheel_radius > 0.0:
+            raise DescriptionError("out of range", where="wheel_radius", found=wheel_radius, allowed="above 0")
+        name = self._model(model)
+        self._complete(name)
+        self._turn(axes)
+        self._scale(unit)
+        radius = self._stand(wheel_radius)
+        table: dict[str, Any] = {
+            "schema": "jounce.rig/1",
+            "model": name,
+            "source": f"hardpoints of {self.file.name}" if source is None else source,
+            "estimated": self.estimated,
+            "side": "left",
+            "guide": "fixed",
+            "hardpoints": {key: np.round(point, 9).tolist() for key, point in self.points.items()},
+            "wheel": {"radius": radius},
+        }
+        strut = self._strut(name)
+        if strut:
+            table["strut"] = strut
+        rig = cast(Corner, rig_from_table(table, where=str(self.file)))
+        comments = [
+            f"Left corner from the hardpoints of {self.file.name}: enough for its kinematics. Masses, springs, dampers "
+            "and tyres are to be added before it can be simulated.",
+            *(finding.message for finding in self.findings),
+        ]
+        text = rig_text(rig, comments)
+        return cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file))), self.findings, text
+
+    def _model(self, model: str | None) -> str:
+        corners = {name: kind for name, kind in RIGS.items() if issubclass(kind, Corner)}
+        if model is not None:
+            if model not in corners:
+                raise unknown(model, corners, what="suspension", where="model")
+            return model
+        has = self.points
+        signs = {"link_1_inner": "five-link", "arm_inner": "trailing-arm"}
+        signs |= dict.fromkeys(("upper_arm_front", "upper_arm_rear", "upper_ball_joint"), "double-wishbone")
+        signs["lower_arm_front"] = "mcpherson"
+        for sign, name in signs.items():
+            if sign in has:
+                return name
+        raise DescriptionError(
+            "no suspension has these points",
+            where=str(self.file),
+            found=", ".join(row.name for row in self.table.rows[:10]),
+            allowed="points of a double wishbone, McPherson strut, five links or trailing arm",
+            hint=_ADVICE,
+        )
+
+    def _complete(self, model: str) -> None:
+        points: Any = RIGS[model].model_fields["hardpoints"].annotation
+        for end in ("bottom", "top"):
+            if f"strut_{end}" not in self.points and f"spring_{end}" in self.points:
+                self.points[f"strut_{end}"] = self.points.pop(f"spring_{end}")
+                self.note(f"strut_{end} is not in the table: the spring's end is taken for it.")
+        missing = [name for name, info in points.model_fields.items() if info.is_required() and name not in self.points]
+        if missing:
+            raise DescriptionError(
+                f"points of a {model} are missing",
+                where=str(self.file),
+                found=", ".join(self.points),
+                allowed=f"also {', '.join(missing)}",
+                hint=_ADVICE,
+            )
+        further = [name for name in self.points if name not in points.model_fields]
+        if further:
+            self.note(f"points that a {model} does not have are left out: {', '.join(further)}.")
+            self.points = {name: point for name, point in self.points.items() if name not in further}
+
+    def _turn(self, axes: str | None) -> None:
+        """Our axes from those of the table."""
+        if axes is not None:
+            turn = _rotation(axes)
+            self._map(turn)
+        elif self._is_backward():
+            self.note("x runs to the rear in the table (the arm's front lies behind its rear): it is turned round.")
+            self._map(np.diag([-1.0, 1.0, 1.0]))
+        if self._is_backward():
+            raise DescriptionError(
+                "the arm's front lies behind its rear",
+                where=str(self.file),
+                found=f"lower_arm_front at x = {self.points['lower_arm_front'][0]:g}, lower_arm_rear at "
+                f"x = {self.points['lower_arm_rear'][0]:g}, after axes {axes}",
+                allowed="x forward",
+                hint='Turn x round: --axes "-x,y,z".',
+            )
+        if self.points["wheel_centre"][1] < 0.0:
+            self.note("the points are on the right (y below 0): they are mirrored, and the rig is the left corner.")
+            self._map(np.diag([1.0, -1.0, 1.0]))
+
+    def _is_backward(self) -> bool:
+        front, rear = (self.points.get(f"lower_arm_{end}") for end in ("front", "rear"))
+        return front is not None and rear is not None and bool(front[0] < rear[0])
+
+    def _map(self, matrix: Array) -> None:
+        self.points = {name: matrix @ point + 0.0 for name, point in self.points.items()}
+        self.contact = None if self.contact is None else matrix @ self.contact
+
+    def _scale(self, unit: str | None) -> None:
+        """Metres from the table's unit."""
+        said = self.table.unit
+        if unit is not None:
+            conversion_factor(unit, "m", where="unit")
+            if said and conversion_factor(said, "m") != conversion_factor(unit, "m"):
+                self.note(f"the file says {said}; read in {unit} as told.", severity="warning")
+        half = abs(float(self.points["wheel_centre"][1]))
+        low, high = _HALF_TRACK
+        chosen = unit or said
+        meant = [name for name in ("m", "mm", "inch", "cm") if low <= half * conversion_factor(name, "m") <= high]
+        if not chosen:
+            if meant[:1] not in (["m"], ["mm"]) or len(meant) > 1:
+                raise DescriptionError(
+                    "the unit is not in the file, and cannot be told from the points",
+                    where=str(self.file),
+                    found=f"a wheel centre {half:g} from the middle of the car",
+                    allowed="--unit mm, m, inch or cm",
+                    hint=f"It may be in {' or '.join(meant)}." if meant else "",
+                )
+            chosen = meant[0]
+            self.note(f"the file names no unit: {chosen}, by the wheel centre {half:g} from the middle of the car.")
+        factor = conversion_factor(chosen, "m", where="unit")
+        if not low <= half * factor <= high:
+            raise DescriptionError(
+                "half a track that no car has",
+                where=str(self.file),
+                found=f"a wheel centre {half:g} {chosen} = {half * factor:.4g} m from the middle of the car",
+                allowed=f"{low:g} m to {high:g} m",
+                hint=f"Is the table in {' or '.join(meant)}? Say so with --unit." if meant else "",
+            )
+        self._map(factor * np.eye(3))
+
+    def _stand(self, wheel_radius: float | None) -> float:
+        """Put the wheel on the road, z = 0; give its radius in m."""
+        height = float(self.points["wheel_centre"][2])
+        if self.contact is not None:
+            height -= float(self.contact[2])
+            radius = height if wheel_radius is None else wheel_radius
+            if abs(self.contact[2]) > 1e-6:
+                self.note(f"the road is at the contact point, {1e3 * self.contact[2]:.4g} mm in the table.")
+            self._raise(-float(self.contact[2]))
+        elif wheel_radius is not None:
+            radius = wheel_radius
+            if not 0.75 * radius <= height <= 1.02 * radius:
+                self.note(
+                    f"the wheel centre is {1e3 * height:.4g} mm high in the table: all points are moved, so that it is "
+                    "one radius above the road."
+                )
+                self._raise(radius - height)
+                height = radius
+        else:
+            radius = height
+        if not _RADIUS[0] <= height <= _RADIUS[1]:
+            raise DescriptionError(
+                "the height of the road is not in the table",
+                where=str(self.file),
+                found=f"a wheel centre {1e3 * height:.4g} mm above z = 0",
+                allowed=f"{1e3 * _RADIUS[0]:g} mm to {1e3 * _RADIUS[1]:g} mm",
+                hint="Give --wheel-radius: the wheel then stands on the road.",
+            )
+        if wheel_radius is None:
+            self.estimated.append("wheel.radius")
+            self.note(f"the wheel's radius is taken for {1e3 * radius:.4g} mm, the height of its centre.", radius)
+        return round(radius, 9)
+
+    def _raise(self, height: float) -> None:
+        self.points = {name: point + np.array([0.0, 0.0, height]) for name, point in self.points.items()}
+
+    def _strut(self, model: str) -> dict[str, str]:
+        """Which body carries the strut, or the push rod: the arm that its end is nearest to."""
+        end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
+        if model != "double-wishbone":
+            return {}
+        reach = {arm: self._reach(arm, end) for arm in ("lower", "upper")}
+        arm = min(reach, key=lambda name: reach[name])
+        key = "pushrod_on" if end == "pushrod_outer" else "on"
+        self.note(f"{end} is taken to be on the {arm} arm, which is the nearer one (strut.{key}).")
+        self.estimated.append(f"strut.{key}")
+        return {key: f"{arm}_arm"} | ({"on": "rocker"} if key == "pushrod_on" else {})
+
+    def _reach(self, arm: str, end: str) -> float:
+        """Distance of a point from an arm: from the line of its middle to the ball joint."""
+        middle = 0.5 * (self.points[f"{arm}_arm_front"] + self.points[f"{arm}_arm_rear"])
+        joint = self.points[f"{arm}_ball_joint"]
+        return distance_to_line(self.points[end], middle, joint) if np.any(middle != joint) else np.inf
+
+
+def _rotation(axes: str) -> Array:
+    """Matrix of ``"-x,-y,z"``: what in the table is our x, y and z."""
+    words = [word.strip().lower() for word in axes.split(",")]
+    matches = [re.fullmatch(r"([+-]?)([xyz])", word) for word in words]
+    if len(words) != 3 or not all(matches) or {match[2] for match in matches if match} != {"x", "y", "z"}:
+        raise DescriptionError(
+            "not three axes", where="axes", found=axes, allowed='our x, y and z in those of the table: "-x,-y,z"'
+        )
+    turn = np.zeros((3, 3))
+    for row, match in enumerate(matches):
+        assert match is not None
+        turn[row, "xyz".index(match[2])] = -1.0 if match[1] == "-" else 1.0
+    return turn
