@@ -33,12 +33,15 @@ from .core.writing import write_files as write_files
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for
+from .design.hardpoint_front import kinematic_front as kinematic_front
 from .design.kinematics import design_kinematics as design_kinematics
 from .design.lumping import lumped_from as lumped_from
+from .design.measured_poses import fit_hardpoints as fit_hardpoints
 from .design.model_comparison import compare_models as compare_models
 from .design.optimise import optimise as optimise
 from .design.pareto import best_dampers as best_dampers
 from .design.pareto import pareto as pareto
+from .design.spread import kinematic_spread as kinematic_spread
 from .design.springs import design_springs as design_springs
 from .exchange.fmu.export import FmuExport as FmuExport
 from .exchange.fmu.export import export_fmu as export_fmu

@@ -75,6 +75,7 @@ def test_the_rig_may_lie_beside_the_study(cli, study, tmp_path: Path) -> None:
     assert "150" in outcome.out
 
 
+@pytest.mark.slow  # it draws eight pictures
 def test_a_study_of_both_axles_writes_both_rigs(cli, study, tmp_path: Path) -> None:
     head = 'schema = "jounce.design/1"\nstarts = 1\n[rigs]\nfront = "formula-student-front"\nrear = "mine.toml"\n'
     rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "150 mm"})
@@ -180,3 +181,55 @@ def test_boxes_without_a_mechanism_are_refused(cli, study) -> None:
     outcome = cli("design", "kinematics", study(HEAD + free + CURVE))
     assert outcome.exit_code == 2
     assert "no mechanism within the boxes" in outcome.err
+
+
+def test_a_spread_of_parts_is_told_with_the_design(cli, study) -> None:
+    made = '[spread]\nexact = {"tie_rod_inner length" = "0.5 mm"}\nadjust = ["tie_rod_length"]\ncars = 8\n'
+    outcome = cli("design", "kinematics", study("starts = 1\n" + HEAD + FREE + CURVE + made))
+    assert outcome.exit_code == 0, outcome.err
+    assert "100 % adjusted" in outcome.out
+    wrong = made.replace("tie_rod_length", "tie_rod_lenght")
+    outcome = cli("design", "kinematics", study(HEAD + FREE + CURVE + wrong))
+    assert outcome.exit_code == 2
+    assert "spread.adjust[0]" in outcome.err
+
+
+def test_a_front_has_a_rig_for_each_design(cli, study, tmp_path: Path) -> None:
+    free = FREE.replace("tie_rod_inner", "upper_arm_front[2]") + FREE.replace("tie_rod_inner", "lower_arm_front[2]")
+    centre = '[[target]]\nquantity = "roll_centre_height"\nvalue = "5 mm"\ntolerance = "1 mm"\n'
+    file = study(HEAD + free + GAIN.replace("-25", "-45") + centre)
+    outcome = cli("design", "kinematic-front", file, "--points", "3", "--starts", "1", "--out", "front")
+    assert outcome.exit_code == 0, outcome.err
+    rows = (tmp_path / "front" / "front.csv").read_text(encoding="utf-8").splitlines()
+    rigs = sorted(path.name for path in (tmp_path / "front").glob("rig-*.toml"))
+    assert len(rows) == 2 + len(rigs) > 4
+    column = rows[0].split(",").index("hardpoints.lower_arm_front[2]")
+    for row, rig in zip(rows[2:], rigs, strict=True):
+        assert jn.load(tmp_path / "front" / rig).parameters()["hardpoints.lower_arm_front[2]"] == float(
+            row.split(",")[column]
+        )
+    again = cli("design", "kinematic-front", file, "--out", "front")
+    assert again.exit_code == 2
+    assert cli("design", "kinematic-front", study(HEAD + FREE + CURVE)).exit_code == 2
+
+
+def test_hardpoints_are_fitted_to_a_table_of_poses(cli, tmp_path: Path) -> None:
+    rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})
+    travel = np.linspace(-0.02, 0.02, 9)
+    toe = np.degrees(jn.sweep_travel(rig, travel)["toe"].to_numpy()) + np.resize([2e-3, -1e-3, -1e-3], 9)
+    rows = [f"{1e3 * at:.3f},{value:.6f}" for at, value in zip(travel, toe, strict=True)]
+    (tmp_path / "poses.csv").write_text("wheel_travel [mm],toe [deg]\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    free = "hardpoints.tie_rod_inner[2]=10 mm"
+    command = ("fit", "hardpoints", "formula-student-front", "poses.csv", "--free", free)
+    outcome = cli(*command, "--out", "mine.toml", "--figure", "fit.png", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    low, high = outcome.json["numbers"]["hardpoints.tie_rod_inner[2]"]["interval"]
+    assert low < 0.151 < high
+    assert high - low < 1e-4
+    written = jn.load(tmp_path / "mine.toml").parameters()["hardpoints.tie_rod_inner[2]"]
+    assert written == pytest.approx(outcome.json["numbers"]["hardpoints.tie_rod_inner[2]"]["value"], abs=1e-9)
+    assert (tmp_path / "fit.png").stat().st_size > 5_000
+    (tmp_path / "bad.csv").write_text("wheel_travel [mm],tow [deg]\n0,0\n", encoding="utf-8")
+    outcome = cli("fit", "hardpoints", "formula-student-front", "bad.csv", "--free", free)
+    assert outcome.exit_code == 2
+    assert "toe" in outcome.err

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
+    from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign, TargetResult
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
@@ -303,6 +304,7 @@ def _write_kinematics(
         "tradeoffs.csv": found.tradeoff_table(),
         "identified.csv": found.identified_table(),
     }
+    computed |= {f"spread-{name}.csv" if name else "spread.csv": one.table() for name, one in found.spread.items()}
 
     def page() -> Page:
         one = next(iter(sources.values())).stem
@@ -313,6 +315,85 @@ def _write_kinematics(
     with drawing() as missing:
         write_page(page, out, files=computed, force=force)
     return missing
+
+
+@app.command("kinematic-front")
+def kinematic_front(
+    study: Annotated[
+        Path, typer.Argument(metavar="STUDY.toml", help='Study file, schema = "jounce.design/1".', show_default=False)
+    ],
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write front.csv, results.json, front.png and a rig for each design."),
+    ] = None,
+    points: Annotated[int, typer.Option(help="About how many designs.")] = 20,
+    starts: Annotated[int, typer.Option(min=1, help="Number of searches for the best of each goal.")] = 4,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Find hardpoints between goals that compete: designs of which none is better in every goal than another.
+
+    Targets with the same goal = "..." belong together; those that must hold are kept within their tolerances.
+
+    Example: jounce design kinematic-front study.toml --points 12 --out front
+    """
+    check_outputs(folder=out, force=force)
+    with progress() as say:
+        say("searching")
+        from jounce.design.hardpoint_front import front_of
+        from jounce.design.kinematics import run_study
+
+        found, sources = run_study(study, lambda asked, task: front_of(task, points, starts, asked.seed))
+        missing: Sequence[Finding] = ()
+        if out is not None:
+            say("drawing")
+            missing = _write_front(found, sources, out, force=force)
+    plain = {**found.to_dict(), "out": out and str(out)}
+    return Reply(plain, lambda console: draw_kinematic_front(console, plain, found), as_json, missing=missing)
+
+
+def _write_front(found: KinematicFront, sources: Mapping[str, Path], out: Path, *, force: bool) -> Sequence[Finding]:
+    """Write the designs of a front with their rigs, and its picture; give what could not be drawn."""
+    from jounce.core.serialise import to_json
+    from jounce.core.writing import write_files
+    from jounce.parts.files import updated_text
+
+    texts = {name: file.read_text(encoding="utf-8") for name, file in sources.items()}
+    files: dict[str, bytes | str] = {"front.csv": found.table(), "results.json": to_json(found.to_dict()) + "\n"}
+    for k in range(len(found.designs)):
+        for name, rig in found.rigs(k).items():
+            files[f"{name or 'rig'}-{k + 1:02d}.toml"] = updated_text(texts[name], rig)
+    with drawing() as missing:
+        from jounce.plots.kinematic_design import front_lines
+        from jounce.plots.style import rendered
+
+        files["front.png"] = rendered(front_lines(found), [".png"])[".png"]
+    write_files(out, files, force=force)
+    return missing
+
+
+def draw_kinematic_front(console: Console, plain: dict[str, Any], found: KinematicFront) -> None:
+    """Print the designs of a front with their goals, and the numbers that move."""
+    from jounce.core.display import display_unit
+
+    unit = display_unit("m")
+    paths = list(found.before.moved)
+    heads = [
+        f"{path.replace('hardpoints.', '')} by {unit.name}" if "hardpoints." in path else f"{path} by" for path in paths
+    ]
+    rows = []
+    for label, one in [("before", found.before), *((str(k + 1), one) for k, one in enumerate(found.designs))]:
+        moved = (
+            (one.moved[path] - found.before.moved[path]) * (unit.factor if "hardpoints." in path else 1.0)
+            for path in paths
+        )
+        rows.append((label, *one.goals.values(), "met" if one.met else "", *(round(value, 3) for value in moved)))
+    columns = ("design", *found.goals, "", *heads)
+    title = "Goals, root mean square in tolerances, and what was moved"
+    console.print(table(title, columns, rows, text=(0, 1 + len(found.goals))))
+    console.print(f"{len(found.designs)} designs, {found.evaluations} computed")
+    show_findings(console, found.findings)
+    show_written(console, plain)
 
 
 def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDesign) -> None:
@@ -340,6 +421,17 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
     for fight in found.fights:
         missed, other = (f"{found.targets[i].label} (target {i})" for i in (fight.missed, fight.other))
         console.print(f"{missed} fights {other}: what brings one nearer takes the other away ({fight.cosine:.2f})")
+    for name, spread in found.spread.items():
+        of = f" of {name}" if name else ""
+        console.print(
+            f"{spread.cars} cars{of}: {100.0 * spread.met:.0f} % meet all targets as built, "
+            f"{100.0 * spread.met_adjusted:.0f} % adjusted"
+        )
+        unit = display_unit("m")
+        for setting, need in spread.adjustments.items():
+            reach = f"{need.low * unit.factor:.3g} to {need.high * unit.factor:.3g} {unit.name}"
+            console.print(f"{setting}: 95 % of the cars need {reach}")
+        show_findings(console, spread.findings)
     good = sum(start.met for start in found.starts)
     console.print(f"{good} of {len(found.starts)} starts met all targets; {found.evaluations} designs computed")
     show_findings(console, found.findings)

@@ -25,6 +25,7 @@ from jounce.cli.options import (
     files,
     optional_positive,
     optional_quantity,
+    pairs,
     positive_quantity,
     quantity,
     reading,
@@ -32,7 +33,7 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import Reply, estimates, progress, show_findings, show_written, table
-from jounce.core.errors import OutputError, RecordingError, nearest
+from jounce.core.errors import OutputError, RecordingError, nearest, unknown
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
+    from jounce.design.measured_poses import HardpointFit
     from jounce.identify.damper import DamperCurve, DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.stiffness import StiffnessResult
@@ -444,3 +446,84 @@ def _toml(table: dict[str, Any]) -> str:
     inline = tomlkit.inline_table()
     inline.update({key: float(f"{value:.6g}") if isinstance(value, float) else value for key, value in table.items()})
     return inline.as_string()
+
+
+@app.command("hardpoints")
+def hardpoints(
+    rig: Annotated[str, typer.Argument(metavar="RIG", help="A corner with hardpoints: name or file.")],
+    measured: Annotated[
+        Path,
+        typer.Argument(
+            metavar="POSES.csv", help="Columns wheel_travel [mm], rack_travel [mm], toe [deg], camber [deg] ..."
+        ),
+    ],
+    free: Annotated[
+        list[str],
+        typer.Option("--free", metavar="POINT=WITHIN", help='hardpoints.tie_rod_inner="15 mm". Repeat it.'),
+    ],
+    noise: Annotated[
+        list[str] | None,
+        typer.Option("--noise", metavar="QUANTITY=SIZE", help='Standard deviation: toe="0.02 deg". Repeat it.'),
+    ] = None,
+    offset: Annotated[
+        list[str] | None,
+        typer.Option("--offset", metavar="QUANTITY", help="A quantity whose zero is not known. Repeat it."),
+    ] = None,
+    starts: Annotated[int, typer.Option(min=1, help="Number of searches; the first starts from the rig.")] = 3,
+    out: Annotated[Path | None, typer.Option(help="Write the rig with its points updated, RIG.toml.")] = None,
+    figure: FigureFile = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Update hardpoints until the model gives a table of measured poses, with 95 % intervals.
+
+    Example: jounce fit hardpoints formula-student-front poses.csv --free hardpoints.tie_rod_inner="10 mm" --offset toe
+    """
+    check_outputs(rig=out, figure=figure, force=force)
+    widths = pairs(free, "--free", 'hardpoints.tie_rod_inner="15 mm"')
+    sizes = pairs(noise, "--noise", 'toe="0.02 deg"')
+    with progress() as say:
+        say("loading")
+        from jounce.core.columns import read_columns_csv
+        from jounce.core.writing import write_atomically
+        from jounce.design.measured_poses import fit_hardpoints
+        from jounce.kinematics.model import check_corner, kinematic_model
+        from jounce.parts import load, rig_path
+        from jounce.parts.files import updated_text
+
+        chosen = check_corner(load(rig))
+        units = {row.name: row.unit for row in kinematic_model(chosen).rows} | {"wheel_travel": "m", "rack_travel": "m"}
+        columns_found = read_columns_csv(measured)
+        for name in columns_found.names:
+            if name not in units:
+                raise unknown(name, units, what="quantity", where=str(measured))
+        poses = {name: columns_found[name].in_si(units[name]) for name in columns_found.names}
+        say("searching")
+        found = fit_hardpoints(chosen, poses, widths, noise=sizes, offsets=offset or (), starts=starts)
+        if out is not None:
+            write_atomically(out, updated_text(rig_path(rig).read_text(encoding="utf-8"), found.rig), force=force)
+    drawn, missing = write_picture(found, figure, f"{rig} against {measured.name}", force=force)
+    plain = {"rig": rig, **found.to_dict(), "out": out and str(out), "figure": drawn}
+    return Reply(plain, lambda console: _draw_hardpoints(console, plain, found), as_json, missing=missing)
+
+
+def _draw_hardpoints(out: Console, plain: dict[str, Any], found: HardpointFit) -> None:
+    """Print points and offsets with their intervals, and what is left of each quantity."""
+    from jounce.core.display import display_unit
+
+    length = {label: "m" if "hardpoints." in label else "1" for label in found.numbers}
+    out.print(estimates("Points", [(label, one, length[label]) for label, one in found.numbers.items()]))
+    if found.offsets:
+        rows = [(name, one, found.quantities[name].unit) for name, one in found.offsets.items()]
+        out.print(estimates("Offsets of readings", rows))
+    left = []
+    for name, one in found.quantities.items():
+        unit = display_unit(one.unit)
+        sizes = (one.rms_before, one.rms_after, one.noise)
+        left.append((name, unit.name or "1", *(size * unit.factor for size in sizes)))
+    out.print(
+        table("What is left, root mean square", ("quantity", "unit", "before", "after", "noise"), left, text=(0, 1))
+    )
+    out.print(f"{found.agreed} of {found.starts} starts ended there; {len(found.wheel_travel)} poses")
+    show_findings(out, found.findings)
+    show_written(out, plain)

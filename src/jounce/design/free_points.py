@@ -72,7 +72,8 @@ class FreeNumbers:
     """What the search moves: x (n,) in SI, the numbers of the models being ``origin + directions @ x``.
 
     ``owners`` says which entry of the study each belongs to, ``paths`` which numbers move at all; ``firsts`` is the
-    path of each x (the first of those that are tied), ``labels`` what it is called.
+    path of each x (the first of those that are tied), ``labels`` what it is called, ``values`` what that number is
+    where x is 0 (0 along a line).
     """
 
     origin: Array
@@ -83,6 +84,7 @@ class FreeNumbers:
     paths: tuple[str, ...]
     firsts: tuple[str, ...]
     labels: tuple[str, ...]
+    values: Array
 
     @property
     def lengths(self) -> Array:
@@ -93,7 +95,7 @@ class FreeNumbers:
 def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "free") -> FreeNumbers:
     """Read what may move; paths that do not exist, move nothing, or are given twice are refused."""
     origin, index = numbering.values(), {path: i for i, path in enumerate(numbering.paths)}
-    columns, lower, upper, owners, taken = [], [], [], [], dict[str, str]()
+    columns, lower, upper, values, owners, taken = [], [], [], [], [], dict[str, str]()
     firsts, labels = list[str](), list[str]()
     for k, entry in enumerate(free):
         where = f"{key}[{k}]"
@@ -117,6 +119,7 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
             matrix, at, size = matrix @ direction[:, None], np.zeros(1), 1
         bounds = _bounds(numbering, entry, first, at, size, where)
         columns.append(matrix)
+        values.append(at)
         lower.append(bounds[0] - at)
         upper.append(bounds[1] - at)
         owners += [k] * size
@@ -131,6 +134,7 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
         tuple(taken),
         tuple(firsts),
         tuple(labels),
+        np.concatenate(values),
     )
 
 

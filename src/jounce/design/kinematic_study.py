@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Whole, misplaced
-from jounce.core.units import Unit
+from jounce.core.units import NonNegativeLength, Unit
 from jounce.kinematics.sweeps import AxleLayout
 
 SCHEMA: Literal["jounce.design/1"] = "jounce.design/1"
@@ -94,6 +94,27 @@ class KinematicTarget(Description):
         return self
 
 
+class Spread(Description):
+    """How exactly parts are made: a tolerance is two standard deviations of a normal distribution.
+
+    ``points`` (m) is that of each coordinate of pickup points and joints, ``links`` (m) that of the length of each
+    link; ``exact`` has others by the name of a point or the inner point of a link. ``adjust`` names what can be
+    set afterwards, see :data:`jounce.design.adjustments.SETTINGS`. ``cars`` are built, drawn with ``seed``.
+
+    Examples
+    --------
+    >>> Spread(points="0.5 mm", links="0.3 mm", adjust=["tie_rod_length"]).links
+    0.0003
+    """
+
+    points: NonNegativeLength = 0.0
+    links: NonNegativeLength = 0.0
+    exact: dict[str, NonNegativeLength] = {}
+    adjust: tuple[str, ...] = ()
+    cars: Annotated[Whole, Field(ge=2, le=100_000)] = 300
+    seed: Annotated[Whole, Field(ge=0)] = 0
+
+
 class KinematicStudy(Description):
     """A study of hardpoints from targets: the ``rig`` (a file, or the name of a shipped one), what is free, wanted.
 
@@ -112,6 +133,7 @@ class KinematicStudy(Description):
     vehicles: dict[str, AxleLayout] | None = None
     starts: Annotated[Whole, Field(ge=1, le=10_000)] = 8
     seed: Annotated[Whole, Field(ge=0)] = 0
+    spread: Spread | None = None
 
     @model_validator(mode="after")
     def _has_rigs(self) -> KinematicStudy:

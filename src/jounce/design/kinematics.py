@@ -7,11 +7,12 @@ curves tell apart.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.description import line_of, read_description
 from jounce.core.errors import DescriptionError, JounceError
@@ -21,8 +22,9 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.free_points import FreeNumbers, Numbering, Rigs, free_numbers
 from jounce.design.hardpoint_search import Outcome, Search, places, refuse_idle, search_from
-from jounce.design.kinematic_study import SCHEMA, FreePoint, KinematicStudy, KinematicTarget
+from jounce.design.kinematic_study import SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
+from jounce.design.spread import KinematicSpread, Workshop, spread_of
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, load
@@ -175,6 +177,8 @@ class KinematicDesign(Plain):
         How well the curves tell each free number.
     open : tuple of OpenCombination
         What they do not tell apart, the least change first.
+    spread : mapping of str to KinematicSpread
+        What the spread of parts does to the curves, by the name of the rig; empty where none is given.
     findings : tuple of Finding
         What is worth knowing.
     """
@@ -190,6 +194,7 @@ class KinematicDesign(Plain):
     tradeoffs: tuple[tuple[float, ...], ...] = ()
     identified: tuple[Identified, ...] = ()
     open: tuple[OpenCombination, ...] = ()
+    spread: Mapping[str, KinematicSpread] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
 
     left_out = ("rigs",)
@@ -272,6 +277,7 @@ def design_kinematics(
     vehicle: AxleLayout | Mapping[str, AxleLayout] | None = None,
     starts: int = 8,
     seed: int = 0,
+    spread: Spread | Mapping[str, Any] | None = None,
 ) -> KinematicDesign:
     """Find the hardpoints of a corner, or of several, that give wanted kinematic values and curves.
 
@@ -296,6 +302,8 @@ def design_kinematics(
         How many searches begin; the first at the rig, the others at places of the boxes.
     seed : int
         Seed of those places.
+    spread : Spread or mapping, optional
+        How exactly parts are made, to be told what that does to the design found (see :func:`kinematic_spread`).
 
     Returns
     -------
@@ -324,7 +332,8 @@ def design_kinematics(
         return _of_file(rig, free, targets)
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
-    task = read_task(rig, free, targets, vehicle)
+    made = Spread(**spread) if isinstance(spread, Mapping) else spread
+    task = replace(read_task(rig, free, targets, vehicle), spread=made)
     return design(task, starts, seed)
 
 
@@ -344,6 +353,7 @@ class Task:
     free: tuple[FreePoint, ...]
     targets: tuple[KinematicTarget, ...]
     vehicles: Mapping[str, AxleLayout]
+    spread: Spread | None = None
 
     def read(self) -> tuple[Numbering, FreeNumbers, list[Wanted]]:
         """Read it into numbers; what cannot be asked is refused."""
@@ -385,7 +395,7 @@ def run_study(path: Path | str, run: Callable[[KinematicStudy, Task], Found]) ->
     files = {name: rig_named_in(file, Path(path)) for name, file in study.named().items()}
     try:
         rigs = {name: check_corner(load(file)) for name, file in files.items()}
-        return run(study, Task(rigs, study.free, study.target, study.around())), files
+        return run(study, Task(rigs, study.free, study.target, study.around(), study.spread)), files
     except DescriptionError as error:
         raise _placed(error, path, text) from None
 
@@ -398,7 +408,7 @@ def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
 def _placed(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:
     """The error with file and line, where its place is one of the study."""
     head = error.where.replace("]", "").replace("[", ".").split(".")
-    if head[0] not in ("free", "target", "adjust", "vehicles"):
+    if head[0] not in ("free", "target", "spread", "vehicles"):
         return error
     line = line_of(text, tuple(int(part) if part.isdigit() else part for part in head))
     where = f"{path}{f', line {line}' if line else ''}: {error.where}"
@@ -409,6 +419,9 @@ def design(task: Task, starts: int, seed: int) -> KinematicDesign:
     """Search for the hardpoints that a task asks for."""
     search = task.search()
     before = values_before(search)
+    for name in task.rigs if task.spread is not None else ():
+        assert task.spread is not None
+        Workshop(task.rigs[name], wanted_of(search, name), task.spread, task.vehicles.get(name))
     refuse_idle(search, task.free, seed)
     outcomes = [search_from(search, x) for x in places(search, starts, seed)]
     reached = [outcome for outcome in outcomes if np.isfinite(outcome.cost)]
@@ -426,6 +439,11 @@ def design(task: Task, starts: int, seed: int) -> KinematicDesign:
             continue
         return _result(task, moved, search, best.x, before, outcomes)
     raise DescriptionError("no design found is a rig", where="free", hint="Narrow the boxes.")
+
+
+def wanted_of(search: Search, name: str) -> list[Wanted]:
+    """Targets of one rig."""
+    return [item for item in search.wanted if item.rig == name]
 
 
 def values_before(search: Search) -> list[Array]:
@@ -506,6 +524,11 @@ def _result(
         tradeoffs=_tradeoffs(search, x, values, slopes),
         identified=identified,
         open=still_open,
+        spread={
+            name: spread_of(rig, wanted_of(search, name), task.spread, task.vehicles.get(name))
+            for name, rig in moved.items()
+            if task.spread is not None
+        },
         findings=tuple(_findings(search, x, targets)),
     )
 
@@ -554,7 +577,7 @@ def _largest(values: Array) -> Array:
     return np.asarray(values[np.argmax(np.abs(values), axis=0), np.arange(values.shape[1])])
 
 
-def _room(search: Search, x: Array) -> Array:
+def _room(search: Search, x: Array) -> NDArray[np.bool_]:
     """Which numbers are not at the edge of their boxes."""
     return np.asarray((x > search.lower + 1e-9) & (x < search.upper - 1e-9))
 

@@ -26,7 +26,8 @@ def figure_of(result: object, **options: Any) -> Figure:
     result : object
         A 3-D rig, a recording, many runs, a ride or several controllers side by side, an Audi A6 study, a study over
         speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a campaign, a
-        campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets.
+        campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from targets,
+        their fronts and spreads, or fitted to measured poses.
     **options
         Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 
@@ -92,10 +93,13 @@ def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign
+    from jounce.design.measured_poses import HardpointFit
     from jounce.design.model_comparison import ModelComparison
     from jounce.design.optimise import Optimisation
     from jounce.design.pareto import ParetoFront
+    from jounce.design.spread import KinematicSpread
     from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import DecayResult
     from jounce.identify.stiffness import PressureStiffness, StiffnessResult
@@ -150,6 +154,9 @@ def _registered() -> Callable[..., Figure]:
     draw.register(LinearModel, signals.frequency_response)
     draw.register(Corner, mechanism)
     draw.register(KinematicDesign, kinematic_design.target_curves)
+    draw.register(KinematicFront, kinematic_design.front_lines)
+    draw.register(KinematicSpread, kinematic_design.spread_bands)
+    draw.register(HardpointFit, kinematic_design.hardpoint_fit)
     draw.register(StiffnessResult, fits.stiffness_fit)
     draw.register(PressureStiffness, fits.tyre_pressure)
     draw.register(DecayResult, fits.decay_fit)

@@ -16,11 +16,15 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign, TargetResult
+    from jounce.design.measured_poses import HardpointFit
+    from jounce.design.spread import KinematicSpread
 
 _COLUMNS = 3
 _MOST_BARS, _MOST_TORNADOES = 8, 9
 _SMALLEST_BAR = 1e-3  # of the largest
+_MOST_NUMBERS, _NOUGHT = 10, 1e-3
 _SAID, _DARK = 0.05, 0.6
 _AROUND_NAMES = 0.14  # inches: names of points are long, and measured at another resolution than they are drawn
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
@@ -71,7 +75,7 @@ def _curve(axes: Axes, target: TargetResult) -> None:
     room = 0.08 * max(float(np.ptp(seen)), 1e-9)
     ends = float(np.min(seen)) - room, float(np.max(seen)) + room
     band = [np.clip(np.nan_to_num(end * unit.factor, posinf=ends[1], neginf=ends[0]), *ends) for end in (low, high)]
-    axes.fill_between(x, *band, color=PALETTE[2], alpha=0.25, lw=0, label="wanted")
+    axes.fill_between(x, band[0], band[1], color=PALETTE[2], alpha=0.25, lw=0, label="wanted")
     axes.plot(x, drawn[0], color=MUTED, ls="--", label="before")
     axes.plot(x, drawn[1], color=PALETTE[0], marker=".", label="after")
     axes.set_title(unit.label(target.label) + ("" if target.met else ", missed"), loc="left")
@@ -184,6 +188,195 @@ def tradeoff_matrix(design: KinematicDesign) -> Figure:
     return figure
 
 
+@styled
+def spread_bands(spread: KinematicSpread) -> Figure:
+    """Draw what a spread of parts does to every target, as built and adjusted, and what causes it.
+
+    Parameters
+    ----------
+    spread : KinematicSpread
+        As :func:`jounce.kinematic_spread` gives it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A row a target: bands of 95 % of the cars, shares of the variance.
+    """
+    count = len(spread.targets)
+    figure = new_figure(0.6 + 2.3 * count, 8.6)
+    grid = figure.subplots(count, 2, squeeze=False, width_ratios=[1.5, 1.0])
+    for (axes, causes), target in zip(grid, spread.targets, strict=True):
+        unit = display_unit(target.unit, float(np.max(np.abs([*target.low, *target.high]))))
+        along = display_unit("rad" if target.along == "roll" else "m")
+        single = len(target.drawn) == 1
+        x = np.array([-1.0, 1.0]) if single else np.array(target.at) * along.factor
+        rows = {name: np.array(getattr(target, name)) * unit.factor for name in _BANDS}
+        rows = {name: np.repeat(row, 2) if single else row for name, row in rows.items()}
+        axes.fill_between(x, rows["low"], rows["high"], color=PALETTE[1], alpha=0.22, lw=0, label="as built, 95 %")
+        if spread.adjustments:
+            ends = rows["low_adjusted"], rows["high_adjusted"]
+            axes.fill_between(x, *ends, color=PALETTE[0], alpha=0.45, lw=0, label="adjusted, 95 %")
+        axes.plot(x, rows["drawn"], color=INK, lw=1.1, label="as drawn")
+        low, high = axes.get_ylim()
+        for edge, way in ((target.wanted_low, -1.0), (target.wanted_high, 1.0)):
+            if None not in edge:
+                wanted = (np.array(edge, dtype=float) + way * target.tolerance) * unit.factor
+                wanted = np.repeat(wanted, 2) if single else wanted
+                axes.plot(x, wanted, color=PALETTE[2], ls="--", lw=1.0, label="wanted" if way < 0.0 else None)
+                low, high = min(low, float(wanted.min())), max(high, float(wanted.max()))
+        axes.set_ylim(low, high)
+        met = f"{100.0 * target.met:.0f} % meet it" + (
+            f", adjusted {100.0 * target.met_adjusted:.0f} %" if spread.adjustments else ""
+        )
+        axes.set_title(f"{unit.label(target.quantity.replace('_', ' '))}: {met}", loc="left")
+        if single:
+            axes.set_xticks([])
+        else:
+            words = {"travel": "wheel travel", "rack": "rack travel", "roll": "roll angle"}[target.along]
+            axes.set_xlabel(along.label(words))
+        tornado(causes, {name.replace("_", " "): 100.0 * share for name, share in target.causes.items()})
+        causes.set_title("caused by (% of the variance)", loc="left")
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
+    return figure
+
+
+_BANDS = ("drawn", "low", "high", "low_adjusted", "high_adjusted")
+
+
+@styled
+def front_lines(front: KinematicFront) -> Figure:
+    """Draw the designs of a front as lines over parallel axes: goals first, then the numbers that were moved.
+
+    Parameters
+    ----------
+    front : KinematicFront
+        As :func:`jounce.kinematic_front` gives it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Parallel coordinates, coloured by the first goal; beside them the front itself where two goals compete.
+    """
+    from matplotlib import colormaps
+
+    goals = list(front.goals)
+    moved = np.array([list(design.moved.values()) for design in front.designs])
+    before = np.array(list(front.before.moved.values()))
+    spans = np.max(np.abs(moved - before), axis=0)
+    numbers = [k for k in np.argsort(-spans)[:_MOST_NUMBERS] if spans[k] > 0.0]
+    names = [goal.replace("_", " ") for goal in goals]
+    paths = list(front.before.moved)
+    units = [display_unit("m" if "hardpoints." in paths[k] else "1") for k in numbers]
+    names += [point_name(paths[k]) for k in numbers]
+    values = np.array([list(design.goals.values()) for design in front.designs])
+    table = np.hstack(
+        [values, *((moved[:, k : k + 1] - before[k]) * unit.factor for k, unit in zip(numbers, units, strict=True))]
+    )
+    colours = colormaps["viridis"](np.linspace(0.0, 0.92, len(front.designs)))
+    pair = len(goals) == 2
+    figure = new_figure(4.4, (3.4 if pair else 0.0) + 1.6 + 0.85 * len(names))
+    share = [3.0, max(0.8 * len(names), 3.0)] if pair else [1.0]
+    grid = figure.subplots(1, len(share), squeeze=False, width_ratios=share)[0]
+    if pair:
+        first = grid[0]
+        first.plot(*values.T, color=MUTED, lw=0.8, zorder=1.0)
+        first.scatter(*values.T, c=colours, s=30, zorder=3.0)
+        for k, place in enumerate(values):
+            first.annotate(str(k + 1), place, xytext=(4, 4), textcoords="offset points", fontsize=7.5, color=MUTED)
+        first.set(xlabel=f"{names[0]} [tolerances]", ylabel=f"{names[1]} [tolerances]")
+        first.set_title("goals", loc="left")
+    _parallel(
+        grid[-1], table, names, ["tolerances"] * len(goals) + [f"by {unit.name or 'SI'}" for unit in units], colours
+    )
+    return figure
+
+
+def _parallel(axes: Axes, table: np.ndarray, names: list[str], units: list[str], colours: np.ndarray) -> None:
+    """Draw rows as lines over upright axes, each from its least to its greatest value."""
+    low, high = table.min(axis=0), table.max(axis=0)
+    span = np.where(high > low, high - low, 1.0)
+    shares = np.where(high > low, (table - low) / span, 0.5)
+    for row, colour in zip(shares, colours, strict=True):
+        axes.plot(range(len(names)), row, color=colour, lw=1.2, alpha=0.9, zorder=2.0)
+    for k, (bottom, top) in enumerate(zip(low, high, strict=True)):
+        axes.axvline(k, color=INK, lw=0.8, zorder=1.0)
+        for place, value in ((-0.03, bottom), (1.03, top)):
+            text = f"{0.0 if abs(value) < _NOUGHT else value:.3g}".replace("-", "−")
+            axes.text(k, place, text, ha="center", va="top" if place < 0.0 else "bottom", fontsize=7.5, color=INK)
+    labels = [f"{name} [{unit}]" for name, unit in zip(names, units, strict=True)]
+    axes.set_xticks(range(len(names)), labels, rotation=35, ha="right", rotation_mode="anchor", fontsize=8)
+    axes.set(ylim=(-0.12, 1.12), xlim=(-0.4, len(names) - 0.6), yticks=[])
+    axes.grid(visible=False)
+    axes.spines[:].set_visible(False)
+    axes.set_title("designs of the front" if len(table) > 1 else "the design", loc="left")
+
+
+@styled
+def hardpoint_fit(fit: HardpointFit) -> Figure:
+    """Draw measured quantities with the model before and after its points were updated, and the points' intervals.
+
+    Parameters
+    ----------
+    fit : HardpointFit
+        As :func:`jounce.fit_hardpoints` gives it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One set of axes a quantity, one for the numbers with their 95 % intervals.
+    """
+    count = len(fit.quantities) + 1
+    columns = min(_COLUMNS, count)
+    rows = -(-count // columns)
+    figure = new_figure(0.5 + 2.5 * rows, 3.5 * columns)
+    grid = figure.subplots(rows, columns, squeeze=False).ravel()
+    moves = np.ptp(fit.wheel_travel) > 0.0
+    over = np.array(fit.wheel_travel if moves else fit.rack_travel)
+    along = display_unit("m")
+    order = np.argsort(over, kind="stable")
+    steered = moves and np.ptp(fit.rack_travel) > 0.0
+    for axes, (name, one) in zip(grid, fit.quantities.items(), strict=False):
+        unit = display_unit(one.unit, float(np.nanmax(np.abs(one.measured), initial=0.0)))
+        x = over[order] * along.factor
+        line = "none" if steered else "-"  # poses with several racks lie on no one line
+        for values, style in (
+            (
+                one.before,
+                {
+                    "color": MUTED,
+                    "ls": "none" if steered else "--",
+                    "marker": "+" if steered else "",
+                    "label": "before",
+                },
+            ),
+            (one.measured, {"color": INK, "ls": "none", "marker": ".", "label": "measured"}),
+            (
+                one.after,
+                {"color": PALETTE[0], "ls": line, "marker": "o" if steered else "", "mfc": "none", "label": "after"},
+            ),
+        ):
+            axes.plot(x, np.array(values)[order] * unit.factor, **style)
+        axes.set_title(unit.label(name.replace("_", " ")), loc="left")
+        axes.set_xlabel(along.label("wheel travel" if moves else "rack travel"))
+    axes = grid[count - 1]
+    for k, (label, found) in enumerate(fit.numbers.items()):
+        moved = (found.value - fit.before[label]) * along.factor
+        if found.interval is not None:
+            ends = [(end - fit.before[label]) * along.factor for end in found.interval]
+            axes.plot(ends, [k, k], color=PALETTE[0], lw=2.0, solid_capstyle="butt")
+        axes.plot(moved, k, "o", color=PALETTE[0], mfc="white" if found.interval is None else PALETTE[0])
+    axes.axvline(0.0, color=MUTED, lw=0.7)
+    axes.set_yticks(range(len(fit.numbers)), [point_name(label) for label in fit.numbers])
+    axes.set_ylim(len(fit.numbers) - 0.4, -0.6)
+    axes.set_xlabel(along.label("moved by, 95 % interval"))
+    for empty in grid[count:]:
+        empty.set_visible(False)
+    handles, labels = grid[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=3)
+    return figure
+
+
 def point_name(path: str) -> str:
     """Coordinate of a hardpoint in words: ``tie rod inner z``; of several rigs with its name before it."""
     owner, _, rest = path.rpartition("hardpoints.")
@@ -202,6 +395,8 @@ def design_pictures(design: KinematicDesign) -> dict[str, Callable[[], Figure]]:
     }
     if len(design.targets) > 1:
         pictures["tradeoffs"] = partial(tradeoff_matrix, design)
+    for name, spread in design.spread.items():
+        pictures[f"spread-{name}" if name else "spread"] = partial(spread_bands, spread)
     for name, rig in design.rigs.items():
         label = f"geometry-{name}" if name else "geometry"
         pictures[label] = partial(suspension_geometry, {"before": before[name], "after": rig}, title=name)

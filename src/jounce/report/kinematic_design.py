@@ -15,6 +15,7 @@ from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
     from jounce.design.kinematics import KinematicDesign, TargetResult
+    from jounce.design.spread import KinematicSpread
 
 _POINTS = 41
 _SMALLEST = 0.02  # m of travel that is shown at least
@@ -63,6 +64,7 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
         "targets": "Wanted curves before and after with their bands; single values in tolerances from what is wanted.",
         "sensitivity": f"What {one} of the coordinates that matter most changes of each target, in its tolerances.",
         "tradeoffs": "Which targets answer when one tolerance more of one is asked: 1 is free to have, less is shared.",
+        "spread": "What the spread of the parts does to every target: 95 % of the cars, as built and adjusted.",
         "geometry": "Instant centres, roll centre and steering axis of the rig before and after.",
     }
     drawn = {
@@ -79,6 +81,13 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
     ]
     if "tradeoffs" in drawn:
         sections.append(Section("Trade-offs", (drawn["tradeoffs"],)))
+    if found.spread:
+        blocks: list[Block] = []
+        for name, spread in found.spread.items():
+            blocks += [_spread(name, spread), drawn[f"spread-{name}" if name else "spread"]]
+            if spread.findings:
+                blocks.append(Findings(spread.findings))
+        sections.append(Section("Tolerances", tuple(blocks)))
     return Page(title, tuple(sections), "Hardpoints from kinematic targets")
 
 
@@ -137,6 +146,25 @@ def _identified(found: KinematicDesign) -> Table:
         "sought at once. A dash: the curves do not tell it."
     )
     return Table("What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note)
+
+
+def _spread(name: str, spread: KinematicSpread) -> Table:
+    unit = display_unit("m")
+    rows = [
+        ("all targets are met by", "%", number(100.0 * spread.met, 3), number(100.0 * spread.met_adjusted, 3)),
+        *(
+            (
+                f"{one.replace('_', ' ')} needs",
+                unit.name,
+                number(need.low * unit.factor, 3),
+                number(need.high * unit.factor, 3),
+            )
+            for one, need in spread.adjustments.items()
+        ),
+    ]
+    head = f"{spread.cars} cars of {name}" if name else f"{spread.cars} cars"
+    note = "Shares of the cars as built and adjusted; of an adjustment the range that 95 % of the cars need."
+    return Table(head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note)
 
 
 def _curves(found: KinematicDesign, title: str) -> tuple[Block, ...]:

@@ -104,7 +104,7 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
     """
     named = dict(rigs) if isinstance(rigs, Mapping) else {"": rigs}
     centres = {name: _centres(rig) for name, rig in named.items()}
-    scene = next(reversed(centres.values())).scene
+    scene = list(centres.values())[-1].scene
     front, side, top, _ = views_of(scene)
     clouds = [np.vstack([everything(one.scene, one.pose) for one in centres.values()])]
     clouds += [np.array([[0.0, 0.0, one.pose.ground] for one in centres.values()])]
@@ -171,7 +171,7 @@ def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
     scale = room / (spans["front"][0] + spans["side"][0])  # inches of paper for one metre
     upper, lower = scale * spans["front"][1], max(scale * spans["top"][1], 0.21 * (len(_NUMBERS) + 2))
     size = np.array([_WIDTH, _BOTTOM + lower + _ABOVE + upper + _TOP])
-    figure = figure_type()(figsize=size)
+    figure = figure_type()(figsize=(_WIDTH, float(size[1])))
     wide = scale * spans["front"][0]
     places = {
         "front": (_LEFT, _BOTTOM + lower + _ABOVE, wide, upper),
@@ -225,7 +225,7 @@ def _segment(axes: Axes, start: Array, end: Array, **style: Any) -> None:
 
 
 def _mark(axes: Axes, place: Array, colour: str, marker: str, *, strong: bool) -> None:
-    face = {} if marker == "x" else {"markerfacecolor": colour if strong else "white"}
+    face: dict[str, Any] = {} if marker == "x" else {"markerfacecolor": colour if strong else "white"}
     axes.plot(*place, marker, color=colour, markersize=6.0, zorder=6.0, scalex=False, scaley=False, **face)
 
 
@@ -251,7 +251,7 @@ def _labels(axes: Mapping[str, Axes]) -> None:
 def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
     """Write the numbers of what is drawn, a column a rig."""
     axes.axis("off")
-    last = next(reversed(centres.values()))
+    last = list(centres.values())[-1]
     names = [name for name in _NUMBERS if name in last.rows]
     columns = 1.0 - 0.17 * np.arange(len(centres))[::-1]
     step = 1.0 / (len(_NUMBERS) + 2)

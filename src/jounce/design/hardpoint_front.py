@@ -1,0 +1,368 @@
+"""Competing goals: designs of hardpoints of which none is better in every goal, from the best of one to that of others.
+
+The corners of the front are the least of each goal. Between them the goal that is relatively worst is made as good as
+it can be (the achievement function of the reference-point method), along directions spread evenly over all mixtures:
+this finds the hollow parts of a front, too. Exact slopes take each search there in tens of designs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.design.hardpoint_search import Search, places, refuse_idle
+from jounce.design.kinematic_study import FreePoint, KinematicTarget
+from jounce.design.kinematics import Task, moved_rigs, read_task, values_before
+from jounce.kinematics.sweeps import AxleLayout
+from jounce.parts import Corner, Rig
+
+_FEWEST, _MOST, _MOST_GOALS = 3, 500, 8
+_SOFT = 1e-3  # tolerances below which a goal is as good as reached
+_SHARE = 1e-3  # of the other goals in each: a design that is worse in one for nothing is none
+_LEAST = 1e-3  # smallest part of a mixture
+_ROUNDS, _PRECISION, _FORBIDDEN = 150, 1e-10, 1e6
+_INSIDE = 0.95  # tolerances
+_SAME = 1e-3  # share of a goal's range below which two designs are one
+_HELD = 1.0 + 1e-6
+
+
+@dataclass(frozen=True)
+class FrontDesign(Plain):
+    """A design on the front: ``goals`` as root mean square of their targets in tolerances, ``moved`` numbers (SI).
+
+    ``met`` says whether all targets are within their tolerances.
+    """
+
+    goals: Mapping[str, float]
+    moved: Mapping[str, float]
+    met: bool
+
+
+@dataclass(frozen=True)
+class KinematicFront(Plain):
+    """Designs between competing goals, none of them better in every goal than another.
+
+    Attributes
+    ----------
+    goals : mapping of str to tuple of int
+        Goals by name, with the numbers of their targets.
+    held : tuple of int
+        Targets that are kept within their tolerances all along the front.
+    designs : tuple of FrontDesign
+        By the first goal, best first.
+    before : FrontDesign
+        The rigs as they are.
+    evaluations : int
+        Designs that were computed.
+    start : mapping of str to Corner
+        The rigs that the search began with, by name.
+    findings : tuple of Finding
+        What is worth knowing.
+    """
+
+    goals: Mapping[str, tuple[int, ...]]
+    held: tuple[int, ...]
+    designs: tuple[FrontDesign, ...]
+    before: FrontDesign
+    evaluations: int
+    start: Mapping[str, Corner]
+    findings: tuple[Finding, ...] = ()
+
+    left_out = ("start",)
+
+    def rigs(self, k: int) -> dict[str, Corner]:
+        """Give the rigs of a design by their names, counted from 0; one alone has the name ''."""
+        found = {}
+        for name, rig in self.start.items():
+            head = f"{name}." if name else ""
+            moved = {path.removeprefix(head): value for path, value in self.designs[k].moved.items()}
+            found[name] = rig.with_changes({path: value for path, value in moved.items() if path in rig.parameters()})
+        return found
+
+    def table(self) -> str:
+        """Give the front as CSV: a row a design, goals in tolerances, numbers in SI."""
+        rows = [",".join(("design", *(f"{name} [tolerances]" for name in self.goals), *self.before.moved, "met"))]
+        for label, one in [("before", self.before), *((str(k + 1), one) for k, one in enumerate(self.designs))]:
+            rows.append(",".join((label, *map(repr, one.goals.values()), *map(repr, one.moved.values()), str(one.met))))
+        return "\n".join([*rows, ""])
+
+
+def kinematic_front(
+    rig: Rig | str | Path | Mapping[str, Rig],
+    free: Sequence[FreePoint | Mapping[str, Any]] | Mapping[str, Any],
+    targets: Sequence[KinematicTarget | Mapping[str, Any]],
+    *,
+    vehicle: AxleLayout | Mapping[str, AxleLayout] | None = None,
+    points: int = 20,
+    starts: int = 4,
+    seed: int = 0,
+) -> KinematicFront:
+    """Find designs between goals that compete: none is better in every goal than another.
+
+    Targets with the same ``goal`` belong together; where none has one, each target that need not hold is its own goal.
+    Targets that ``must`` hold, and those without a goal beside others that have one, stay within their tolerances.
+
+    Parameters
+    ----------
+    rig, free, targets, vehicle
+        As for :func:`jounce.design_kinematics`; lengths in m, angles in rad, or texts with their units.
+    points : int
+        About how many designs, 3 to 500; those that others surpass are left out.
+    starts : int
+        Searches for the best of each goal; the first begins at the rig, the others at places of the boxes.
+    seed : int
+        Seed of those places.
+
+    Returns
+    -------
+    KinematicFront
+        Designs with their goals (root mean square in tolerances) and numbers (SI).
+
+    Raises
+    ------
+    DescriptionError
+        As :func:`jounce.design_kinematics`; for fewer than two goals, and where no design keeps what must hold.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> targets = [
+    ...     {"quantity": "camber_gain", "value": "-45 deg/m", "tolerance": "1 deg/m"},
+    ...     {"quantity": "roll_centre_height", "value": "20 mm", "tolerance": "1 mm"},
+    ... ]
+    >>> front = kinematic_front("formula-student-front", {"hardpoints.upper_arm_front[2]": "20 mm"}, targets, points=5)
+    >>> gains = [design.goals["camber_gain"] for design in front.designs]
+    >>> gains == sorted(gains)
+    True
+    """
+    if not _FEWEST <= points <= _MOST:
+        raise DescriptionError("not a number of designs", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+    if starts < 1:
+        raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+    return front_of(read_task(rig, free, targets, vehicle), points, starts, seed)
+
+
+def front_of(task: Task, points: int, starts: int, seed: int) -> KinematicFront:
+    """Search for the front that a task asks for."""
+    search = task.search()
+    goals, held = _goals(search)
+    values_before(search)
+    refuse_idle(search, task.free, seed)
+    race = _Race(search, goals, held)
+    corners = [_corner(race, i, starts, seed) for i in range(len(goals))]
+    reached = np.array([race.goals_at(x) for x in corners])
+    best, worst = reached.min(axis=0), reached.max(axis=0)
+    span = np.maximum(worst - best, _SOFT)
+    tried = list(corners)
+    for mixture in _mixtures(len(goals), points):
+        aim = best, span, mixture
+        near = sorted(tried, key=lambda x: race.missed(x, aim))[:2]
+        ended = [race.run(x, np.full(len(goals), _SHARE), aim) for x in near]
+        tried.append(min(ended, key=lambda x: race.missed(x, aim)))
+    kept = _undominated([x for x in tried if race.holds(x)], race, span)
+    designs = [design for design in (_design(race, x) for x in kept) if design is not None]
+    findings = []
+    if len(designs) == 1:
+        text = "one design is best in every goal: within the boxes there is nothing to trade."
+        findings.append(Finding("front", "note", text))
+    start = _design(race, np.zeros(len(search.scale)))
+    assert start is not None
+    order = sorted(designs, key=lambda one: tuple(one.goals.values()))
+    return KinematicFront(
+        goals, tuple(held), tuple(order), start, search.evaluator.evaluations, dict(task.rigs), tuple(findings)
+    )
+
+
+def _goals(search: Search) -> tuple[dict[str, tuple[int, ...]], list[int]]:
+    """Goals by name with their targets, and the targets that are held."""
+    named = any(item.text.goal is not None for item in search.wanted)
+    goals: dict[str, list[int]] = {}
+    held = []
+    for i, item in enumerate(search.wanted):
+        if item.text.must or (named and item.text.goal is None):
+            held.append(i)
+            continue
+        name = item.text.goal if named else item.label
+        if not named and name in goals:
+            name = f"{name} {i}"
+        goals.setdefault(str(name), []).append(i)
+    if not 2 <= len(goals) <= _MOST_GOALS:
+        raise DescriptionError(
+            "goals compete from two on",
+            where="target",
+            found=", ".join(goals) or "none",
+            allowed=f"2 to {_MOST_GOALS} goals",
+            hint='Give targets that belong together the same goal = "...", and constraints must = true.',
+        )
+    return {name: tuple(members) for name, members in goals.items()}, held
+
+
+class _Race:
+    """Goals and constraints of a search, with their slopes."""
+
+    def __init__(self, search: Search, goals: Mapping[str, tuple[int, ...]], held: Sequence[int]) -> None:
+        self.search, self.goals = search, goals
+        parts = search.evaluator.parts
+        count = parts[-1].stop
+        self._weights = np.zeros((len(goals), count))  # of squares, in the mean of each goal
+        for k, members in enumerate(goals.values()):
+            for i in members:
+                part = parts[i]
+                self._weights[k, part] = 1.0 / (len(members) * (part.stop - part.start))
+        firm = [np.arange(parts[i].start, parts[i].stop) for i in held]
+        self._firm = np.concatenate(firm) if firm else np.zeros(0, dtype=int)
+        self._seen: tuple[bytes, tuple[Array, Array, Array, Array]] | None = None
+
+    def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
+        """Goals (root mean squares, tolerances) and their slopes, room of constraints and its slopes."""
+        key = x.tobytes()
+        if self._seen is not None and self._seen[0] == key:
+            return self._seen[1]
+        search = self.search
+        values, along = search.evaluator.together(search.numbers(x))
+        off, along = search.off(values), along * search.scale / search.tolerance[:, None]
+        if np.all(np.isfinite(off)):
+            goals = np.sqrt(self.means(off) + _SOFT**2)
+            slopes = (self._weights * off) @ along / goals[:, None]
+            firm = self._firm
+            ends = [(values - search.high)[firm], (search.low - values)[firm]]
+            room = _INSIDE - np.concatenate(ends) / np.tile(search.tolerance[firm], 2)
+            found = goals, slopes, np.where(np.isfinite(room), room, 1.0), np.vstack([-along[firm], along[firm]])
+        else:
+            size, count = len(x), 2 * len(self._firm)
+            goals = np.full(len(self.goals), _FORBIDDEN)
+            found = goals, np.zeros((len(goals), size)), np.full(count, -1.0), np.zeros((count, size))
+        self._seen = key, found
+        return found
+
+    def means(self, off: Array) -> Array:
+        """Mean squares of each goal of values that are so many tolerances off."""
+        return np.asarray(self._weights @ off**2)
+
+    def goals_at(self, x: Array) -> Array:
+        """Goals at a place."""
+        return self.at(x)[0]
+
+    def holds(self, x: Array) -> bool:
+        """Whether the constraints hold at a place that can be reached."""
+        goals, _, room, _ = self.at(x)
+        return bool(np.all(goals < _FORBIDDEN) and np.all(room >= _INSIDE - _HELD))
+
+    def missed(self, x: Array, aim: tuple[Array, Array, Array]) -> tuple[bool, float]:
+        """Whether constraints are broken, and how bad the relatively worst goal is: the least is best."""
+        return not self.holds(x), _achieved(self.goals_at(x), *aim)
+
+    def run(self, x: Array, weights: Array, mixture: tuple[Array, Array, Array] | None = None) -> Array:
+        """Least weighted sum of the goals from x; with a mixture, first of the goal that is relatively worst there."""
+        from scipy.optimize import minimize
+
+        search, size = self.search, len(x)
+        extra = int(mixture is not None)
+        best, span, shares = (
+            mixture if mixture is not None else (np.zeros(len(weights)), np.ones(len(weights)), weights)
+        )
+        begin = np.clip(x, search.lower, search.upper)
+        reach = _achieved(self.goals_at(begin), best, span, shares) if extra else 0.0
+
+        def least(z: Array) -> float:
+            return float(weights @ ((self.at(z[:size])[0] - best) / span) + z[size:].sum())
+
+        def slope(z: Array) -> Array:
+            return np.concatenate([(weights / span) @ self.at(z[:size])[1], np.ones(extra)])
+
+        def room(z: Array) -> Array:
+            goals, _, firm, _ = self.at(z[:size])
+            return np.concatenate([z[size:].sum() - (goals - best) / (span * shares), firm] if extra else [firm])
+
+        def room_slopes(z: Array) -> Array:
+            _, slopes, _, firm = self.at(z[:size])
+            rows = np.hstack([firm, np.zeros((len(firm), extra))])
+            if not extra:
+                return rows
+            return np.vstack([np.hstack([-slopes / (span * shares)[:, None], np.ones((len(slopes), 1))]), rows])
+
+        constraints = {"type": "ineq", "fun": room, "jac": room_slopes} if extra or len(self._firm) else ()
+        found = minimize(
+            least,
+            np.concatenate([begin, np.full(extra, reach)]),
+            jac=slope,
+            bounds=[*zip(search.lower, search.upper, strict=True), *[(None, None)] * extra],
+            constraints=constraints,
+            method="SLSQP",
+            options={"maxiter": _ROUNDS, "ftol": _PRECISION},
+        )
+        return np.asarray(np.clip(found.x[:size], search.lower, search.upper), dtype=float)
+
+
+def _achieved(goals: Array, best: Array, span: Array, mixture: Array) -> float:
+    """How bad the relatively worst goal is."""
+    return float(np.max((goals - best) / (span * mixture)))
+
+
+def _corner(race: _Race, i: int, starts: int, seed: int) -> Array:
+    """The least of one goal, from several places."""
+    weights = np.full(len(race.goals), _SHARE)
+    weights[i] = 1.0
+    ended = [race.run(x, weights) for x in places(race.search, starts, seed)]
+    good = [x for x in ended if race.holds(x)]
+    if not good:
+        raise DescriptionError(
+            "no design within the boxes keeps what must hold",
+            where="free",
+            found=f"{starts} starts",
+            hint="Widen the boxes, ask for less, or give more starts.",
+        )
+    return min(good, key=lambda x: float(weights @ race.goals_at(x)))
+
+
+def _mixtures(goals: int, points: int) -> Iterator[Array]:
+    """Mixtures of goals, evenly spread over those of all (a simplex lattice), about as many as points."""
+    steps = 2
+    while len(list(combinations(range(steps + goals), goals - 1))) <= points:
+        steps += 1
+    for bars in combinations(range(steps + goals - 1), goals - 1):
+        ends = (-1, *bars, steps + goals - 1)
+        shares = np.array([b - a - 1 for a, b in pairwise(ends)]) / steps
+        if np.count_nonzero(shares) > 1:  # the corners are known
+            yield np.maximum(shares, _LEAST)
+
+
+def _undominated(tried: list[Array], race: _Race, span: Array) -> list[Array]:
+    """Places of which none is better in every goal than another, each once."""
+    goals = np.array([race.goals_at(x) for x in tried])
+    kept: list[int] = []
+    for i, one in enumerate(goals):
+        near = _SAME * span
+        worse = np.any(np.all(goals <= one + near, axis=1) & np.any(goals < one - near, axis=1))
+        again = any(np.all(np.abs(goals[k] - one) <= near) for k in kept)
+        if not worse and not again:
+            kept.append(i)
+    return [tried[i] for i in kept]
+
+
+def _design(race: _Race, x: Array) -> FrontDesign | None:
+    """What is told of a place, None where its numbers make no rig."""
+    search = race.search
+    try:
+        rigs = moved_rigs(search, x)
+    except JounceError:
+        return None
+    numbering = search.evaluator.numbering
+    known = dict(zip(numbering.paths, numbering.values(rigs).tolist(), strict=True))
+    values, _ = search.evaluator.together(numbering.values(rigs), slopes=False)
+    off = search.off(values)
+    goals = np.sqrt(race.means(off))
+    return FrontDesign(
+        {name: float(goal) for name, goal in zip(race.goals, goals, strict=True)},
+        {path: known[path] for path in search.free.paths},
+        bool(np.all(np.abs(off) <= _HELD)),
+    )

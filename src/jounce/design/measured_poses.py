@@ -1,0 +1,397 @@
+"""Hardpoints from measured curves: points of a corner updated until its model gives a table of measured poses.
+
+Least squares over poses and quantities, each quantity weighed by its noise: the one given, or that of its own
+residuals. Slopes are exact. Intervals come from the slopes at the end; residuals that follow a pattern (of play,
+friction, compliance) count as fewer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.core.units import positive_si
+from jounce.design.free_points import FreeNumbers, Numbering, free_numbers
+from jounce.design.kinematic_study import FreePoint
+from jounce.identify.estimate import Estimate, correlation_time, estimate
+from jounce.kernel.poses import REACHED
+from jounce.kinematics.model import check_corner, has_rack
+from jounce.kinematics.sweeps import path_sweep, path_values
+from jounce.kinematics.tangents import Tangents
+from jounce.parts import Corner, Rig, load
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_ROUNDS = 4  # in which noise is estimated again
+_CLEAR = 1e-8  # share of the largest singular value below which numbers are not told apart
+_LOST = 1e-6
+_FARTHEST = 3.0  # standard deviations of the noise given from which residuals are too large for it
+_AXES = ("wheel_travel", "rack_travel")
+
+
+@dataclass(frozen=True)
+class MeasuredQuantity(Plain):
+    """A measured quantity, SI: readings, their noise, root mean squares of what is left before and after.
+
+    ``measured``, ``before`` and ``after`` are values pose by pose, the model's with the offset that was found; a
+    missing reading is NaN.
+    """
+
+    unit: str
+    noise: float
+    rms_before: float
+    rms_after: float
+    measured: list[float]
+    before: list[float]
+    after: list[float]
+
+
+@dataclass(frozen=True)
+class HardpointFit(Plain):
+    """Hardpoints that give measured poses.
+
+    Attributes
+    ----------
+    rig : Corner
+        The rig with its points updated.
+    numbers : mapping of str to Estimate
+        Free numbers with their 95 % intervals, SI; without one where the measurements do not tell them.
+    before : mapping of str to float
+        The same of the rig as it was.
+    offsets : mapping of str to Estimate
+        Zeros of the measurement that were sought, too, SI of their quantity: reading minus model.
+    quantities : mapping of str to MeasuredQuantity
+        What was measured, by name.
+    wheel_travel, rack_travel : list of float
+        Poses, m.
+    starts : int
+        Searches, and ``agreed`` how many of them ended at the best.
+    agreed : int
+        See ``starts``.
+    findings : tuple of Finding
+        What is worth knowing.
+    """
+
+    rig: Corner
+    numbers: Mapping[str, Estimate]
+    before: Mapping[str, float]
+    offsets: Mapping[str, Estimate]
+    quantities: Mapping[str, MeasuredQuantity]
+    wheel_travel: list[float]
+    rack_travel: list[float]
+    starts: int
+    agreed: int
+    findings: tuple[Finding, ...] = ()
+
+    left_out = ("rig",)
+
+
+def fit_hardpoints(
+    rig: Rig | str | Path,
+    measured: xr.Dataset | Mapping[str, Any],
+    free: Sequence[FreePoint | Mapping[str, Any]] | Mapping[str, Any],
+    *,
+    noise: Mapping[str, float | str] | None = None,
+    offsets: Sequence[str] = (),
+    starts: int = 3,
+    seed: int = 0,
+) -> HardpointFit:
+    """Update hardpoints until the model gives measured poses, with intervals.
+
+    Parameters
+    ----------
+    rig : Rig, str or Path
+        A corner with hardpoints as it is known, or the name or file of one.
+    measured : xarray.Dataset or mapping of str to array_like, shape (n,)
+        ``wheel_travel`` (m, bump positive), ``rack_travel`` (m, positive to the left; 0 where it is missing), and rows
+        of the catalogue against the body, pose by pose, SI: ``toe`` (rad), ``camber`` (rad), ``wheel_centre_x`` (m),
+        ``spring_length`` (m) and so on. NaN is no reading.
+    free : sequence of FreePoint or mapping
+        What may move, with the keys of ``[[free]]`` of a design study (m), or paths to ``within``.
+    noise : mapping of str to float or str, optional
+        Standard deviation of a reading (SI or with its unit); by default that of what is left of each quantity.
+    offsets : sequence of str
+        Quantities whose zero is not known: a constant is sought with the points.
+    starts : int
+        How many searches begin; the first at the rig, the others at places of the boxes.
+    seed : int
+        Seed of those places.
+
+    Returns
+    -------
+    HardpointFit
+        The rig updated, numbers and offsets with 95 % intervals (SI), and what is left of each quantity.
+
+    Raises
+    ------
+    DescriptionError
+        For unknown quantities or paths, or poses that the rig does not reach.
+    FitError
+        For fewer readings than numbers.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> rig = jn.load("formula-student-front")
+    >>> truth = rig.with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})
+    >>> travel = np.linspace(-0.03, 0.03, 25)
+    >>> toe = jn.sweep_travel(truth, travel)["toe"].to_numpy()
+    >>> toe = toe + np.random.default_rng(1).normal(0.0, 1e-4, len(toe))     # synthetic: a truth and its noise
+    >>> found = fit_hardpoints(rig, {"wheel_travel": travel, "toe": toe}, {"hardpoints.tie_rod_inner[2]": "10 mm"})
+    >>> found.numbers["hardpoints.tie_rod_inner[2]"].has(0.151)
+    True
+    """
+    from scipy.optimize import least_squares
+
+    corner = check_corner(load(rig) if isinstance(rig, (str, Path)) else rig)
+    listed = [{"point": path, "within": width} for path, width in free.items()] if isinstance(free, Mapping) else free
+    points = [item if isinstance(item, FreePoint) else FreePoint(**item) for item in listed]
+    numbering = Numbering.of({"": corner})
+    numbers = free_numbers(numbering, points)
+    table = _Table(corner, numbering.paths, measured, numbers, offsets)
+    given = {
+        name: positive_si(value, table.unit(name), where=f"noise: {name}") for name, value in (noise or {}).items()
+    }
+    count = numbers.directions.shape[1] + len(table.offsets)
+    if int(table.known.sum()) <= count:
+        raise FitError("fewer readings than numbers", found=f"{int(table.known.sum())} readings, {count} numbers")
+    before = table.left(np.zeros(count))
+    if not np.all(np.isfinite(before[table.known])):
+        raise DescriptionError(
+            "the rig does not reach the measured poses", where="measured", found=table.ends(), hint="Leave them out."
+        )
+    spread = table.spread_of(before, given, count)
+    idle = np.linalg.norm(table.slopes(np.zeros(count))[0], axis=0)
+    for k in np.flatnonzero(idle == 0.0):
+        raise DescriptionError("changes nothing that was measured", where="free", found=table.labels[k])
+    ended: list[tuple[float, Array]] = []
+    for begin in _begins(numbers, len(table.offsets), starts, seed):
+        x, weights = begin, spread
+        for _ in range(1 if len(given) == len(table.names) else _ROUNDS):
+            sought = least_squares(
+                lambda x, weights: table.weighed(x, weights)[0],
+                x,
+                jac=lambda x, weights: table.weighed(x, weights)[1],
+                args=(weights,),
+                bounds=table.bounds,
+                x_scale=table.scale,
+                xtol=1e-12,
+                ftol=1e-12,
+                gtol=1e-12,
+            )
+            x = np.asarray(sought.x, dtype=float)
+            weights = table.spread_of(table.left(x), given, count)
+        ended.append((float(np.sum(table.weighed(x, spread)[0] ** 2)), x))
+    costs = np.array([cost for cost, _ in ended])
+    best = ended[int(np.argmin(costs))][1]
+    agreed = int(np.sum([np.max(np.abs(x - best) / table.scale) < 1e-3 for _, x in ended]))
+    return _told(table, best, given, before, starts, agreed)
+
+
+def _begins(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
+    if starts < 1:
+        raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+    random = np.random.default_rng(seed)
+    width = numbers.upper - numbers.lower
+    first = np.clip(np.zeros(len(width)), numbers.lower + 1e-6 * width, numbers.upper - 1e-6 * width)
+    others = [numbers.lower + (0.05 + 0.9 * random.random(len(width))) * width for _ in range(starts - 1)]
+    return [np.concatenate([x, np.zeros(offsets)]) for x in (first, *others)]
+
+
+class _Table:
+    """Readings and the model's values at their poses, for free numbers x and offsets, one after the other."""
+
+    def __init__(
+        self, rig: Corner, paths: tuple[str, ...], measured: Any, numbers: FreeNumbers, offsets: Sequence[str]
+    ) -> None:
+        self.rig, self.paths, self.numbers = rig, paths, numbers
+        values = {str(name): np.asarray(measured[name], dtype=float).ravel() for name in _names_of(measured)}
+        if "wheel_travel" not in values:
+            found = ", ".join(values) or "nothing"
+            raise DescriptionError("no poses", where="measured", found=found, allowed="wheel_travel")
+        self.travel = path_values(values.pop("wheel_travel"), "wheel_travel")
+        self.rack = np.zeros_like(self.travel)
+        if "rack_travel" in values:
+            self.rack = path_values(values.pop("rack_travel"), "rack_travel")
+            if np.any(self.rack != 0.0) and not has_rack(rig):
+                raise DescriptionError("no rack moves this wheel", where="measured: rack_travel")
+        sweep, _ = path_sweep(rig, self.travel, np.broadcast_to(self.rack, self.travel.shape))
+        self._sweep, self._model = sweep, sweep.model
+        rows = {row.name: i for i, row in enumerate(sweep.model.rows)}
+        if not values:
+            raise DescriptionError("nothing was measured", where="measured", allowed="rows of the catalogue, e.g. toe")
+        for name, one in values.items():
+            if name not in rows:
+                raise unknown(name, rows, what="quantity", where="measured")
+            if one.shape != self.travel.shape:
+                raise DescriptionError(
+                    "not one reading a pose", where=f"measured: {name}", found=len(one), allowed=str(len(self.travel))
+                )
+        self.names = tuple(values)
+        for name in offsets:
+            if name not in values:
+                raise unknown(name, values, what="measured quantity", where="offsets")
+        self.offsets = tuple(dict.fromkeys(offsets))
+        self._rows = [rows[name] for name in self.names]
+        self._units = {name: sweep.model.rows[rows[name]].unit for name in self.names}
+        self.readings = np.concatenate([values[name] for name in self.names])
+        self.known = np.isfinite(self.readings)
+        padded = np.vstack([np.zeros((len(sweep.model.tracks), numbers.directions.shape[1])), numbers.directions])
+        self._tangents = Tangents(sweep, padded)
+        size = len(self.travel)
+        self._shift = np.zeros((len(self.readings), len(self.offsets)))
+        for k, name in enumerate(self.offsets):
+            i = self.names.index(name)
+            self._shift[i * size : (i + 1) * size, k] = 1.0
+
+    def unit(self, name: str) -> str:
+        if name not in self._units:
+            raise unknown(name, self._units, what="measured quantity", where="noise")
+        return self._units[name]
+
+    def part(self, name: str) -> slice:
+        """Where the readings of a quantity stand."""
+        i, size = self.names.index(name), len(self.travel)
+        return slice(i * size, (i + 1) * size)
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        return (*self.numbers.labels, *(f"offset of {name}" for name in self.offsets))
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        far = np.full(len(self.offsets), np.inf)
+        return np.concatenate([self.numbers.lower, -far]), np.concatenate([self.numbers.upper, far])
+
+    @property
+    def scale(self) -> Array:
+        """How far each number may go; of an offset how far its readings reach."""
+        reach = [max(float(np.nanstd(self.readings[self.part(name)])), 1e-9) for name in self.offsets]
+        return np.concatenate([self.numbers.lengths, reach])
+
+    def ends(self) -> str:
+        """Where poses ended, in words."""
+        return next((str(end) for end in self._sweep.ends()), "no value")
+
+    def model(self, x: Array) -> Array:
+        """Values of the model with the offsets, NaN where a pose is out of reach."""
+        size = self.numbers.directions.shape[1]
+        self._sweep.walk.p[:] = self.numbers.origin + self.numbers.directions @ x[:size]
+        self._sweep.run()
+        found = self._sweep.found
+        rows = np.where(found.outcome == REACHED, found.outputs, np.nan)[self._rows]
+        return rows.ravel() + self._shift @ x[size:]
+
+    def left(self, x: Array) -> Array:
+        """Model minus reading."""
+        return np.asarray(self.model(x) - self.readings)
+
+    def slopes(self, x: Array) -> tuple[Array, Array]:
+        """Slopes of the model's values along all numbers, and what is left."""
+        left = self.left(x)
+        moved = self._tangents.run()[self._rows]  # (quantities, directions, poses)
+        return np.hstack([moved.transpose(0, 2, 1).reshape(len(left), -1), self._shift]), left
+
+    def weighed(self, x: Array, spread: Array) -> tuple[Array, Array]:
+        """Residuals and slopes in standard deviations, 1e3 where a pose is out of reach."""
+        slopes, left = self.slopes(x)
+        good = np.isfinite(left) & self.known
+        residuals = np.where(good, left, 1e3 * spread)[self.known] / spread[self.known]
+        return residuals, np.where(good[:, None], slopes, 0.0)[self.known] / spread[self.known, None]
+
+    def spread_of(self, left: Array, given: Mapping[str, float], count: int) -> Array:
+        """Standard deviation of every reading: the one given, or that of what is left of its quantity."""
+        used = 1.0 - count / max(int(self.known.sum()), count + 1)
+        found = np.empty_like(self.readings)
+        for name in self.names:
+            part = self.part(name)
+            one = left[part][self.known[part]]
+            own = float(np.sqrt(np.mean(one[np.isfinite(one)] ** 2) / used)) if one.size else 1.0
+            least = 1e-9 * max(float(np.nanmax(np.abs(self.readings[part]), initial=0.0)), 1e-6)
+            found[part] = given.get(name, max(own, least))
+        return found
+
+
+def _names_of(measured: Any) -> list[str]:
+    if isinstance(measured, Mapping) and not hasattr(measured, "data_vars"):
+        return [str(name) for name in measured]
+    axes = [name for name in _AXES if name in measured.coords]
+    return [*axes, *(str(name) for name in measured.data_vars if str(name) not in axes)]
+
+
+def _told(table: _Table, x: Array, given: Mapping[str, float], before: Array, starts: int, agreed: int) -> HardpointFit:
+    count = len(x)
+    slopes, left = table.slopes(x)
+    spread = table.spread_of(left, given, count)
+    findings: list[Finding] = []
+    widened = spread.copy()
+    for name in table.names:
+        part = table.part(name)
+        one = left[part][table.known[part]]
+        widened[part] *= np.sqrt(correlation_time(one)) if one.size else 1.0
+        share = float(np.sqrt(np.mean((one / spread[part][table.known[part]]) ** 2))) if one.size else 0.0
+        if name in given and share > _FARTHEST:
+            text = f"is left {share:.3g} times as far off as its noise: the model does not explain it."
+            findings.append(Finding(name, "warning", text, share))
+            widened[part] *= share
+    rows = (slopes / widened[:, None])[table.known] * table.scale
+    _, seen, directions = np.linalg.svd(rows, full_matrices=False)
+    clear = seen > _CLEAR * seen[0]
+    variance = ((directions[clear] / seen[clear, None]) ** 2).sum(axis=0) * table.scale**2
+    lost = (directions[~clear] ** 2).sum(axis=0) > _LOST
+    freedom = float("inf") if len(given) == len(table.names) else max(float(table.known.sum()) - count, 1.0)
+    size = len(table.numbers.labels)
+    numbers, offsets = {}, {}
+    low, high = table.bounds
+    for k, label in enumerate(table.labels):
+        error = None if lost[k] else float(np.sqrt(variance[k]))
+        if lost[k]:
+            findings.append(Finding(label, "warning", "is not told by what was measured: others can make up for it."))
+        if k < size:
+            value = float(table.numbers.values[k] + x[k])
+            numbers[label] = estimate(value, error, freedom)
+            if min(x[k] - low[k], high[k] - x[k]) <= 1e-6 * (high[k] - low[k]):
+                findings.append(Finding(label, "warning", "ends at the edge of its box; widen it.", value))
+        else:
+            offsets[table.offsets[k - size]] = estimate(float(x[k]), error, freedom)
+    quantities = {}
+    for name in table.names:
+        part = table.part(name)
+        was, now = (one[part][table.known[part]] for one in (before, left))
+        quantities[name] = MeasuredQuantity(
+            table.unit(name),
+            float(spread[part][0]),
+            float(np.sqrt(np.mean(was**2))),
+            float(np.sqrt(np.mean(now**2))),
+            table.readings[part].tolist(),
+            (before + table.readings)[part].tolist(),
+            (left + table.readings)[part].tolist(),
+        )
+    index = {path: i for i, path in enumerate(table.paths)}
+    found = table.numbers.origin + table.numbers.directions @ x[:size]
+    try:
+        rig = table.rig.with_changes({path: float(found[index[path]]) for path in table.numbers.paths})
+    except JounceError as error:
+        raise FitError("the points found are no rig", found=str(error), hint="Narrow the boxes.") from None
+    return HardpointFit(
+        rig,
+        numbers,
+        dict(zip(table.numbers.labels, table.numbers.values.tolist(), strict=True)),
+        offsets,
+        quantities,
+        table.travel.tolist(),
+        np.broadcast_to(table.rack, table.travel.shape).tolist(),
+        starts,
+        agreed,
+        tuple(findings),
+    )
