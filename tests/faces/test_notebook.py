@@ -111,6 +111,11 @@ def test_a_live_rig_follows_its_sliders(kart: Any, run: Any) -> None:
     assert widget.curves == kept
     widget.values = {RATE: 26000.0}
     assert widget.problem == ""
+    answers: list[Any] = []
+    widget.send = answers.append
+    widget._handle_custom_msg({"ask": "alive"}, [])
+    widget._handle_custom_msg({"ask": "anything else"}, [])
+    assert answers == [{"alive": True}]
     assert kart.strut.spring.rate == 22730.0
 
 
@@ -161,7 +166,9 @@ def test_the_viewer_plays_in_its_cell(cell: Any, opened: Any) -> None:
     assert inner.locator(".uplot, canvas").count() >= 2
 
 
-MODEL = """<!doctype html><meta charset="utf-8"><div id="cell"></div><script type="module">
+MODEL = """<!doctype html><meta charset="utf-8"><div id="cell"></div>
+<div class="jounce-still" data-live="abc">still</div>
+<script type="module">
 %(script)s
 const state = %(state)s, heard = {};
 const model = {
@@ -169,8 +176,10 @@ const model = {
   set: (name, value) => { state[name] = value; (heard[`change:${name}`] ?? []).forEach((hear) => hear()); },
   on: (name, hear) => { (heard[name] ??= []).push(hear); },
   save_changes: () => { window.saved = structuredClone(state.values); },
+  send: (question) => { window.asked = question; },
 };
 window.model = model;
+window.answer = () => heard["msg:custom"].forEach((hear) => hear({ alive: true }));
 widget.render({ model, el: document.getElementById("cell") });
 </script>"""
 
@@ -182,7 +191,7 @@ def test_sliders_and_curves_in_the_browser(kart: Any, run: Any, opened: Any) -> 
     curves[0]["name"] = "<img src=x onerror=alert(1)>"  # names of channels come from files
     state = {
         "sliders": [_slider(kart, RATE, None)], "values": {RATE: 22730.0}, "before": curves, "curves": curves,
-        "problem": "",
+        "problem": "", "still": "abc",
     }  # fmt: skip
     script = resources.files("jounce.notebook").joinpath("live.js").read_text(encoding="utf-8")
     script = script.replace("export default { render };", "const widget = { render };")
@@ -190,6 +199,12 @@ def test_sliders_and_curves_in_the_browser(kart: Any, run: Any, opened: Any) -> 
     assert page.locator("svg").count() == 2
     assert page.locator("img").count() == 0
     assert page.locator("output").inner_text() == "22.73 N/mm"
+    assert page.evaluate("window.asked") == {"ask": "alive"}
+    assert page.locator("input[type=range]").is_disabled()  # no kernel has answered
+    assert "move where the notebook runs" in page.locator("small").inner_text()
+    assert page.locator(".jounce-still").is_visible()
+    page.evaluate("window.answer()")
+    assert not page.locator(".jounce-still").is_visible()
     page.locator("input[type=range]").fill("30000")
     assert page.evaluate("window.saved") == {RATE: 30000}
     assert page.locator("output").inner_text() == "30 N/mm"
@@ -224,7 +239,10 @@ def test_a_notebook_in_jupyter_and_its_page(opened: Any, tmp_path: Path) -> None
     book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(text) for text in CELLS])
     nbclient.NotebookClient(book, timeout=300, kernel_name="python3").execute()
     shown = [[one for one in cell.outputs if one.output_type != "stream"] for cell in book.cells]
-    assert [len(outputs) for outputs in shown] == [1] * len(CELLS)  # pictures once, too
+    counts = [1] * len(CELLS)
+    counts[5] = 2  # sliders, and what stands for them in a page
+    assert [len(outputs) for outputs in shown] == counts  # pictures once, too
+    still = shown[5][1].data["text/html"]
     rig, run, *pictures, viewer, live, took = (outputs[0].data for outputs in shown)
     for table in (rig, run):
         assert len(table["text/html"]) <= 8000
@@ -237,7 +255,10 @@ def test_a_notebook_in_jupyter_and_its_page(opened: Any, tmp_path: Path) -> None
     assert float(took["text/plain"]) < 5.0  # a tenth of a second where nothing else runs
     exporter = nbconvert.HTMLExporter(template_name="basic")
     page = opened(f"<!doctype html><meta charset='utf-8'>{exporter.from_notebook_node(book)[0]}")
-    assert page.locator("svg, img[src^='data:image/svg']").count() == len(pictures)
-    assert page.locator(".jounce table").count() == 2
+    assert page.locator("svg, img[src^='data:image/svg']").count() == len(pictures) + 1
+    assert page.locator(".jounce table").count() == 3
+    assert "22.73" in still
+    assert page.locator(".jounce-still img").evaluate("image => image.naturalWidth") > 300
+    assert "The sliders move where the notebook runs" in page.locator(".jounce-still").inner_text()
     page.frame_locator("iframe").locator("html[data-ready]").wait_for(timeout=30_000)
     page.screenshot(path=str(tmp_path / "notebook.png"), full_page=True)

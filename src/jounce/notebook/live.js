@@ -47,7 +47,14 @@ function plot(before, now) {
   return svg;
 }
 
+/** Calls back when the kernel answers. In a page that was exported there is none: the still picture remains. */
+function whenAwake(model, awake) {
+  model.on("msg:custom", (message) => { if (message.alive) awake(); });
+  try { model.send({ ask: "alive" }); } catch { /* no kernel */ }
+}
+
 function render({ model, el }) {
+  const sliders = [];
   const root = document.createElement("div"), plots = document.createElement("div"), problem = document.createElement("div");
   root.className = "jounce-live"; plots.className = "plots"; problem.className = "problem"; problem.setAttribute("role", "status");
   for (const one of model.get("sliders")) {
@@ -55,7 +62,9 @@ function render({ model, el }) {
     const slider = document.createElement("input"), value = document.createElement("output"), back = document.createElement("button");
     name.textContent = one.path;
     back.textContent = "reset"; back.type = "button";
-    Object.assign(slider, { type: "range", min: one.low, max: one.high, step: "any" });
+    Object.assign(slider, { type: "range", min: one.low, max: one.high, step: "any", disabled: true });
+    back.disabled = true;
+    sliders.push(slider, back);
     const show = () => {
       const now = model.get("values")[one.path];
       slider.value = now;
@@ -78,7 +87,14 @@ function render({ model, el }) {
   model.on("change:problem", draw);
   draw();
   const note = document.createElement("small");
-  note.textContent = "grey: as it was";
+  note.textContent = "The sliders wait for the kernel: they move where the notebook runs.";
+  whenAwake(model, () => {
+    note.textContent = "grey: as it was";
+    for (const one of sliders) one.disabled = false;
+    const style = document.createElement("style"); // the picture for pages without a kernel
+    style.textContent = `.jounce-still[data-live="${model.get("still")}"] { display: none; }`;
+    document.head.append(style);
+  });
   root.append(problem, plots, note);
   el.append(root);
 }

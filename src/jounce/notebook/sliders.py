@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from hashlib import sha256
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
@@ -51,7 +52,8 @@ def live(
     Returns
     -------
     anywidget.AnyWidget
-        A notebook shows it. ``widget.rig()`` is the rig as the sliders stand, ``widget.values`` their values (SI).
+        A notebook shows it, with a picture in its place where no kernel answers, as in exported pages.
+        ``widget.rig()`` is the rig as the sliders stand, ``widget.values`` their values (SI).
 
     Raises
     ------
@@ -123,6 +125,37 @@ def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, Displa
     return found
 
 
+_ALIVE = (
+    "The sliders move where the notebook runs: open it in Jupyter with jounce[notebook] installed, and run this cell. "
+    "Until then, this is the rig as it was."
+)
+
+
+def still_html(sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: Sequence[str]) -> str:
+    """What stands for sliders and curves where nothing computes: the numbers, their curves, and how they come alive."""
+    import base64
+
+    from jounce.core.shown import html_table, number
+    from jounce.report.chart import chart_svg
+    from jounce.report.recordings import curve_blocks
+    from jounce.report.render import chart_style
+
+    rows = [
+        (
+            one["path"],
+            f"{number(one['value'] * one['factor'])} {one['unit']}",
+            f"{number(one['low'] * one['factor'])} to {number(one['high'] * one['factor'])}",
+        )
+        for one in sliders
+    ]
+    table = html_table("Rig with sliders", _ALIVE, rows, "widget.rig()", ("number", "value", "range"))
+    _, figures = curve_blocks({"": {"rig": first}}, list(names[1:]))
+    (chart,) = figures.blocks  # type: ignore[union-attr]
+    svg = base64.b64encode(chart_svg(chart, chart_style()).encode()).decode()  # type: ignore[arg-type]
+    picture = f'<img src="data:image/svg+xml;base64,{svg}" alt="Curves of the rig as it was" style="max-width:100%">'
+    return table + picture
+
+
 @cache
 def _widget_class() -> Any:
     """The class of the widget; its package is loaded on first use."""
@@ -141,6 +174,7 @@ def _widget_class() -> Any:
         before: Any = traitlets.List().tag(sync=True)
         curves: Any = traitlets.List().tag(sync=True)
         problem: Any = traitlets.Unicode().tag(sync=True)
+        still: Any = traitlets.Unicode().tag(sync=True)
 
         def __init__(
             self,
@@ -154,8 +188,25 @@ def _widget_class() -> Any:
             self._rig, self._run, self._names, self._units = rig, run, names, units
             drawn = curves_of(first, names, units)
             values = {one["path"]: one["value"] for one in sliders}
-            super().__init__(sliders=sliders, values=values, before=drawn, curves=drawn)
+            self._still = still_html(sliders, first, names)
+            name = sha256(self._still.encode()).hexdigest()[:16]
+            super().__init__(sliders=sliders, values=values, before=drawn, curves=drawn, still=name)
             self.observe(self._redraw, names="values")
+            self.on_msg(self._answer)
+
+        def _answer(self, _widget: object, content: Any, _buffers: object) -> None:
+            if content == {"ask": "alive"}:
+                self.send({"alive": True})
+
+        def _ipython_display_(self, **_options: object) -> None:
+            """Show the widget, and a picture that the widget hides as soon as it is heard."""
+            from IPython.display import display
+
+            bundle = self._repr_mimebundle_()
+            data, metadata = bundle if isinstance(bundle, tuple) else (bundle, {})
+            display(data, metadata=metadata, raw=True)
+            still = f'<div class="jounce-still" data-live="{self.still}">{self._still}</div>'
+            display({"text/html": still, "text/plain": _ALIVE}, raw=True)
 
         def rig(self) -> Rig:
             """The rig as the sliders stand."""
