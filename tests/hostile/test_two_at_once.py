@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -50,3 +52,28 @@ def test_a_folder_that_appears_meanwhile(tmp_path: Path, monkeypatch: pytest.Mon
             write_files(tmp_path / "out", {"a.txt": "ours"})
     assert (tmp_path / "out" / "a.txt").read_text() == ("ours" if force else "theirs")
     assert [file.name for file in tmp_path.iterdir()] == ["out"]
+
+
+@pytest.mark.parametrize("has_links", [True, False])
+def test_a_file_that_appears_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, has_links: bool) -> None:
+    if not has_links:
+
+        def refused(*_: object) -> None:
+            raise PermissionError(1, "Operation not permitted")
+
+        monkeypatch.setattr(os, "link", refused)
+    file = tmp_path / "run.csv"
+    for force in (False, True):
+        with contextlib.ExitStack() as stack:
+            if not force:
+                stack.enter_context(pytest.raises(OutputError, match="the output exists"))
+            with writing.replacing(file, force=force) as temporary:
+                temporary.write_text("ours")
+                file.write_text("theirs")
+        assert file.read_text() == ("ours" if force else "theirs")
+        assert [one.name for one in tmp_path.iterdir()] == ["run.csv"]
+        file.unlink()
+    writing.write_atomically(file, "ours")
+    assert file.read_text() == "ours"
+    assert [one.name for one in tmp_path.iterdir()] == ["run.csv"]
+    assert file.stat().st_nlink == 1

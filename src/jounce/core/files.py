@@ -38,6 +38,19 @@ def _instead(file: Path) -> str:
     return "a pipe or a device, not a file" if file.exists() else "no such file"
 
 
+State = tuple[int, int, int, int]
+
+
+def state_of(file: Path) -> State:
+    """What a file is remembered by: another content of the same size and date is another state, too.
+
+    Dates of content can be set, and clocks stand still or jump; the system's own date of the last change, and which
+    file it is, tell what they do not.
+    """
+    found = file.stat()
+    return found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
+
+
 def content_of(path: Path | str, error: type[JounceError] = DescriptionError) -> bytes:
     """Give what a regular file holds, which is opened before it is looked at: a pipe keeps nobody waiting."""
     file = existing_file(path, error)

@@ -39,7 +39,7 @@ def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[
 def write_atomically(path: Path | str, content: bytes | str, *, force: bool = False) -> Path:
     """Write a file through a temporary one and a rename, so that nobody ever sees half of it."""
     file = check_writable(path, force=force)
-    with replacing(file) as temporary:
+    with replacing(file, force=force) as temporary:
         temporary.write_bytes(content.encode() if isinstance(content, str) else content)
     return file
 
@@ -72,23 +72,42 @@ class Formats:
     def write(self, result: Any, path: Path | str, *, force: bool = False) -> Path:
         """Write a result in the format that the suffix names; give the path."""
         file = self.check(path, force=force)
-        with replacing(file) as temporary:
+        with replacing(file, force=force) as temporary:
             self.writers[file.suffix.lower()](result, temporary)
         return file
 
 
 @contextmanager
-def replacing(file: Path) -> Iterator[Path]:
-    """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise."""
+def replacing(file: Path, *, force: bool = True) -> Iterator[Path]:
+    """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
+
+    Without ``force`` a file that another process has written there meanwhile stays, and is an error.
+    """
     with _told(file, "the file cannot be written"):
         temporary = temporary_beside(file)
         try:
             yield temporary
             temporary.chmod(0o644)  # mkstemp made it private
-            temporary.replace(file)
+            if force or file.is_symlink():
+                temporary.replace(file)
+            else:
+                _put(temporary, file)
         except BaseException:
             temporary.unlink(missing_ok=True)
             raise
+
+
+def _put(temporary: Path, file: Path) -> None:
+    """Give a file its name where there is none of it, which only a link is sure to find out."""
+    try:
+        os.link(temporary, file)
+    except FileExistsError:
+        check_writable(file)
+        raise
+    except OSError:  # a disk without links
+        temporary.replace(check_writable(file))
+    else:
+        temporary.unlink()
 
 
 def temporary_beside(file: Path) -> Path:

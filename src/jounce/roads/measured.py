@@ -17,7 +17,7 @@ from pydantic import BeforeValidator
 
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.files import existing_file
+from jounce.core.files import State, existing_file, state_of
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, Unit
@@ -197,13 +197,12 @@ def file_points(file: Path, columns: dict[str, str], fewest: int = 2) -> tuple[A
     return x.copy(), height.copy()
 
 
-_Key = tuple[str, tuple[tuple[str, str], ...], int, int, int]
+_Key = tuple[str, tuple[tuple[str, str], ...], int, State]
 
 
 def _key(file: Path, columns: dict[str, str], fewest: int) -> _Key:
     """What a file is remembered by: its columns, and when it was changed."""
-    status = existing_file(file, RecordingError).stat()
-    return str(file), tuple(columns.items()), fewest, status.st_mtime_ns, status.st_size
+    return str(file), tuple(columns.items()), fewest, state_of(existing_file(file, RecordingError))
 
 
 @lru_cache(maxsize=16)
@@ -328,12 +327,11 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
 def read_course(path: Path | str, lateral_offset: float = 0.0) -> Course:
     """Read the path at one lateral offset in m, with what the options of the file say of its ends."""
     file = existing_file(path, RecordingError)
-    status = file.stat()
-    return _course(str(file), float(lateral_offset), status.st_mtime_ns, status.st_size)
+    return _course(str(file), float(lateral_offset), state_of(file))
 
 
 @lru_cache(maxsize=16)
-def _course(file: str, offset: float, _changed: int, _size: int) -> Course:
+def _course(file: str, offset: float, _state: State) -> Course:
     road = _read(file)
     height = _height(road, offset, file)
     _check_heights(road, height, offset, file)

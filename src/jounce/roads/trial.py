@@ -14,7 +14,7 @@ from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import RecordingError
-from jounce.core.files import existing_file
+from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding
 from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
@@ -217,9 +217,8 @@ class Excitation(RecordingFormat):
         return sorted(name for name in _KEYS if getattr(self, name) not in ({}, "", None))
 
     def _recorded(self, file: Path) -> tuple[Profile, tuple[Finding, ...]]:
-        status = existing_file(file, RecordingError).stat()
-        keys = self.model_dump_json(include=_KEYS)
-        return _recorded(file, keys, self.interpolation, status.st_mtime_ns, status.st_size)
+        state = state_of(existing_file(file, RecordingError))
+        return _recorded(file, self.model_dump_json(include=_KEYS), self.interpolation, state)
 
     def end(self) -> float:
         """Time of the last sample in s."""
@@ -228,7 +227,7 @@ class Excitation(RecordingFormat):
 
 @lru_cache(maxsize=16)
 def _recorded(
-    file: Path, keys: str, interpolation: Interpolation, _changed: int, _size: int
+    file: Path, keys: str, interpolation: Interpolation, _state: State
 ) -> tuple[Profile, tuple[Finding, ...]]:
     """Pieces through the heights of a recording, with what its reader found."""
     time, height, findings = RecordingFormat.model_validate_json(keys).signal(file, Path(), "road.z")

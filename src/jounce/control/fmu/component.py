@@ -17,7 +17,7 @@ from xml.etree import ElementTree as ET
 
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import DescriptionError
-from jounce.core.files import existing_file
+from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.units import base_units, conversion_factor, is_unit
@@ -384,14 +384,13 @@ def _number(text: str | None, where: str) -> float | None:
     return number
 
 
-_unpacked: dict[tuple[str, int, int], Path] = {}
+_unpacked: dict[tuple[str, State], Path] = {}
 
 
 def unpacked(component: FmuComponent) -> Path:
     """Folder with the binary and the resources of an FMU, which goes with this process; made once for each file."""
     wanted = component.binary()
-    state = component.path.stat()
-    key = str(component.path.resolve()), state.st_mtime_ns, state.st_size
+    key = str(component.path.resolve()), state_of(component.path)
     if key not in _unpacked:
         folder = lasting_folder()
         atexit.register(shutil.rmtree, folder, ignore_errors=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jounce.core.errors import JounceError, RecordingError, unforeseen
-from jounce.core.files import existing_file
+from jounce.core.files import existing_file, state_of
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import storable
 from jounce.inspection.archive.lane import ImportedRecord, import_record
@@ -163,14 +164,16 @@ def _path_of(file: Path) -> str:
     return storable(str(file.resolve()))
 
 
+_FIRST_TOO_LARGE = 2**63  # of SQLite's integers: clocks may stand in the year 2300
+
+
 def _stamp_of(file: Path) -> _Stamp | None:
-    """Size and time of a file and the one beside it, each as one number; None when it is gone."""
+    """Size and time of a file and the one beside it, each as one number that a store takes; None when it is gone."""
     try:
-        size, modified = file.stat().st_size, file.stat().st_mtime_ns
+        _, size, *times = state_of(file)
     except OSError:
         return None
-    try:
-        beside = file.with_suffix(".toml").stat()
-    except OSError:
-        return size, modified
-    return size + beside.st_size, max(modified, beside.st_mtime_ns)
+    with contextlib.suppress(OSError):
+        _, more, *later = state_of(file.with_suffix(".toml"))
+        size, times = size + more, times + later
+    return size, max(times) % _FIRST_TOO_LARGE
