@@ -318,3 +318,31 @@ def test_what_curves_tell_of_points_and_what_they_leave_open() -> None:
     over = "-30 mm:30 mm:5 mm"
     change = jn.sweep_travel(moved, over)["toe"].to_numpy() - jn.sweep_travel(found.rig, over)["toe"].to_numpy()
     assert np.linalg.norm(change) / np.radians(0.01) == pytest.approx(0.1, rel=0.01)
+
+
+@pytest.mark.slow
+def test_a_rod_keeps_clear_of_a_tube_on_the_body_and_of_the_rim() -> None:
+    shapes = {
+        "rod": jn.Solid(points=("tie_rod_inner", "tie_rod_outer"), radius="8 mm"),
+        "tube": jn.Solid(places=(("65 mm", "245 mm", "100 mm"), ("65 mm", "245 mm", "200 mm")), radius="12 mm"),
+        "joint": jn.Solid(points=("tie_rod_outer",), radius="12 mm"),
+        "rim": jn.Rim(radius="120 mm", inner="-90 mm", outer="20 mm"),
+    }
+    poses = "-20 mm:20 mm:20 mm"
+    targets = [
+        {"quantity": "bump_steer", "value": 0.0, "tolerance": "0.5 deg/m"},
+        {"quantity": "clearance(rod, tube)", "over": poses, "at_least": "5 mm", "tolerance": "0.1 mm", "must": True},
+        {"quantity": "clearance(joint, rim)", "at_least": "20 mm", "tolerance": "0.1 mm"},
+    ]
+    free = {"hardpoints.tie_rod_inner": "35 mm", "hardpoints.tie_rod_outer": "15 mm"}
+    found = jn.design_kinematics("formula-student-front", free, targets, starts=1, shapes=shapes)
+    assert found.met
+    assert min(found.targets[1].before) < 0.0
+    pair = {"rod": (shapes["rod"], shapes["tube"]), "joint": (shapes["joint"], shapes["rim"])}
+    apart = jn.clearances(found.rig, pair, poses)
+    assert float(apart["rod"].min()) >= 4.9e-3 - 1e-9
+    assert apart["rod"].to_numpy().ravel() == pytest.approx(np.array(found.targets[1].after), abs=1e-9)
+    with pytest.raises(jn.DescriptionError, match="tube"):
+        jn.design_kinematics(
+            "formula-student-front", free, [{**targets[1], "quantity": "clearance(rod, tub)"}], shapes=shapes
+        )

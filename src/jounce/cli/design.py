@@ -261,6 +261,8 @@ def kinematics(
         typer.Option(metavar="DIR", help="Write report, rig.toml, results.json, tables and pictures into this folder."),
     ] = None,
     starts: Annotated[int | None, typer.Option(min=1, help="Number of searches; the study's own by default.")] = None,
+    figure: FigureFile = None,
+    report: ReportFile = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -268,7 +270,7 @@ def kinematics(
 
     Example: jounce design kinematics study.toml --out designed
     """
-    check_outputs(folder=out, force=force)
+    check_outputs(folder=out, figure=figure, report=report, force=force)
     with progress() as say:
         say("searching")
         from jounce.design.kinematics import design, run_study
@@ -278,20 +280,35 @@ def kinematics(
         if out is not None:
             say("drawing")
             missing = _write_kinematics(found, sources, study.stem, out, force=force)
-    plain = {**found.to_dict(), "out": out and str(out)}
+        title = _title(sources, study.stem)
+        drawn, undrawn = write_picture(found, figure, title, force=force)
+        page, without = write_report(lambda: _kinematic_page(found, title), report, force=force)
+    plain = {**found.to_dict(), "out": out and str(out), "figure": drawn, "report": page}
+    missing = [*missing, *undrawn, *without]
     code = DONE if found.met else FAILED
     return Reply(plain, lambda console: draw_kinematics(console, plain, found), as_json, code, missing)
 
 
+def _title(sources: Mapping[str, Path], name: str) -> str:
+    one = next(iter(sources.values())).stem
+    return f"Kinematics of {one if len(sources) == 1 else name}"
+
+
+def _kinematic_page(found: KinematicDesign, title: str) -> Page:
+    from jounce.report import kinematic_design_page
+
+    return kinematic_design_page(found, title=title)
+
+
 def _write_kinematics(
-    found: KinematicDesign, sources: Mapping[str, Path], title: str, out: Path, *, force: bool
+    found: KinematicDesign, sources: Mapping[str, Path], name: str, out: Path, *, force: bool
 ) -> Sequence[Finding]:
     """Write what was found, and then its page; give what could not be drawn."""
     from jounce.core.serialise import to_json
     from jounce.parts.files import updated_text
     from jounce.plots.kinematic_design import design_pictures
     from jounce.plots.style import rendered
-    from jounce.report import kinematic_design_page, write_page
+    from jounce.report import write_page
 
     computed: dict[str, bytes | str] = {
         f"{name or 'rig'}.toml": updated_text(sources[name].read_text(encoding="utf-8"), rig)
@@ -307,8 +324,7 @@ def _write_kinematics(
     computed |= {f"spread-{name}.csv" if name else "spread.csv": one.table() for name, one in found.spread.items()}
 
     def page() -> Page:
-        one = next(iter(sources.values())).stem
-        whole = kinematic_design_page(found, title=f"Kinematics of {one if len(sources) == 1 else title}")
+        whole = _kinematic_page(found, _title(sources, name))
         drawn = {f"{name}.png": rendered(draw(), [".png"])[".png"] for name, draw in design_pictures(found).items()}
         return replace(whole, files=tuple(drawn.items()))
 

@@ -22,6 +22,7 @@ from jounce.core.types import Array
 from jounce.design.hardpoint_search import Search, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
 from jounce.design.kinematics import Task, moved_rigs, read_task, values_before
+from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig
 
@@ -105,6 +106,7 @@ def kinematic_front(
     points: int = 20,
     starts: int = 4,
     seed: int = 0,
+    shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicFront:
     """Find designs between goals that compete: none is better in every goal than another.
 
@@ -121,6 +123,8 @@ def kinematic_front(
         Searches for the best of each goal; the first begins at the rig, the others at places of the boxes.
     seed : int
         Seed of those places.
+    shapes : mapping of str to Solid or Rim, optional
+        Bodies by name, as for :func:`jounce.design_kinematics`, m.
 
     Returns
     -------
@@ -148,7 +152,7 @@ def kinematic_front(
         raise DescriptionError("not a number of designs", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
-    return front_of(read_task(rig, free, targets, vehicle), points, starts, seed)
+    return front_of(read_task(rig, free, targets, vehicle, shapes), points, starts, seed)
 
 
 def front_of(task: Task, points: int, starts: int, seed: int) -> KinematicFront:

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Whole, misplaced
 from jounce.core.units import NonNegativeLength, Unit
+from jounce.kinematics.clearances import Rim, Solid
 from jounce.kinematics.sweeps import AxleLayout
 
 SCHEMA: Literal["jounce.design/1"] = "jounce.design/1"
@@ -121,7 +122,7 @@ class KinematicStudy(Description):
     ``rigs`` are several by name instead, both axles of a car or both sides of an axle, whose points may be tied.
     ``vehicle`` is the car around the axle, for anti-effects and Ackermann; ``vehicles`` has one by the name of a rig.
     ``starts`` searches begin at the rig and at places of the boxes drawn with ``seed``. ``spread`` says how exactly
-    the parts are made.
+    the parts are made, ``shapes`` are bodies by name for targets of their ``clearance(one, other)``.
     """
 
     schema_: Literal["jounce.design/1"] = Field(default=SCHEMA, alias="schema")
@@ -134,6 +135,7 @@ class KinematicStudy(Description):
     starts: Annotated[Whole, Field(ge=1, le=10_000)] = 8
     seed: Annotated[Whole, Field(ge=0)] = 0
     spread: Spread | None = None
+    shapes: dict[str, Solid | Rim] | None = None
 
     @model_validator(mode="after")
     def _has_rigs(self) -> KinematicStudy:

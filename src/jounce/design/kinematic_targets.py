@@ -22,6 +22,7 @@ from jounce.design.kinematic_study import KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
 from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, steering_rows
+from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
 from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, prepare_sweep, shares, sweep_values
 from jounce.kinematics.tangents import Tangents
@@ -31,6 +32,7 @@ _POSES = ("travel", "rack", "roll")
 _UNITS = {"travel": "m", "rack": "m", "roll": "rad"}
 _WITHOUT = ("roll_stiffness", "roll_stiffness_springs", "roll_stiffness_bar")  # they have a difference inside
 _DISTANCE = re.compile(r"distance\(\s*(\w+)\s*,\s*(\w+)\s*\)$")
+_CLEARANCE = re.compile(r"clearance\(\s*([^,()]+?)\s*,\s*([^,()]+?)\s*\)$")
 _SHARE = 1e-3  # of a direction's length: step of differences of an axle's closed formulas
 
 
@@ -39,7 +41,7 @@ class Wanted:
     """A target in SI: the values of ``quantity`` at ``poses`` (k, 3: travel m, rack m, roll rad), along one of them.
 
     ``low`` and ``high`` (n,) bound what is wanted, and are the same where it is a value; n is 1 for a slope, else k.
-    ``rig`` names the rig of a study of several.
+    ``rig`` names the rig of a study of several, ``pair`` the bodies of a clearance.
     """
 
     text: KinematicTarget
@@ -51,6 +53,7 @@ class Wanted:
     high: Array
     tolerance: float
     rig: str = ""
+    pair: tuple[Shape, Shape] | None = None
 
     @property
     def at(self) -> Array:
@@ -82,15 +85,26 @@ class Wanted:
 # reading --------------------------------------------------------------------------------------------------------------
 
 
-def read_targets(rigs: Rigs, targets: Sequence[KinematicTarget], vehicles: Mapping[str, AxleLayout]) -> list[Wanted]:
+def read_targets(
+    rigs: Rigs,
+    targets: Sequence[KinematicTarget],
+    vehicles: Mapping[str, AxleLayout],
+    shapes: Mapping[str, Shape] | None = None,
+) -> list[Wanted]:
     """Read the targets of a study into SI; what cannot be asked of its rigs is refused, with its place."""
     for name in vehicles:
         if name not in rigs:
             raise unknown(name, rigs, what="rig", where="vehicles")
-    return [_read(rigs, target, vehicles, f"target[{i}]") for i, target in enumerate(targets)]
+    return [_read(rigs, target, vehicles, shapes or {}, f"target[{i}]") for i, target in enumerate(targets)]
 
 
-def _read(rigs: Rigs, target: KinematicTarget, vehicles: Mapping[str, AxleLayout], where: str) -> Wanted:
+def _read(
+    rigs: Rigs,
+    target: KinematicTarget,
+    vehicles: Mapping[str, AxleLayout],
+    shapes: Mapping[str, Shape],
+    where: str,
+) -> Wanted:
     name = target.rig or ""
     if name not in rigs:
         if "" in rigs:
@@ -123,7 +137,25 @@ def _read(rigs: Rigs, target: KinematicTarget, vehicles: Mapping[str, AxleLayout
         if np.any(low > high):
             raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
     tolerance = positive_si(target.tolerance, unit, where=f"{where}.tolerance")
-    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name)
+    pair = _pair(rig, target.quantity, along, shapes, where)
+    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name, pair)
+
+
+def _pair(
+    rig: Corner, quantity: str, along: str, shapes: Mapping[str, Shape], where: str
+) -> tuple[Shape, Shape] | None:
+    """Bodies of a clearance."""
+    named = _CLEARANCE.match(quantity)
+    if named is None:
+        return None
+    if along == "roll":
+        raise DescriptionError("a clearance is one of travel and rack", where=where, found="over roll")
+    for name in named.groups():
+        if name not in shapes:
+            raise unknown(name, shapes, what="shape", where=f"{where}.quantity")
+    one, other = (shapes[name] for name in named.groups())
+    check_pair(rig, (one, other), where)
+    return one, other
 
 
 def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
@@ -199,6 +231,8 @@ def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None
             if point not in rig.hardpoints.given():
                 raise unknown(point, rig.hardpoints.given(), what="hardpoint", where=f"{where}.quantity")
         return "m"
+    if _CLEARANCE.match(name):
+        return "m"
     if along == "roll":
         each = {name: unit for name, unit in _EACH.items() if name != "roll_caster" or "caster" in rows}
         both = {f"{side}.{row}": unit for side in ("left", "right") for row, unit in {**rows, **each}.items()}
@@ -252,6 +286,9 @@ class Evaluator:
         self.names = {row.name: i for i, row in enumerate(self.model.rows)}
         self.directions, self.lengths = directions, lengths
         self._padded = np.vstack([np.zeros((len(self.model.tracks), directions.shape[1])), directions])
+        self._posed: dict[bytes, PosedCorner] = {}
+        shapes = [shape for item in wanted for shape in item.pair or () if not isinstance(shape, Rim)]
+        self._solid = {point for shape in shapes for point in shape.points}
         self._grids: dict[tuple[str, float], _CornerPoses] = {}
         for key in dict.fromkeys(self._key(item) for item in wanted if self._kind(item) == "corner"):
             self._grids[key] = self._grid(key)
@@ -272,12 +309,15 @@ class Evaluator:
             if found is not None:
                 along[into] = found[rows, :, columns]
         axles: dict[tuple[str, float], Any] = {}
+        self._posed.clear()  # clearances at the same poses share them
         for item, part in self._further:
             kind = self._kind(item)
             if kind == "corner":
                 one, slope = self._of_corner(item, moved[self._key(item)])
             elif kind == "distance":
                 one, slope = self._distance(item, numbers)
+            elif kind == "clearance":
+                one, slope = self._clearance(item, numbers, slopes=slopes)
             else:
                 one, slope = self._of_axle(item, kind, numbers, axles, slopes=slopes)
             values[part] = item.weights @ one
@@ -323,6 +363,8 @@ class Evaluator:
     def _kind(item: Wanted) -> str:
         if _DISTANCE.match(item.quantity):
             return "distance"
+        if item.pair is not None:
+            return "clearance"
         if item.along == "roll":
             return "roll"
         return "steering" if item.quantity in _STEERED else "corner"
@@ -371,6 +413,25 @@ class Evaluator:
         moves = np.array([slope(a) - slope(b) for a, b in zip(*paths, strict=True)])
         count = len(item.poses)
         return np.full(count, length), np.tile(away @ moves / length, (count, 1))
+
+    def _clearance(self, item: Wanted, numbers: Array, *, slopes: bool) -> tuple[Array, Array | None]:
+        """Distance of two bodies, and its differences along each direction: its nearest places jump."""
+        travel, rack = item.poses[:, 0].copy(), item.poses[:, 1].copy()
+
+        def at(other: Array) -> Array:
+            assert item.pair is not None
+            key = other.tobytes() + travel.tobytes() + rack.tobytes()
+            if key not in self._posed:
+                self._posed[key] = PosedCorner.along(self.rig, self._solid, travel, rack, other)
+            return self._posed[key].apart(*item.pair)
+
+        if not slopes:
+            return at(numbers), None
+        along = np.empty((len(travel), self.directions.shape[1]))
+        for k, length in enumerate(self.lengths):
+            step = _SHARE * length * self.directions[:, k]
+            along[:, k] = (at(numbers + step) - at(numbers - step)) / (2.0 * _SHARE * length)
+        return at(numbers), along
 
     # axles ---------------------------------------------------------------------------------------------------------
 

@@ -25,6 +25,7 @@ from jounce.design.hardpoint_search import Outcome, Search, places, refuse_idle,
 from jounce.design.kinematic_study import SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
 from jounce.design.spread import KinematicSpread, Workshop, spread_of
+from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, load
@@ -278,6 +279,7 @@ def design_kinematics(
     starts: int = 8,
     seed: int = 0,
     spread: Spread | Mapping[str, Any] | None = None,
+    shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicDesign:
     """Find the hardpoints of a corner, or of several, that give wanted kinematic values and curves.
 
@@ -304,6 +306,8 @@ def design_kinematics(
         Seed of those places.
     spread : Spread or mapping, optional
         How exactly parts are made, to be told what that does to the design found (see :func:`kinematic_spread`).
+    shapes : mapping of str to Solid or Rim, optional
+        Bodies by name for targets of the quantity ``clearance(one, other)``, m.
 
     Returns
     -------
@@ -333,7 +337,7 @@ def design_kinematics(
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
     made = Spread(**spread) if isinstance(spread, Mapping) else spread
-    task = replace(read_task(rig, free, targets, vehicle), spread=made)
+    task = replace(read_task(rig, free, targets, vehicle, shapes), spread=made)
     return design(task, starts, seed)
 
 
@@ -354,11 +358,12 @@ class Task:
     targets: tuple[KinematicTarget, ...]
     vehicles: Mapping[str, AxleLayout]
     spread: Spread | None = None
+    shapes: Mapping[str, Shape] = field(default_factory=dict)
 
     def read(self) -> tuple[Numbering, FreeNumbers, list[Wanted]]:
         """Read it into numbers; what cannot be asked is refused."""
         numbering = Numbering.of(self.rigs)
-        wanted = read_targets(self.rigs, self.targets, self.vehicles)
+        wanted = read_targets(self.rigs, self.targets, self.vehicles, self.shapes)
         return numbering, free_numbers(numbering, self.free), wanted
 
     def search(self) -> Search:
@@ -373,6 +378,7 @@ def read_task(
     free: Sequence[FreePoint | Mapping[str, Any]] | Mapping[str, Any],
     targets: Sequence[KinematicTarget | Mapping[str, Any]],
     vehicle: AxleLayout | Mapping[str, AxleLayout] | None = None,
+    shapes: Mapping[str, Shape] | None = None,
 ) -> Task:
     """Read what :func:`design_kinematics` and its relatives take."""
     rigs = rig if isinstance(rig, Mapping) else {"": load(rig) if isinstance(rig, (str, Path)) else rig}
@@ -383,7 +389,13 @@ def read_task(
     for name, items in (("rig", rigs), ("free", points), ("targets", wishes)):
         if not items:
             raise DescriptionError("nothing is given", where=name, allowed="one or more")
-    return Task({name: check_corner(one) for name, one in rigs.items()}, tuple(points), tuple(wishes), cars)
+    return Task(
+        {name: check_corner(one) for name, one in rigs.items()},
+        tuple(points),
+        tuple(wishes),
+        cars,
+        shapes=dict(shapes or {}),
+    )
 
 
 Found = TypeVar("Found")
@@ -395,7 +407,7 @@ def run_study(path: Path | str, run: Callable[[KinematicStudy, Task], Found]) ->
     files = {name: rig_named_in(file, Path(path)) for name, file in study.named().items()}
     try:
         rigs = {name: check_corner(load(file)) for name, file in files.items()}
-        return run(study, Task(rigs, study.free, study.target, study.around(), study.spread)), files
+        return run(study, Task(rigs, study.free, study.target, study.around(), study.spread, study.shapes or {})), files
     except DescriptionError as error:
         raise _placed(error, path, text) from None
 

@@ -23,6 +23,7 @@ from jounce.design.free_points import Numbering
 from jounce.design.kinematic_study import KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
 from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, rods, triple
+from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, load
@@ -120,6 +121,7 @@ def kinematic_spread(
     spread: Spread | Mapping[str, Any],
     *,
     vehicle: AxleLayout | None = None,
+    shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicSpread:
     """Build many cars whose parts deviate, and tell what that does to wanted curves, as built and adjusted.
 
@@ -133,6 +135,8 @@ def kinematic_spread(
         How exactly parts are made, ``{"points": "0.5 mm", "links": "0.3 mm", "adjust": ["tie_rod_length"]}``.
     vehicle : AxleLayout, optional
         The car around the axle, for anti-effects and Ackermann.
+    shapes : mapping of str to Solid or Rim, optional
+        Bodies by name, as for :func:`jounce.design_kinematics`, m.
 
     Returns
     -------
@@ -157,7 +161,7 @@ def kinematic_spread(
     wishes = [item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets]
     chosen = spread if isinstance(spread, Spread) else Spread(**spread)
     cars = {} if vehicle is None else {"": vehicle}
-    return spread_of(corner, read_targets({"": corner}, wishes, cars), chosen, vehicle)
+    return spread_of(corner, read_targets({"": corner}, wishes, cars, shapes), chosen, vehicle)
 
 
 def spread_of(rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None) -> KinematicSpread:

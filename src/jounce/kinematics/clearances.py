@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Self, TypeAlias
 
@@ -14,9 +15,9 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength
 from jounce.kinematics.model import check_corner
-from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
+from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, path_sweep, prepare_sweep
 from jounce.parts import Corner, Rig
-from jounce.parts.bodies import distance
+from jounce.parts.bodies import Point, distance
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,19 +26,23 @@ if TYPE_CHECKING:
 class Solid(Description):
     """A sphere at one hardpoint, or a round bar along several, of this ``radius`` (m); it moves with its hardpoints.
 
+    With ``places`` (m, ground axes) instead of ``points`` it stands on the body: a frame tube, an engine, a space that
+    is to stay free.
+
     Examples
     --------
     >>> Solid(points=["tie_rod_inner", "tie_rod_outer"], radius="8 mm").radius
     0.008
     """
 
-    points: tuple[str, ...]
+    points: tuple[str, ...] = ()
+    places: tuple[Point, ...] = ()
     radius: NonNegativeLength = 0.0
 
     @model_validator(mode="after")
     def _has_points(self) -> Self:
-        if not self.points:
-            raise ValueError("no points; allowed: one hardpoint, or several along a bar")
+        if bool(self.points) == bool(self.places):
+            raise ValueError("give points (one hardpoint, or several along a bar), or places on the body")
         return self
 
 
@@ -65,6 +70,7 @@ class Rim(Description):
 
 Shape: TypeAlias = Solid | Rim
 _SAMPLES, _ROUNDS = 33, 4
+_ANGLES = ("camber", "steer")
 _POINT = 1e-12  # m: length below which a bar is a sphere
 
 
@@ -111,21 +117,13 @@ def clearances(
     corner = check_corner(rig)
     if not pairs:
         raise DescriptionError("nothing to measure", where="pairs", allowed="a name and two bodies")
-    given = corner.hardpoints.given()
     for name, pair in pairs.items():
-        if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
-            raise DescriptionError(
-                "not a pair of bodies", where=f"pairs: {name}", allowed="two bars, or a bar and a rim"
-            )
-        for shape in pair:
-            for point in shape.points if isinstance(shape, Solid) else ():
-                if point not in given:
-                    raise unknown(point, given, what="hardpoint", where=f"pairs: {name}")
+        check_pair(corner, pair, f"pairs: {name}")
     sweep = prepare_sweep(corner, travel, rack)
     rows = sweep.quantities()
     if not np.isfinite(rows["wheel_travel"]).any():
         raise no_pose(sweep.ends())
-    places = _places(sweep)
+    places = _places(sweep, sweep.model.point_names)
     wheel = places["wheel_centre"], _axis(corner, rows)
     variables = {}
     for name, (one, other) in pairs.items():
@@ -140,6 +138,36 @@ def clearances(
         for name, values in zip(("wheel_travel", "rack_travel"), at, strict=True)
     }
     return xr.Dataset(variables, coordinates, facts)
+
+
+def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
+    """Refuse what is no pair of bodies of this corner."""
+    given = rig.hardpoints.given()
+    if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
+        raise DescriptionError("not a pair of bodies", where=where, allowed="two bars, or a bar and a rim")
+    for shape in pair:
+        for point in shape.points if isinstance(shape, Solid) else ():
+            if point not in given:
+                raise unknown(point, given, what="hardpoint", where=where)
+
+
+@dataclass(frozen=True)
+class PosedCorner:
+    """Places of points (poses, 3) and of the wheel's axis along pairs of travel and rack; NaN out of reach, m."""
+
+    places: dict[str, Array]
+    axis: Array
+
+    @staticmethod
+    def along(rig: Corner, names: Collection[str], travel: Array, rack: Array, numbers: Array) -> PosedCorner:
+        """Pose a corner with other numbers of its model; ``names`` are the hardpoints that are needed."""
+        sweep, values = path_sweep(rig, travel, rack, numbers)
+        rows = {row.name: value for row, value in zip(sweep.model.rows, values, strict=True) if row.name in _ANGLES}
+        return PosedCorner(_places(sweep, {"wheel_centre", *names}), _axis(rig, rows))
+
+    def apart(self, one: Shape, other: Shape) -> Array:
+        """Shortest distance of two bodies at each pose, m."""
+        return _apart(one, other, self.places, (self.places["wheel_centre"], self.axis))
 
 
 def link_lengths(rig: Rig) -> dict[str, float]:
@@ -175,10 +203,9 @@ def link_lengths(rig: Rig) -> dict[str, float]:
     return {f"{a} - {b}": distance(points[a], points[b]) for a, b in ends if a in points and b in points}
 
 
-def _places(sweep: PreparedSweep) -> dict[str, Array]:
-    """Places of all points, shape (poses, 3), m."""
+def _places(sweep: PreparedSweep, names: Collection[str]) -> dict[str, Array]:
+    """Places of points, shape (poses, 3), m."""
     found = sweep.points()
-    names = sweep.model.point_names
     return {name: np.stack([found[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1) for name in names}
 
 
@@ -204,6 +231,10 @@ def _apart(one: Shape, other: Shape, places: dict[str, Array], wheel: tuple[Arra
 
 def _bars(solid: Solid, places: dict[str, Array]) -> list[tuple[Array, Array]]:
     """Straight pieces of a bar; of a sphere one that has no length."""
+    if solid.places:
+        like = next(iter(places.values()))
+        ends = [np.broadcast_to(np.array(place), like.shape) for place in solid.places]
+        return list(pairwise(ends if len(ends) > 1 else ends * 2))
     names = solid.points if len(solid.points) > 1 else solid.points * 2
     return [(places[a], places[b]) for a, b in pairwise(names)]
 
