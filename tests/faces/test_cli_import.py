@@ -123,3 +123,14 @@ def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
     ):
         refused = cli("import", "hardpoints", "points.csv", *words)
         assert (refused.exit_code, message in refused.err) == (2, True)
+
+
+def test_a_subsystem_of_adams_becomes_a_rig(cli, tmp_path: Path):
+    file = FILES.parent / "adams_car" / "made_up.cdb" / "subsystems.tbl" / "front.sub"
+    outcome = cli("import", "adams", file, "--out", "rig.toml", "--wheel-mass", "18 kg")
+    assert outcome.exit_code == 0
+    assert "rig.toml: double-wishbone, front.sub, subsystem of Adams Car" in outcome.out
+    assert "bodies.wheel.mass" not in outcome.out.split("\n")[1]
+    assert jn.load(tmp_path / "rig.toml").strut.spring.rate == pytest.approx(60e3)
+    refused = cli("import", "adams", file.parents[1] / "springs.tbl" / "ride.spr")
+    assert (refused.exit_code, "[SUBSYSTEM_HEADER] is missing" in refused.err) == (2, True)

@@ -504,6 +504,47 @@ def chrono(
     )
 
 
+@import_app.command("adams")
+def adams(
+    file: Annotated[Path, typer.Argument(metavar="FILE.sub", help="Suspension subsystem of Adams Car, as text.")],
+    out: Annotated[Path | None, typer.Option(help="Rig file to write; stdout by default.")] = None,
+    name: Annotated[
+        list[str] | None, typer.Option(metavar="THEIRS=OURS", help="A name in the file and the hardpoint it is.")
+    ] = None,
+    wheel_radius: Annotated[
+        str | None, typer.Option(help="Undeformed tyre radius. Default: 330 mm (estimated).")
+    ] = None,
+    wheel_mass: Annotated[str | None, typer.Option(help="Mass of rim and tyre. Default: 20 kg (estimated).")] = None,
+    tyre_stiffness: Annotated[str | None, typer.Option(help="Tyre stiffness. Default: 250 N/mm (estimated).")] = None,
+    sprung_mass: Annotated[
+        str | None,
+        typer.Option(help="Sprung mass on this wheel. Default: what the spring carries at design (estimated)."),
+    ] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Convert a suspension subsystem of Adams Car, with its property files, to the left corner of a 3-D rig.
+
+    Example: jounce import adams database.cdb/subsystems.tbl/front.sub --out rig.toml
+    """
+    from jounce.parts.importers import import_adams
+
+    return _imported(
+        file,
+        out,
+        lambda: import_adams(
+            file,
+            names=dict(_pair(text) for text in name or ()),
+            wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius", most=LENGTH),
+            wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
+            tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
+            sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
+        ),
+        force=force,
+        as_json=as_json,
+    )
+
+
 @import_app.command("hardpoints")
 def hardpoints(
     file: Annotated[

@@ -50,6 +50,7 @@ BASES = {
     "design pareto": 'design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --points 3',
     "design kinematics": "design kinematics none.toml --out designed",
     "export fmu": "export fmu kart-quarter-car --out kart.fmu --sources-only",
+    "import adams": "import adams front.sub",
     "import chrono": "import chrono chrono.json",
     "import hardpoints": "import hardpoints points.csv",
     "fit stiffness": "fit stiffness spring.csv",
@@ -240,6 +241,9 @@ def prepare() -> None:
     assert Path("lane.sqlite").is_file(), (code, said)
     shutil.copy(Path(__file__).parents[2] / "files" / "chrono" / "DoubleWishbone.json", "chrono.json")
     shutil.copy(Path(__file__).parents[2] / "files" / "hardpoints" / "strut.txt", "points.csv")
+    shutil.copy(
+        Path(__file__).parents[2] / "files" / "adams_car" / "made_up.cdb" / "subsystems.tbl" / "front.sub", "front.sub"
+    )
 
 
 def said_by(words: list[str]) -> tuple[int, str, str]:

@@ -23,6 +23,7 @@ SAMPLES = {
     "Chrono: multi-link": "chrono/Sedan_MultiLink.json",
     "tyre: Pacejka": "tyre_tir/audi_Pac02Tire.tir",
     "tyre: with tables": "tyre_tir/mf_185_80R14.tir",
+    "Adams": "adams_car/made_up.cdb/subsystems.tbl/front.sub",
     "hardpoints": "hardpoints/strut.txt",
     "OpenCRG: text": "road_crg/handmade_curved.crg",
     "OpenCRG: options": "road_crg/handmade_sloped_opts.crg",
@@ -89,6 +90,12 @@ def _road(file: Path) -> Any:
     return road.end(), height.tolist()
 
 
+def _adams(file: Path) -> Any:
+    from jounce.parts.importers import import_adams
+
+    return import_adams(file)[0].model_dump_json()
+
+
 def _hardpoints(file: Path) -> Any:
     from jounce.parts.importers import import_hardpoints
 
@@ -103,7 +110,7 @@ def _fmu(file: Path) -> Any:
 
 _READ: dict[str, Callable[[Path], Any]] = {
     ".json": _chrono, ".tir": _tyre, ".crg": _road, ".csv": _road, ".fmu": _fmu,
-    ".txt": _hardpoints,
+    ".txt": _hardpoints, ".sub": _adams,
 }  # fmt: skip
 
 

@@ -98,7 +98,14 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         **dict.fromkeys(
             (
                 (one, "--out")
-                for one in ("adjust", "import chrono", "import hardpoints", "design springs", "design optimise")
+                for one in (
+                    "adjust",
+                    "import adams",
+                    "import chrono",
+                    "import hardpoints",
+                    "design springs",
+                    "design optimise",
+                )
             ),
             (".toml",),
         ),

@@ -1,5 +1,6 @@
 """Descriptions of other programs, read into jounce's names, units and signs."""
 
+from jounce.parts.importers.adams import import_adams
 from jounce.parts.importers.chrono import import_chrono
 from jounce.parts.importers.chrono_file import ChronoCorner, DamperMap, RigidPart, read_chrono_corner, shipped_corner
 from jounce.parts.importers.hardpoints import import_hardpoints
@@ -10,6 +11,7 @@ __all__ = [
     "DamperMap",
     "RigidPart",
     "TyreProperties",
+    "import_adams",
     "import_chrono",
     "import_hardpoints",
     "read_chrono_corner",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
@@ -17,7 +16,7 @@ from jounce.parts.bodies import TRIANGLE_TOLERANCE, distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table, rig_text
 from jounce.parts.importers.chrono_file import HARDPOINTS, ChronoFile, ascending, damper_map
-from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
+from jounce.parts.importers.drafts import Draft, add_wheel, as_table, joined, rig_of, set_on_the_road, tensor_of
 
 DESIGN = np.eye(3)
 
@@ -34,32 +33,6 @@ def rod_frame(start: Array, end: Array, across: Array, where: str) -> Array:
     along = _unit(end - start, where)
     side = _unit(across - along * (along @ across), where)
     return np.column_stack([np.cross(side, along), side, along])
-
-
-def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
-    """Table of a body in the names of rig files."""
-    names = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
-    size = float(np.abs(tensor).max())
-    inertia = {name: float(tensor[at]) for name, at in names.items() if abs(tensor[at]) > 1e-9 * size}
-    return {"mass": mass, "centre_of_mass": centre, "inertia": inertia}
-
-
-def joined(one: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
-    """Table of a body and another one that is fixed to it (kg, m, kg m^2)."""
-    masses, centres = (one["mass"], mass), (np.array(one["centre_of_mass"]), centre)
-    whole = masses[0] + masses[1]
-    middle = (masses[0] * centres[0] + masses[1] * centres[1]) / whole
-    total = tensor_of(one) + tensor
-    for part, place in zip(masses, centres, strict=True):
-        away = place - middle
-        total = total + part * ((away @ away) * np.eye(3) - np.outer(away, away))
-    return as_table(whole, middle, total)
-
-
-def tensor_of(table: dict[str, Any]) -> Array:
-    """Inertia tensor of a body's table, shape (3, 3), kg m^2."""
-    xx, yy, zz, xy, xz, yz = (table["inertia"].get(name, 0.0) for name in ("xx", "yy", "zz", "xy", "xz", "yz"))
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
 def about_axis(table: dict[str, Any], one: Array, other: Array) -> float:
@@ -153,14 +126,12 @@ _MULTI_LINK = {
 }
 
 
-@dataclass
-class Reading:
+class Reading(Draft):
     """One file while it is read: its points as written there, and the findings so far."""
 
-    file: ChronoFile
-    points: dict[str, Array]
-    findings: list[Finding] = field(default_factory=list)
-    estimated: list[str] = field(default_factory=list)
+    def __init__(self, file: ChronoFile, points: dict[str, Array]) -> None:
+        super().__init__(file.path)
+        self.file, self.points = file, points
 
     def body(self, name: str, section: str, frame: Array, centre: Array | None = None) -> dict[str, Any]:
         """Table of a body; ``frame`` holds the axes of the file's inertia as columns.
@@ -202,10 +173,6 @@ class Reading:
             inner, outer = self.points[f"{name}_inner"], self.points[f"{name}_outer"]
             frame = rod_frame(inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), self.file.at("Tierod"))
             bodies[name] = self.body(name, "Tierod", frame, (inner + outer) / 2.0)
-
-    def note(self, place: str, message: str, value: float | None = None) -> None:
-        """Add a note to the findings."""
-        self.findings.append(Finding(place, "note", message, value))
 
 
 def _head(reading: Reading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
@@ -284,8 +251,6 @@ TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[Reading], dict[
 }
 
 
-WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
-"""Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""
 _ADVICE = "Other suspensions can be written as rig files by hand; see the documentation of rigs."
 _READ = {"Name", "Type", "Template", "Vehicle-Frame Inertia", "Camber Angle (deg)", "Toe Angle (deg)", "Axle"}
 
@@ -348,8 +313,10 @@ def import_chrono(
     reading = Reading(file, {name: file.numbers(section, key, (3,)) for name, (section, key) in names.items()})
     table = build(reading)
     _add_elements(reading, table)
-    _add_wheel(reading, table, wheel_radius, wheel_mass, tyre_stiffness)
-    _set_on_the_road(reading, table, sprung_mass)
+    angles = {"camber": file.angle("Camber Angle (deg)"), "toe": file.angle("Toe Angle (deg)")}
+    spindle = reading.body("wheel", "Spindle", DESIGN)
+    add_wheel(reading, table, spindle, angles, (wheel_radius, wheel_mass, tyre_stiffness))
+    set_on_the_road(reading, table, sprung_mass)
     _note_what_differs(reading, names)
     table |= {"estimated": sorted(reading.estimated), "source": table["source"] if source is None else source}
     place = f"{reading.file.path}: "
@@ -357,7 +324,7 @@ def import_chrono(
         f"Left corner imported from {reading.file.path.name} of Project Chrono (BSD-3-Clause). z = 0 is the road.",
         *(f"{item.place.removeprefix(place)}: {item.message}" for item in reading.findings),
     ]
-    text = rig_text(_rig(reading, table), comments)
+    text = rig_text(rig_of(reading, table), comments)
     return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), reading.findings, text
 
 
@@ -381,81 +348,6 @@ def _add_elements(reading: Reading, table: dict[str, Any]) -> None:
         )
     if file.has("Shock", "Degressivity Compression"):
         reading.note(file.at("Shock"), "the degressive damper is read as a table that follows it to 3 m/s.")
-
-
-def _add_wheel(
-    reading: Reading, table: dict[str, Any], radius: float | None, mass: float | None, stiffness: float | None
-) -> None:
-    """Wheel, tyre and the body that turns with them; what is not given is estimated."""
-    given = {"wheel.radius": radius, "bodies.wheel.mass": mass, "tyre.stiffness": stiffness}
-    for name, value in given.items():
-        if value is None:
-            reading.estimated.append(name)
-        elif not value > 0.0:
-            raise DescriptionError("out of range", where=name, found=value, allowed="above 0")
-    reading.estimated.append("bodies.wheel.inertia")
-    file = reading.file
-    radius = WHEEL_RADIUS if radius is None else radius
-    spindle = reading.body("wheel", "Spindle", DESIGN)
-    rolling = WHEEL_MASS if mass is None else mass
-    table["wheel"] = {
-        "radius": radius,
-        "camber": file.angle("Camber Angle (deg)"),
-        "toe": file.angle("Toe Angle (deg)"),
-    }
-    centre = table["hardpoints"]["wheel_centre"]
-    # the inertia of rim and tyre is estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it
-    table["bodies"]["wheel"] = joined(spindle, rolling, centre, rolling * radius**2 * np.diag([0.35, 0.6, 0.35]))
-    table["tyre"] = {"stiffness": TYRE_STIFFNESS if stiffness is None else stiffness}
-
-
-def _set_on_the_road(reading: Reading, table: dict[str, Any], sprung_mass: float | None) -> None:
-    """Find the sprung mass, then move everything up until the tyre carries the corner."""
-    _raise(table, table["wheel"]["radius"] - table["hardpoints"]["wheel_centre"][2])
-    table["sprung"] = {"mass": SPRUNG_MASS if sprung_mass is None else sprung_mass}
-    rig = _rig(reading, table)
-    if sprung_mass is None:
-        reading.estimated.append("sprung.mass")
-        table["sprung"]["mass"] = _carried(reading, rig)
-        rig = _rig(reading, table)
-    _raise(table, -static_tyre_deflection(rig))
-
-
-def _carried(reading: Reading, rig: Corner) -> float:
-    """Sprung mass in kg that spring and stops hold at design position, or the general estimate."""
-    try:
-        ratio = motion_ratio(rig)
-        mass = SPRUNG_MASS + (spring_force(rig) - static_spring_force(rig)) * ratio / rig.gravity
-    except (np.linalg.LinAlgError, ZeroDivisionError):
-        raise DescriptionError(
-            "the joints do not let the wheel rise, or not in one way only", where=str(reading.file.path)
-        ) from None
-    if mass > 20.0:
-        message = f"the sprung mass is not in the file; {mass:.4g} kg is what the spring carries at design position."
-    else:
-        message = (
-            f"the sprung mass is not in the file, and the spring carries nothing at design: {SPRUNG_MASS:g} kg assumed."
-        )
-        mass = SPRUNG_MASS
-    reading.note(reading.file.at("sprung mass"), message, mass)
-    return float(f"{mass:.6g}")
-
-
-def _rig(reading: Reading, table: dict[str, Any]) -> Corner:
-    def plain(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: plain(item) for key, item in value.items()}
-        return value.tolist() if isinstance(value, np.ndarray) else value
-
-    return cast(Corner, rig_from_table(plain(table), where=str(reading.file.path)))
-
-
-def _raise(table: dict[str, Any], height: float) -> None:
-    """Move a rig up by a height in m."""
-    up = np.array([0.0, 0.0, round(height, 6)])
-    table["hardpoints"] = {name: point + up for name, point in table["hardpoints"].items()}
-    for body in table["bodies"].values():
-        body["centre_of_mass"] = np.array(body["centre_of_mass"]) + up
 
 
 def _note_what_differs(reading: Reading, names: dict[str, tuple[str, str]]) -> None:

@@ -64,7 +64,7 @@ _ADVICE = "Give names with --name THEIRS=OURS."
 
 
 @dataclass(frozen=True)
-class _Row:
+class PointRow:
     """One point as written: its name, its coordinates, and where."""
 
     name: str
@@ -73,11 +73,11 @@ class _Row:
 
 
 @dataclass
-class _Table:
+class PointTable:
     """What a file holds: rows, the unit that it names, and lines with numbers that are no points."""
 
     file: Path
-    rows: list[_Row] = field(default_factory=list)
+    rows: list[PointRow] = field(default_factory=list)
     unit: str = ""
     unread: list[str] = field(default_factory=list)
 
@@ -150,17 +150,17 @@ def import_hardpoints(
     ('double-wishbone', True)
     """
     file = existing_file(path)
-    reading = _Reading(_read(file), side, axle, {**(names or {})})
+    reading = PointReading(_read(file), side, axle, {**(names or {})})
     return reading.rig(unit, axes, model, wheel_radius, source)
 
 
 # --- the file
 
 
-def _read(file: Path) -> _Table:
+def _read(file: Path) -> PointTable:
     if file.stat().st_size > _LARGEST:
         raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 20 MB")
-    table = _Table(file)
+    table = PointTable(file)
     columns: list[int] = []
     for count, (where, cells) in enumerate(_sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)):
         if count > _ROWS:
@@ -261,12 +261,12 @@ def _known_unit(text: str, where: str) -> str:
     return _UNITS[text.lower()]
 
 
-def _row(cells: list[str], columns: list[int], where: str) -> _Row | None:
+def _row(cells: list[str], columns: list[int], where: str) -> PointRow | None:
     """A name and three numbers; None where these cells are something else."""
     if columns and max(columns) < len(cells) and all(_is_number(cells[i]) for i in columns):
         words = [cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)]
         words = words or [cell for i, cell in enumerate(cells) if i not in columns and cell and not _is_number(cell)]
-        return _Row(words[0], _numbers([cells[i] for i in columns]), where) if words else None
+        return PointRow(words[0], _numbers([cells[i] for i in columns]), where) if words else None
     numeric = [_is_number(cell) for cell in cells]
     runs = [i for i in range(len(cells) - 2) if all(numeric[i : i + 3]) and not (i and numeric[i - 1])]
     if not runs:
@@ -281,7 +281,7 @@ def _row(cells: list[str], columns: list[int], where: str) -> _Row | None:
         )
     before = " ".join(cell for cell in cells[:first] if cell and not _is_number(cell))
     name = before or _LABEL.sub("", " ".join(cells[first + 3 :]))
-    return _Row(name, _numbers(cells[first : first + 3]), where) if name else None
+    return PointRow(name, _numbers(cells[first : first + 3]), where) if name else None
 
 
 def _numbers(texts: list[str]) -> Array:
@@ -333,10 +333,10 @@ def known_names() -> dict[str, str]:
     return found
 
 
-class _Reading:
+class PointReading:
     """A table while it becomes a rig."""
 
-    def __init__(self, table: _Table, side: str, axle: str | None, names: dict[str, str]) -> None:
+    def __init__(self, table: PointTable, side: str, axle: str | None, names: dict[str, str]) -> None:
         self.table, self.file = table, table.file
         self.findings: list[Finding] = []
         self.estimated: list[str] = []
@@ -362,7 +362,7 @@ class _Reading:
             hint = "Say which one is read: --axle front or rear."
             raise DescriptionError("the table holds two axles", where=str(self.file), hint=hint)
         has_both = {found for _, _, _, found in sorted_out if found} == {"left", "right"}
-        corners: dict[str, dict[str, _Row]] = {"left": {}, "right": {}}
+        corners: dict[str, dict[str, PointRow]] = {"left": {}, "right": {}}
         unused = []
         for row, plain, of_axle, of_side in sorted_out:
             if axle and of_axle and of_axle != axle:
@@ -385,7 +385,7 @@ class _Reading:
         return chosen
 
     @staticmethod
-    def _keep(points: dict[str, _Row], name: str, row: _Row) -> None:
+    def _keep(points: dict[str, PointRow], name: str, row: PointRow) -> None:
         before = points.setdefault(name, row)
         if not np.array_equal(before.place, row.place):
             raise DescriptionError(
@@ -396,7 +396,7 @@ class _Reading:
                 allowed="every point once",
             )
 
-    def _refuse_one_side(self, corners: Mapping[str, Mapping[str, _Row]]) -> None:
+    def _refuse_one_side(self, corners: Mapping[str, Mapping[str, PointRow]]) -> None:
         for name, row in corners["left"].items():
             other = corners["right"].get(name)
             if other is not None and row is not other and row.place[1] * other.place[1] > 0.0:
@@ -413,10 +413,10 @@ class _Reading:
         """The rig, what there is to say about it, and its file."""
         if wheel_radius is not None and not wheel_radius > 0.0:
             raise DescriptionError("out of range", where="wheel_radius", found=wheel_radius, allowed="above 0")
-        name = self._model(model)
-        self._complete(name)
-        self._turn(axes)
-        self._scale(unit)
+        name = self.model_of(model)
+        self.complete(name)
+        self.turn(axes)
+        self.scale(unit)
         radius = self._stand(wheel_radius)
         table: dict[str, Any] = {
             "schema": "jounce.rig/1",
@@ -428,7 +428,7 @@ class _Reading:
             "hardpoints": {key: np.round(point, 9).tolist() for key, point in self.points.items()},
             "wheel": {"radius": radius},
         }
-        strut = self._strut(name)
+        strut = self.strut(name)
         if strut:
             table["strut"] = strut
         rig = cast(Corner, rig_from_table(table, where=str(self.file)))
@@ -440,7 +440,8 @@ class _Reading:
         text = rig_text(rig, comments)
         return cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file))), self.findings, text
 
-    def _model(self, model: str | None) -> str:
+    def model_of(self, model: str | None) -> str:
+        """The suspension that has these points, or the one that was asked for."""
         corners = {name: kind for name, kind in RIGS.items() if issubclass(kind, Corner)}
         if model is not None:
             if model not in corners:
@@ -461,7 +462,8 @@ class _Reading:
             hint=_ADVICE,
         )
 
-    def _complete(self, model: str) -> None:
+    def complete(self, model: str) -> None:
+        """Refuse points that are missing, and leave out those that the suspension does not have."""
         points: Any = RIGS[model].model_fields["hardpoints"].annotation
         for end in ("bottom", "top"):
             if f"strut_{end}" not in self.points and f"spring_{end}" in self.points:
@@ -481,7 +483,7 @@ class _Reading:
             self.note(f"points that a {model} does not have are left out: {', '.join(further)}.")
             self.points = {name: point for name, point in self.points.items() if name not in further}
 
-    def _turn(self, axes: str | None) -> None:
+    def turn(self, axes: str | None) -> None:
         """Our axes from those of the table."""
         if axes is not None:
             turn = _rotation(axes)
@@ -510,7 +512,7 @@ class _Reading:
         self.points = {name: matrix @ point + 0.0 for name, point in self.points.items()}
         self.contact = None if self.contact is None else matrix @ self.contact
 
-    def _scale(self, unit: str | None) -> None:
+    def scale(self, unit: str | None) -> None:
         """Metres from the table's unit."""
         said = self.table.unit
         if unit is not None:
@@ -579,7 +581,7 @@ class _Reading:
     def _raise(self, height: float) -> None:
         self.points = {name: point + np.array([0.0, 0.0, height]) for name, point in self.points.items()}
 
-    def _strut(self, model: str) -> dict[str, str]:
+    def strut(self, model: str) -> dict[str, str]:
         """Which body carries the strut, or the push rod: the arm that its end is nearest to."""
         end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
         if model != "double-wishbone":

@@ -13,21 +13,12 @@ from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
 from jounce.core.units import conversion_factor
+from jounce.parts.importers.teim_orbit import SI, UNITS
 
 _SECTION = re.compile(r"\[([A-Za-z0-9_ \t]+)\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
 _BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
 _LARGEST = 20_000_000  # bytes
-_UNITS = {
-    "LENGTH": {"meter metre m": "m", "millimeter millimetre mm": "mm", "centimeter centimetre cm": "cm",
-               "kilometer kilometre km": "km", "inch in": "inch", "foot feet ft": "foot"},
-    "FORCE": {"newton newtons n": "N", "kilo_newton kilonewton kn": "kN", "kilogram_force kgf": "kgf",
-              "pound_force lbf": "lbf", "dyne": "dyne", "ounce_force": "ounce_force"},
-    "TIME": {"second seconds sec s": "s", "millisecond ms": "ms", "minute min": "minute", "hour": "hour"},
-    "PRESSURE": {"pascal pa n/m^2": "Pa", "kilopascal kpa": "kPa", "megapascal mpa n/mm^2": "MPa", "bar": "bar",
-                 "psi": "psi"},
-}  # fmt: skip
-_SI = {"LENGTH": "m", "FORCE": "N", "TIME": "s", "PRESSURE": "Pa"}
 _USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_coefficient": (0.0, 5e4, "N*s/m")}
 
 
@@ -335,17 +326,17 @@ class _Entries:
         found = self.values.get(("UNITS", quantity))
         if found is None:
             raise DescriptionError(f"the unit of {quantity} is missing", where=f"{self.file}: [UNITS]")
-        known = {word: unit for words, unit in _UNITS[quantity].items() for word in words.split()}
+        known = {word: unit for words, unit in UNITS[quantity].items() for word in words.split()}
         unit = known.get(found[0].lower())
         if unit is None:
             raise DescriptionError(
                 f"unknown unit of {quantity}",
                 where=f"{self.file}, line {found[1]}",
                 found=found[0],
-                allowed=", ".join(words.split()[0] for words in _UNITS[quantity]),
+                allowed=", ".join(words.split()[0] for words in UNITS[quantity]),
                 hint=nearest(found[0].lower(), known),
             )
-        return conversion_factor(unit, _SI[quantity])
+        return conversion_factor(unit, SI[quantity])
 
     def number(
         self,

@@ -1,0 +1,466 @@
+"""Subsystems of Adams Car (``.sub``) as 3-D rigs: hardpoints, bodies, and the property files of springs and dampers."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PureWindowsPath
+from typing import Any, cast
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.parts.corners import Corner
+from jounce.parts.files import RIGS, rig_from_table, rig_text
+from jounce.parts.importers.drafts import (
+    SPRUNG_MASS,
+    Draft,
+    add_wheel,
+    as_table,
+    joined,
+    rig_of,
+    set_on_the_road,
+    tensor_of,
+)
+from jounce.parts.importers.hardpoints import PointReading, PointRow, PointTable
+from jounce.parts.importers.teim_orbit import Block, TeimOrbit, number, read_teim_orbit
+
+_OURS = np.diag([-1.0, -1.0, 1.0])
+"""From Adams Car's axes (x to the rear, y to the right, z up) to ours."""
+_BODIES = {
+    "lower_arm": ("lower_control_arm", "lca", "lower_arm"),
+    "upper_arm": ("upper_control_arm", "uca", "upper_arm"),
+    "upright": ("upright", "knuckle", "hub_carrier", "lower_strut"),
+    "tie_rod": ("tierod", "tie_rod", "tierod_inner", "tierod_outer"),
+    "wheel": ("spindle", "hub"),
+    "strut": ("upper_strut", "strut"),
+    "arm": ("trailing_arm", "control_arm"),
+    "rocker": ("bell_crank", "bellcrank", "rocker"),
+}
+"""Parts of Adams' templates by the body of ours that they belong to; several are one body there."""
+_CORNERS = {
+    "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+    "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
+    "upright": ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer", "wheel_centre", "strut_bottom"),
+    "arm": ("arm_inner", "arm_outer", "wheel_centre"),
+    "rocker": ("rocker_pivot", "pushrod_inner", "strut_bottom"),
+}
+_MASSES = {"lower_arm": 4.0, "upper_arm": 2.0, "upright": 8.0, "arm": 12.0, "rocker": 1.0}
+"""Estimates for bodies that the file does not hold, kg: those of a passenger car."""
+_SPRING_RATE, _DAMPING = 30e3, 2000.0  # N/m, N s/m: estimates for property files that are not there
+_SYMMETRIES = ("left/right", "left", "right", "single")
+_STOPS = {"bump_stop": ("jounce", "bump"), "rebound_stop": ("rebound",)}
+_LINEAR = 1e-3  # share of the largest force within which a spring is one rate
+_POINT = re.compile(r"(?i)x,\s*y,\s*z location\s*=\s*(.+)")
+_VECTOR = re.compile(r"(?i)([zx])p vector\s*=\s*(.+)")
+
+
+def import_adams(
+    path: Path | str,
+    *,
+    names: Mapping[str, str] | None = None,
+    wheel_radius: float | None = None,
+    wheel_mass: float | None = None,
+    tyre_stiffness: float | None = None,
+    sprung_mass: float | None = None,
+    source: str | None = None,
+) -> tuple[Corner, list[Finding], str]:
+    """Read a suspension subsystem of Adams Car as the left corner of a 3-D rig.
+
+    Hardpoints, parts with mass, and camber and toe are in the ``.sub``; springs, dampers and stops in property files
+    of its database (``springs.tbl``, ``dampers.tbl``, ``bumpstops.tbl``), which are looked for beside it. Adams Car's
+    axes are x to the rear and y to the right; joints are rigid here.
+
+    Parameters
+    ----------
+    path : Path or str
+        The ``.sub`` file.
+    names : mapping, optional
+        Name of a hardpoint in the file to ours, where the template has names of its own.
+    wheel_radius : float, optional
+        Undeformed radius of the tyre [m]; estimated 0.33 m.
+    wheel_mass : float, optional
+        Rim and tyre [kg]; estimated 20 kg.
+    tyre_stiffness : float, optional
+        Radial stiffness [N/m]; estimated 250 kN/m.
+    sprung_mass : float, optional
+        Share of the body on this wheel [kg]; estimated as what spring and stops carry at design position.
+    source : str, optional
+        Text for ``source`` of the rig; by default the name of the file.
+
+    Returns
+    -------
+    rig : Corner
+        ``DoubleWishbone``, ``McPherson`` or another with these points.
+    findings : list of Finding
+        What was assumed, left out or estimated.
+    text : str
+        The rig file that describes it.
+
+    Raises
+    ------
+    DescriptionError
+        For a file that is missing or has another grammar, a subsystem that is no suspension, points that are unknown,
+        missing or on the other side, units that are missing, and values that are no numbers.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = Path(tempfile.mkdtemp()) / "steering.sub"
+    >>> _ = file.write_text("[SUBSYSTEM_HEADER]" + chr(10) + "MAJOR_ROLE = 'steering'")
+    >>> import_adams(file)   # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    jounce.core.errors.DescriptionError: ... no suspension; found 'steering'; allowed: suspension.
+    """
+    file = read_teim_orbit(path)
+    header = file.first("SUBSYSTEM_HEADER")
+    role = header.values.get("MAJOR_ROLE", "")
+    if role.lower() != "suspension":
+        raise DescriptionError("the subsystem is no suspension", where=header.where, found=role, allowed="suspension")
+    reading = _Subsystem(file, {**(names or {})})
+    table = reading.table(wheel_radius, wheel_mass, tyre_stiffness, sprung_mass)
+    draft = reading.draft
+    default = f"{file.path.name}, subsystem of Adams Car"
+    table |= {"estimated": sorted(draft.estimated), "source": default if source is None else source}
+    comments = [
+        f"Left corner imported from {file.path.name} of Adams Car. z = 0 is the road.",
+        *(f"{item.place.removeprefix(str(file.path))}: {item.message}".removeprefix(": ") for item in draft.findings),
+    ]
+    text = rig_text(rig_of(draft, table), comments)
+    return cast(Corner, rig_from_table(tomllib.loads(text), where=str(path))), draft.findings, text
+
+
+@dataclass
+class _Subsystem:
+    """A subsystem while it becomes a rig."""
+
+    file: TeimOrbit
+    names: dict[str, str]
+    draft: Draft = field(init=False)
+    points: dict[str, Array] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.draft = Draft(self.file.path)
+        self.length, self.force, self.mass = (self.file.unit(name) for name in ("LENGTH", "FORCE", "MASS"))
+        self._used: set[str] = set()
+
+    def table(
+        self, radius: float | None, mass: float | None, stiffness: float | None, sprung_mass: float | None
+    ) -> dict[str, Any]:
+        """The rig's table, standing on the road."""
+        reading = PointReading(self._hardpoints(), "left", None, self.names)
+        model = reading.model_of(None)
+        reading.complete(model)
+        reading.turn("-x,-y,z")
+        reading.scale(None)
+        self.points = reading.points
+        strut = reading.strut(model)
+        self.draft.findings += reading.findings
+        self.draft.estimated += reading.estimated
+        kind = RIGS[model]
+        assert issubclass(kind, Corner)
+        strut.setdefault("on", kind.strut_on[0])
+        names = [*kind.needed_bodies, *(("rocker",) if "rocker_pivot" in self.points else ())]
+        found = self._bodies((*kind.needed_bodies, *kind.further_bodies), model)
+        spindle = found.pop("wheel", None)
+        bodies = {**{name: self._estimated(name) for name in names if name not in found}, **found}
+        table: dict[str, Any] = {
+            "schema": "jounce.rig/1", "model": model, "source": "", "estimated": [], "side": "left",
+            "guide": "vertical", "hardpoints": dict(self.points), "bodies": bodies,
+            "strut": {**strut, "spring": self._spring(), "damper": self._damper(), **self._stops()},
+        }  # fmt: skip
+        if "tie_rod_inner" in self.points and self.file.first("SUBSYSTEM_HEADER").values.get("MINOR_ROLE") != "rear":
+            table["steering"] = {"rack_travel": 0.0}
+        add_wheel(self.draft, table, spindle, self._angles(), (radius, mass, stiffness))
+        self._note_rest()
+        set_on_the_road(self.draft, table, sprung_mass)
+        return table
+
+    def _hardpoints(self) -> PointTable:
+        table = PointTable(self.file.path, unit="m")
+        for block in self.file.named("HARDPOINT"):
+            for cells, where in block.rows:
+                if len(cells) != 5 or cells[1].lower() not in _SYMMETRIES:
+                    raise DescriptionError(
+                        "not a hardpoint", where=where, found=" ".join(cells)[:80],
+                        allowed="name, symmetry (left/right, left, right or single), x, y and z",
+                    )  # fmt: skip
+                symmetry = cells[1].lower()
+                place = self.length * np.array([number(cell, where) for cell in cells[2:]])
+                side = {"left/right": "left"}.get(symmetry, symmetry)
+                if side in ("left", "right") and place[1] * {"left": 1.0, "right": -1.0}[side] > 0.0:
+                    raise DescriptionError(
+                        "left and right are exchanged: y points to the right",
+                        where=where,
+                        found=f"{cells[0]} ({symmetry}) with y = {cells[3]}",
+                        allowed="y below 0 for points of the left side",
+                    )
+                if side != "right":
+                    table.rows.append(PointRow(cells[0], place, where))
+        if not table.rows:
+            raise DescriptionError("no hardpoints are in it", where=str(self.file.path), allowed="a block [HARDPOINT]")
+        return table
+
+    def _angles(self) -> dict[str, float]:
+        """Camber and toe in rad: of the left side, where both differ."""
+        unit = self.file.unit("ANGLE")
+        found = {"camber": 0.0, "toe": 0.0}
+        for block in self.file.named("PARAMETER"):
+            for cells, where in block.rows:
+                name = cells[0].lower().removesuffix("_angle")
+                if len(cells) >= 4 and name in found and cells[1].lower() != "right":
+                    found[name] = unit * number(cells[3], where)
+        return found
+
+    def _bodies(self, names: tuple[str, ...], model: str) -> dict[str, dict[str, Any]]:
+        """Tables of the bodies that the file holds; parts that are one body here are joined."""
+        found: dict[str, dict[str, Any]] = {}
+        left: list[str] = []
+        for part in self.file.named("PART_ASSEMBLY"):
+            if part.values.get("SYMMETRY", "").lower() == "right":
+                continue
+            name = next((name for name, usages in _BODIES.items() if part.usage in usages), "")
+            if name not in names or (part.usage == "lower_strut" and model != "mcpherson"):
+                left.append(f"{part.usage} ({part.number('MASS', 0.0) * self.mass:.4g} kg)")
+                continue
+            body = self._body(name, part)
+            before = found.get(name)
+            found[name] = (
+                body if before is None else joined(before, body["mass"], body["centre_of_mass"], tensor_of(body))
+            )
+        if left:
+            self.draft.note(self.draft.at("PART_ASSEMBLY"), f"parts that are left out: {', '.join(left)}.")
+        return found
+
+    def _body(self, name: str, part: Block) -> dict[str, Any]:
+        """Mass, centre and inertia of a part in our axes; dependent frames stand in comments."""
+        told = {}
+        for comment in part.comments:
+            if match := _POINT.search(comment):
+                told["place"] = match[1]
+            elif match := _VECTOR.search(comment):
+                told[match[1].lower()] = match[2]
+
+        def triple(key: str, *names: str) -> Array | None:
+            if all(one in part.values for one in names):
+                return np.array([part.number(one) for one in names])
+            words = told.get(key, "").split(",")
+            return np.array([number(word.strip(), part.where) for word in words]) if len(words) == 3 else None
+
+        place = triple("place", "PART_LOC_X", "PART_LOC_Y", "PART_LOC_Z")
+        z, x = (triple(end, *(f"PART_ORI_{end.upper()}P{i}" for i in (1, 2, 3))) for end in "zx")
+        mass = self.mass * part.number("MASS")
+        if not mass > 0.0:
+            raise DescriptionError("no mass", where=f"{part.where}: MASS", found=mass, allowed="above 0")
+        if place is None or z is None or x is None:
+            self.draft.note(
+                self.draft.at(f"PART_ASSEMBLY {part.usage}"),
+                "where its frame lies is not in the file: its inertia and centre of mass are estimated.",
+            )
+            return self._estimated(name, mass)
+        frame = _frame(x, z, part.where)
+        centre = self.length * (place + frame @ [part.number(f"CM_LOCATION_FROM_PART_{i}", 0.0) for i in "XYZ"])
+        xx, yy, zz, xy, zx, yz = (part.number(key, 0.0) for key in ("IXX", "IYY", "IZZ", "IXY", "IZX", "IYZ"))
+        tensor = self.mass * self.length**2 * np.array([[xx, -xy, -zx], [-xy, yy, -yz], [-zx, -yz, zz]])
+        turned = _OURS @ frame
+        tensor = turned @ tensor @ turned.T
+        moments, axes = np.linalg.eigh(tensor)
+        if moments[0] <= 0.0 or moments[2] > moments[0] + moments[1]:
+            self.draft.note(
+                self.draft.at(f"PART_ASSEMBLY {part.usage}"),
+                f"no body has the principal moments {', '.join(f'{one:.4g}' for one in moments)} kg m^2: they are "
+                "raised to the least that a body can have.",
+            )
+            self.draft.estimated.append(f"bodies.{name}.inertia")
+            low = max(moments[0], 1e-3 * max(moments[2], 1e-6))
+            middle = max(moments[1], moments[2] - low, low)
+            tensor = axes @ np.diag([low, middle, min(moments[2], low + middle)]) @ axes.T
+        return as_table(mass, _OURS @ centre, 0.5 * (tensor + tensor.T))
+
+    def _estimated(self, name: str, mass: float | None = None) -> dict[str, Any]:
+        """A body of estimated inertia (and mass): a ball as large as its points are apart, in their middle."""
+        places = np.array([self.points[point] for point in _CORNERS.get(name, ()) if point in self.points])
+        if not len(places):
+            places = np.array([self.points[end] for end in ("tie_rod_inner", "tie_rod_outer") if end in self.points])
+        centre = places.mean(axis=0)
+        size = max(float(np.linalg.norm(places - centre, axis=1).max()), 0.02)
+        self.draft.estimated += [f"bodies.{name}.{key}" for key in ("centre_of_mass", "inertia")]
+        if mass is None:
+            mass = _MASSES.get(name, 1.0)
+            self.draft.estimated.append(f"bodies.{name}.mass")
+            self.draft.note(self.draft.at(f"bodies.{name}"), f"it is not in the file: {mass:g} kg assumed.", mass)
+        return as_table(mass, centre, 0.4 * mass * size**2 * np.eye(3))
+
+    # --- springs, dampers and stops
+
+    def _element(self, name: str, *words: str) -> Block | None:
+        """The first force element whose usage has one of some words, or the first of all."""
+        found = [one for one in self.file.named(name) if one.values.get("SYMMETRY", "").lower() != "right"]
+        chosen = next((one for one in found if any(word in one.usage for word in words)), None)
+        if chosen is not None:
+            self._used.add(chosen.where)
+        return chosen
+
+    def _property(self, block: Block | None) -> Path | None:
+        """Property file of an element, beside the subsystem or in the tables of its database; None where it is not."""
+        text = "" if block is None else block.values.get("PROPERTY_FILE", "")
+        parts = [part for part in PureWindowsPath(text).parts if not re.fullmatch(r"<.*>|\W*|\w+://.*", part)]
+        if not parts or ".." in parts:
+            return None
+        folder = self.file.path.parent
+        for place in (folder.parent.joinpath(*parts), folder.joinpath(*parts), folder / parts[-1]):
+            if place.is_file():
+                return place
+        return None
+
+    def _missing(self, what: str, block: Block | None, text: str) -> None:
+        named = "" if block is None else f" ({block.values.get('PROPERTY_FILE', 'no property file')})"
+        self.draft.findings.append(
+            Finding(self.draft.at(what), "warning", f"its property file is not there{named}: {text}")
+        )
+
+    def _design_length(self, element: str) -> float:
+        ends = [self.points.get(f"{element}_{end}", self.points[f"strut_{end}"]) for end in ("bottom", "top")]
+        return float(np.linalg.norm(ends[1] - ends[0]))
+
+    def _spring(self) -> dict[str, Any]:
+        block = self._element("NSPRING_ASSEMBLY", "ride", "spring", "")
+        file = self._property(block)
+        if block is None or file is None:
+            self._missing("strut.spring", block, f"{1e-3 * _SPRING_RATE:g} N/mm that carry {SPRUNG_MASS:g} kg assumed.")
+            self.draft.estimated += ["strut.spring.rate", "strut.spring.preload"]
+            return {"rate": _SPRING_RATE, "preload": SPRUNG_MASS * 9.81}
+        free, deflection, force = _spring_file(file)
+        kind, value = block.values.get("VALUE_TYPE", "").lower(), block.values.get("USER_VALUE")
+        compressed = 0.0
+        if kind == "installed_length" and value is not None:
+            compressed = free - self.length * number(value, block.where)
+        elif kind == "preload" and value is not None:
+            compressed = float(np.interp(self.force * number(value, block.where), force, deflection))
+        else:
+            self.draft.note(self.draft.at("strut.spring"), "neither installed length nor preload: free at design.")
+        table: dict[str, Any] = {"free_length": self._design_length("spring") + compressed}
+        rate = float(deflection @ force / (deflection @ deflection))
+        if np.abs(force - rate * deflection).max() <= _LINEAR * np.abs(force).max():
+            return {"rate": rate, **table}
+        return {"curve": {"kind": "table", "deflection": deflection, "force": force}, **table}
+
+    def _damper(self) -> dict[str, Any]:
+        block = self._element("DAMPER_ASSEMBLY", "ride", "damper", "")
+        file = self._property(block)
+        if file is None:
+            self._missing("strut.damper", block, f"{_DAMPING:g} N s/m assumed.")
+            self.draft.estimated.append("strut.damper.coefficient")
+            return {"coefficient": _DAMPING}
+        found = read_teim_orbit(file)
+        length = found.unit("LENGTH")
+        velocity, force = found.first("CURVE").curve(length / found.unit("TIME"), found.unit("FORCE"))
+        return {"kind": "table", "velocity": -velocity[::-1], "force": -force[::-1]}  # rebound is positive there
+
+    def _stops(self) -> dict[str, Any]:
+        stops = {}
+        for stop, words in _STOPS.items():
+            block = self._element("BUMPSTOP_ASSEMBLY", *words) or self._element("REBOUNDSTOP_ASSEMBLY", *words)
+            if block is None:
+                continue
+            file = self._property(block)
+            if file is None:
+                self._missing(f"strut.{stop}", block, "there is none in the rig.")
+                continue
+            found = read_teim_orbit(file)
+            depth, force = found.first("CURVE").curve(found.unit("LENGTH"), found.unit("FORCE"))
+            law, worst = _stop_law(depth, force, file)
+            gap = self.length * block.number("USER_DISTANCE")
+            if block.values.get("DISTANCE_TYPE", "clearance").lower() != "clearance":
+                sign = 1.0 if stop == "bump_stop" else -1.0
+                gap = sign * (self._design_length("damper") - gap)
+            stops[stop] = {"gap": gap, **law}
+            self.draft.note(
+                self.draft.at(f"strut.{stop}"),
+                f"its curve is read as rate and progression, within {100 * worst:.2g} % of its largest force.",
+                worst,
+            )
+        return stops
+
+    def _note_rest(self) -> None:
+        """What the file holds and the rig does not."""
+        bushings = {block.usage for block in self.file.named("BUSHING_ASSEMBLY")}
+        if bushings:
+            names = ", ".join(sorted(bushings))
+            self.draft.findings.append(
+                Finding(self.draft.at("BUSHING_ASSEMBLY"), "warning", f"not read, the joints are rigid: {names}.")
+            )
+        rest = [
+            f"{block.name.lower()} {block.usage}"
+            for block in self.file.blocks
+            if block.name.endswith(("SPRING_ASSEMBLY", "DAMPER_ASSEMBLY", "STOP_ASSEMBLY", "FORCE"))
+            and block.where not in self._used
+        ]
+        if rest:
+            self.draft.note(self.draft.at("forces"), f"force elements that are left out: {', '.join(rest)}.")
+
+
+def _frame(x: Array, z: Array, where: str) -> Array:
+    """Axes of a part as columns, from its z axis and a vector in its x-z plane."""
+    along = np.linalg.norm(z)
+    across = np.cross(z, x)
+    if along < 1e-9 or np.linalg.norm(across) < 1e-9:
+        raise DescriptionError("the axes of a part are parallel, or nothing", where=where)
+    z, y = z / along, across / np.linalg.norm(across)
+    return np.column_stack([np.cross(y, z), y, z])
+
+
+def _spring_file(file: Path) -> tuple[float, Array, Array]:
+    """Free length (m), deflection (m) and force (N), both positive in compression, of a ``.spr``, text or XML."""
+    if file.suffix.lower() == ".xml":
+        return _xml_spring(file)
+    found = read_teim_orbit(file)
+    length = found.unit("LENGTH")
+    deflection, force = found.first("CURVE").curve(length, found.unit("FORCE"))
+    return length * found.first("SPRING_DATA").number("FREE_LENGTH"), deflection, force
+
+
+class _Plain(ET.TreeBuilder):
+    """A tree of what has no document type."""
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
+        raise ET.ParseError("a document type")
+
+
+def _xml_spring(file: Path) -> tuple[float, Array, Array]:
+    try:
+        root = ET.fromstring(file.read_bytes(), ET.XMLParser(target=_Plain()))
+    except (ET.ParseError, ValueError, LookupError) as error:
+        raise DescriptionError(f"not XML of a spring: {error}", where=str(file)) from None
+    units = {
+        one.get("name", "").upper(): one.get("current", "") for one in root.iter() if one.tag.endswith("UnitSetting")
+    }
+    spring = next((one for one in root.iter() if one.tag.endswith("SpringProperties")), None)
+    if spring is None:
+        raise DescriptionError("no spring is in it", where=str(file), allowed="SpringProperties")
+    told = TeimOrbit(file, [Block("UNITS", str(file), units)])
+    length, force = told.unit("LENGTH"), told.unit("FORCE")
+    text = "".join(spring.itertext())
+    rows = [(line.split(), str(file)) for line in text.splitlines() if line.strip()]
+    found = Block("CURVE", str(file), rows=rows).curve(length, force)
+    return length * number(spring.get("freeLength", ""), f"{file}: freeLength"), *found
+
+
+def _stop_law(depth: Array, force: Array, file: Path) -> tuple[dict[str, float], float]:
+    """Rate and progression of a stop nearest to its points, and how far off it is, as a share of the largest force."""
+    from scipy.optimize import nnls
+
+    here = depth > 0.0
+    depth, force = depth[here], force[here]
+    if not len(depth) or force.max() <= 0.0:
+        raise DescriptionError("a stop without force", where=str(file), allowed="forces above 0 at depths above 0")
+    parts = np.column_stack([depth, depth**3])
+    rate, progression = nnls(parts, force)[0]
+    rate = max(float(rate), float(np.min(force[force > 0.0] / depth[force > 0.0])) * 1e-3)
+    worst = float(np.abs(parts @ [rate, progression] - force).max() / force.max())
+    return {"rate": rate, "progression": float(progression)}, worst

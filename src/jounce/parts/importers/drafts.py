@@ -1,0 +1,143 @@
+"""Rigs while they are put together from files of other programs: what is missing is estimated, and named."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.parts.corners import Corner
+from jounce.parts.files import rig_from_table
+from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
+
+WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
+"""Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""
+
+
+@dataclass
+class Draft:
+    """What is said of a rig while it is put together: findings, and the paths of what was estimated."""
+
+    path: Path
+    findings: list[Finding] = field(default_factory=list)
+    estimated: list[str] = field(default_factory=list)
+
+    def note(self, place: str, message: str, value: float | None = None) -> None:
+        """Add a note about a place."""
+        self.findings.append(Finding(place, "note", message, value))
+
+    def at(self, *keys: str) -> str:
+        """Place of a value, for messages."""
+        return ": ".join((str(self.path), *keys))
+
+
+def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
+    """Table of a body in the names of rig files."""
+    names = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+    size = float(np.abs(tensor).max())
+    inertia = {name: float(tensor[at]) for name, at in names.items() if abs(tensor[at]) > 1e-9 * size}
+    return {"mass": mass, "centre_of_mass": centre, "inertia": inertia}
+
+
+def joined(one: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
+    """Table of a body and another one that is fixed to it (kg, m, kg m^2)."""
+    masses, centres = (one["mass"], mass), (np.array(one["centre_of_mass"]), centre)
+    whole = masses[0] + masses[1]
+    middle = (masses[0] * centres[0] + masses[1] * centres[1]) / whole
+    total = tensor_of(one) + tensor
+    for part, place in zip(masses, centres, strict=True):
+        away = place - middle
+        total = total + part * ((away @ away) * np.eye(3) - np.outer(away, away))
+    return as_table(whole, middle, total)
+
+
+def tensor_of(table: dict[str, Any]) -> Array:
+    """Inertia tensor of a body's table, shape (3, 3), kg m^2."""
+    xx, yy, zz, xy, xz, yz = (table["inertia"].get(name, 0.0) for name in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def add_wheel(
+    draft: Draft,
+    table: dict[str, Any],
+    spindle: dict[str, Any] | None,
+    angles: dict[str, float],
+    given: tuple[float | None, float | None, float | None],
+) -> None:
+    """Wheel, tyre and the body that turns with them; what is not given (radius, mass, stiffness) is estimated.
+
+    ``spindle`` is the table of what turns beside rim and tyre, ``angles`` holds camber and toe (rad).
+    """
+    radius, mass, stiffness = given
+    named = {"wheel.radius": radius, "bodies.wheel.mass": mass, "tyre.stiffness": stiffness}
+    for name, value in named.items():
+        if value is None:
+            draft.estimated.append(name)
+        elif not value > 0.0:
+            raise DescriptionError("out of range", where=name, found=value, allowed="above 0")
+    draft.estimated.append("bodies.wheel.inertia")
+    radius = WHEEL_RADIUS if radius is None else radius
+    rolling = WHEEL_MASS if mass is None else mass
+    table["wheel"] = {"radius": radius, **angles}
+    centre = table["hardpoints"]["wheel_centre"]
+    # the inertia of rim and tyre is estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it
+    inertia = rolling * radius**2 * np.diag([0.35, 0.6, 0.35])
+    whole = as_table(rolling, centre, inertia) if spindle is None else joined(spindle, rolling, centre, inertia)
+    table["bodies"]["wheel"] = whole
+    table["tyre"] = {"stiffness": TYRE_STIFFNESS if stiffness is None else stiffness}
+
+
+def set_on_the_road(draft: Draft, table: dict[str, Any], sprung_mass: float | None) -> None:
+    """Find the sprung mass, then move everything up until the tyre carries the corner."""
+    raised(table, table["wheel"]["radius"] - table["hardpoints"]["wheel_centre"][2])
+    table["sprung"] = {"mass": SPRUNG_MASS if sprung_mass is None else sprung_mass}
+    rig = rig_of(draft, table)
+    if sprung_mass is None:
+        draft.estimated.append("sprung.mass")
+        table["sprung"]["mass"] = _carried(draft, rig)
+        rig = rig_of(draft, table)
+    raised(table, -static_tyre_deflection(rig))
+
+
+def _carried(draft: Draft, rig: Corner) -> float:
+    """Sprung mass in kg that spring and stops hold at design position, or the general estimate."""
+    try:
+        ratio = motion_ratio(rig)
+        mass = SPRUNG_MASS + (spring_force(rig) - static_spring_force(rig)) * ratio / rig.gravity
+    except (np.linalg.LinAlgError, ZeroDivisionError):
+        raise DescriptionError(
+            "the joints do not let the wheel rise, or not in one way only", where=str(draft.path)
+        ) from None
+    if mass > 20.0:
+        message = f"the sprung mass is not in the file; {mass:.4g} kg is what the spring carries at design position."
+    else:
+        message = (
+            f"the sprung mass is not in the file, and the spring carries nothing at design: {SPRUNG_MASS:g} kg assumed."
+        )
+        mass = SPRUNG_MASS
+    draft.note(draft.at("sprung mass"), message, mass)
+    return float(f"{mass:.6g}")
+
+
+def rig_of(draft: Draft, table: dict[str, Any]) -> Corner:
+    """The rig that a table with arrays describes."""
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: plain(item) for key, item in value.items()}
+        return value.tolist() if isinstance(value, np.ndarray) else value
+
+    return cast(Corner, rig_from_table(plain(table), where=str(draft.path)))
+
+
+def raised(table: dict[str, Any], height: float) -> None:
+    """Move a rig up by a height in m."""
+    up = np.array([0.0, 0.0, round(height, 6)])
+    table["hardpoints"] = {name: point + up for name, point in table["hardpoints"].items()}
+    for body in table["bodies"].values():
+        body["centre_of_mass"] = np.array(body["centre_of_mass"]) + up

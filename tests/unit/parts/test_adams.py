@@ -1,0 +1,155 @@
+"""A subsystem of Adams Car, made up from a shipped rig with the frames of its parts turned, gives that rig again."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import DescriptionError
+from jounce.parts.importers import import_adams
+
+DATABASE = Path(__file__).parents[2] / "files" / "adams_car" / "made_up.cdb"
+SUB = Path("subsystems.tbl") / "front.sub"
+RIG = jn.load("sedan-double-wishbone")
+
+
+@pytest.fixture
+def changed(tmp_path):
+    """The database with some text of the subsystem, or of another file, changed."""
+
+    def change(*pairs, name=SUB):
+        folder = tmp_path / "made_up.cdb"
+        if not folder.exists():
+            shutil.copytree(DATABASE, folder)
+        text = (folder / name).read_text()
+        for old, new in pairs:
+            assert old in text
+            text = text.replace(old, new)
+        (folder / name).write_text(text)
+        return folder / SUB
+
+    return change
+
+
+def test_points_and_bodies_are_those_of_the_rig() -> None:
+    rig, findings, _ = import_adams(DATABASE / SUB, wheel_radius=RIG.wheel.radius)
+    assert rig.model == "double-wishbone"
+    up = np.array([0.0, 0.0, rig.hardpoints.wheel_centre[2] - RIG.hardpoints.wheel_centre[2]])
+    for name, point in RIG.hardpoints.given().items():
+        np.testing.assert_allclose(getattr(rig.hardpoints, name), np.array(point) + up, rtol=0.0, atol=1e-9)
+    for name in ("lower_arm", "upper_arm", "upright"):
+        found, own = rig.body_masses()[name], RIG.body_masses()[name]
+        assert found.mass == pytest.approx(own.mass)
+        np.testing.assert_allclose(found.centre_of_mass, np.array(own.centre_of_mass) + up, rtol=0.0, atol=1e-9)
+        size = np.abs(own.inertia.tensor).max()
+        np.testing.assert_allclose(found.inertia.tensor, own.inertia.tensor, rtol=0.0, atol=2e-6 * size)
+    assert (rig.wheel.camber, rig.wheel.toe) == (pytest.approx(np.radians(-0.5)), pytest.approx(np.radians(0.2)))
+    assert "wheel.radius" not in rig.estimated
+    assert {"bodies.wheel.mass", "tyre.stiffness", "sprung.mass", "strut.on"} <= set(rig.estimated)
+    said = " ".join(finding.message for finding in findings)
+    assert "subframe_front" in said
+    assert "subframe (25 kg)" in said
+    assert "the joints are rigid: lca_front" in said
+
+
+def test_property_files_in_their_units_and_signs(changed) -> None:
+    """Installed at 250 mm, with 330 mm free: 80 mm at 60 N/mm. Rebound is positive in Adams, bump is here."""
+    rig, _, _ = import_adams(DATABASE / SUB)
+    assert rig.strut.spring.rate == pytest.approx(60e3)
+    assert rig.strut.spring.free_length - rig.hardpoints.length("strut") == pytest.approx(0.08, abs=1e-8)
+    assert rig.strut.damper.velocity == pytest.approx((-1.0, -0.1, 0.0, 0.1, 1.0))
+    assert rig.strut.damper.force == pytest.approx((-2500.0, -800.0, 0.0, 400.0, 1200.0))
+    stop = rig.strut.bump_stop
+    assert (stop.gap, stop.rate, stop.progression) == pytest.approx((0.04, 50e3, 1e8))
+    file = changed(("'mm'", "'meter'"), name=Path("springs.tbl/ride.spr"))
+    changed(
+        ("330.0", "0.33"),
+        ("-100.0 ", "-0.1 "),
+        ("50.0 ", "0.05 "),
+        ("\n100.0 ", "\n0.1 "),
+        name=Path("springs.tbl/ride.spr"),
+    )
+    assert import_adams(file)[0].strut.spring.rate == pytest.approx(60e3)
+    changed(("-6000.0", "-9000.0"), name=Path("springs.tbl/ride.spr"))
+    changed(("'installed_length'", "'preload'"), ("250.0\n[DAMPER", "4200.0\n[DAMPER"))
+    spring = import_adams(file)[0].strut.spring
+    assert spring.curve.kind == "table"
+    assert spring.free_length - rig.hardpoints.length("strut") == pytest.approx(0.07, abs=1e-8)
+
+
+def test_a_spring_in_xml(changed, tmp_path) -> None:
+    file = changed(("ride.spr", "ride.xml"))
+    rows = "\n".join(f"{x} {60.0 * x}" for x in (-100, 0, 100))
+    (tmp_path / "made_up.cdb" / "springs.tbl" / "ride.xml").write_text(
+        '<afc xmlns="http://a/:vfc" xmlns:afc="http://a/:afc"><afc:Units><afc:UnitSetting name="force" '
+        'current="newton"/><afc:UnitSetting name="length" current="mm"/></afc:Units><SpringProperties freeLength="330">'
+        f"<Spline><![CDATA[{rows}]]></Spline></SpringProperties></afc>"
+    )
+    assert import_adams(file)[0].strut.spring == import_adams(DATABASE / SUB)[0].strut.spring
+
+
+def test_what_is_not_there_is_estimated_and_named(changed) -> None:
+    file = changed(
+        ("springs.tbl", "other.tbl"), ("dampers.tbl", "../../etc"), ("stop.bum", "none.bum"), ("'upright'", "'other'")
+    )
+    changed(("X,Y,Z location", "somewhere"))
+    rig, findings, _ = import_adams(file)
+    assert {"strut.spring.rate", "strut.spring.preload", "strut.damper.coefficient", "bodies.upright.mass"} <= set(
+        rig.estimated
+    )
+    assert rig.strut.bump_stop is None
+    assert rig.bodies.lower_arm.mass == pytest.approx(RIG.bodies.lower_arm.mass)
+    assert "bodies.lower_arm.inertia" in rig.estimated
+    said = " ".join(f"{finding.place}: {finding.message}" for finding in findings)
+    assert "strut.spring: its property file is not there" in said
+    assert "bodies.upright: it is not in the file: 8 kg assumed" in said
+    assert rig.sprung.mass == pytest.approx(350.0, rel=0.5)
+
+
+@pytest.mark.parametrize(
+    ("pairs", "what"),
+    [
+        ([("'suspension'", "'steering'")], "the subsystem is no suspension.*'steering'"),
+        ([("[UNITS]", "[NO_UNITS]")], r"the block \[UNITS\] is missing"),
+        ([("'mm'", "'furlong'")], "no unit of LENGTH; found 'furlong'.*inch"),
+        ([("'mm'", "'inch'")], r"half a track that no car has.*20\.27 m"),
+        ([("-797.9", "797.9")], "left and right are exchanged: y points to the right"),
+        ([("'lca_front       ", "'lca_frunt       ")], "points of a double-wishbone are missing.*lower_arm_front"),
+        ([("'subframe_front  ", "'lca_front       ")], "lower_arm_front is given twice"),
+        ([("-200  -420  163.066", "-200  -420")], "not a hardpoint"),
+        ([("MASS                     =  1.397", "MASS                     =  heavy")], "not a number; found 'heavy'"),
+        ([("MASS                     =  1.397", "MASS                     =  0.0")], "no mass"),
+        ([("[HARDPOINT]", "[HARDPOINTS]")], "no hardpoints are in it"),
+    ],
+)
+def test_mistakes_are_said(changed, pairs, what) -> None:
+    with pytest.raises(DescriptionError, match=what):
+        import_adams(changed(*pairs))
+
+
+@pytest.mark.parametrize(
+    ("name", "pair", "what"),
+    [
+        ("springs.tbl/ride.spr", ("50.0   3000.0", "-50.0   3000.0"), "the first column does not rise"),
+        ("springs.tbl/ride.spr", (" FREE_LENGTH  =  330.0", ""), "FREE_LENGTH is missing"),
+        ("dampers.tbl/ride.dpr", ("[CURVE]", "[CURVES]"), r"the block \[CURVE\] is missing"),
+        ("bumpstops.tbl/stop.bum", ("40   8400", "40   -8400"), "a stop without force|rate"),
+    ],
+)
+def test_mistakes_in_property_files(changed, name, pair, what) -> None:
+    if pair[1].endswith("-8400"):
+        file = changed(
+            ("40   8400", "40   -8400"),
+            ("30   4200", "30   -1"),
+            ("20   1800", "20   -1"),
+            ("10   600", "10   -1"),
+            name=Path(name),
+        )
+    else:
+        file = changed(pair, name=Path(name))
+    with pytest.raises(DescriptionError, match=what):
+        import_adams(file)
