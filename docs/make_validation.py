@@ -107,12 +107,40 @@ HOW = {
     "ride_height_change": "height of the contact point, less that at design",
 }
 """How each row is found from poses."""
+AXLE = {
+    "camber_to_ground": "wheel's axis in axes of the road",
+    "roll_steer": "slope of the steer angle over roll",
+    "roll_camber": "slope of the camber over roll",
+    "roll_caster": "slope of the caster over roll",
+    "track": "distance of both contact points along the road",
+    "roll_centre_height": "lines from the contact points to the instant centres",
+    "roll_centre_y": "lines from the contact points to the instant centres",
+    "anti_roll_bar_twist": "turns of both ends",
+    "anti_roll_bar_torque": "law of the bar at that twist",
+    "roll_moment": "work of the springs at both wheels and of the bar over roll",
+    "roll_stiffness": "slope of the roll moment",
+    "roll_stiffness_bar": "second slope of the bar's energy over roll",
+    "roll_stiffness_springs": "what is left of the slope of the roll moment",
+    "roll_stiffness_total": "that slope in series with the tyres",
+    "mean_steer": "headings of both wheels",
+    "steer_difference": "headings of both wheels",
+    "ideal_outer_steer": "from the outer contact point to where the inner normal meets the line of the rear axle",
+    "ackermann_error": "headings of both wheels and that angle",
+    "ackermann": "headings of both wheels and that angle",
+    "turning_radius": "normals of both wheels on the line of the rear axle",
+    "turn_diameter_kerbs": "outer contact point around that centre",
+    "turn_diameter_walls": "corner of the body around that centre",
+    "pinion_angle": "travel of the rack over its ratio",
+    "c_factor": "slope of the handwheel's angle over rack travel",
+    "steering_ratio": "slopes of the handwheel's angle and of the mean steer angle over rack travel",
+}
+"""How each row of an axle is found from both wheels."""
 
 
 def table() -> str:
     """Every row: unit, what it is compared with, the suspensions that have it, and the largest difference."""
     sys.path.insert(0, str(ROOT / "tests" / "twins"))
-    from validation_cases import CASES, compared
+    from validation_cases import CASES, compared, compared_axle
 
     from jounce.kinematics.catalogue import CATALOGUE
 
@@ -123,10 +151,23 @@ def table() -> str:
     lines = ["| row | unit | compared with | suspensions | at most |", "|---|---|---|---:|---:|"]
     for row in CATALOGUE:
         largest = max(error for _, error in found[row.name])
-        bound = f"1e{math.ceil(math.log10(max(largest, 1e-15)))}"
+        bound = _bound(largest)
         count = len({name for name, _ in found[row.name]})
         lines.append(f"| `{row.name}` | {row.unit} | {HOW[row.name]} | {count} | {bound} |")
+    lines += [
+        "",
+        "Both wheels together, in roll and steered:",
+        "",
+        "| row of an axle | compared with | at most |",
+        "|---|---|---|",
+    ]
+    lines += [f"| `{name}` | {AXLE[name]} | {_bound(error)} |" for name, error in compared_axle().items()]
     return "\n".join(lines) + "\n"
+
+
+def _bound(error: float) -> str:
+    """The next power of ten above a difference, rounding of one number being the least."""
+    return f"1e{math.ceil(math.log10(max(error, 1e-15)))}"
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from axle_from_wheels import rolled, steered
 from catalogue_from_poses import FromPoses
 
 import jounce as jn
@@ -40,6 +41,8 @@ CASES = [
     ("semi-trailing arm", 0.025, None),
 ]
 """Suspension, wheel travel and rack travel (m)."""
+ROLLS, RACKS = (0.02, -0.015), (0.015, -0.012)
+"""Roll of the body (rad), wheels straight, and travel of the rack (m) of an axle."""
 SCALES = {"m": 1e-2, "rad": 1e-2, "1": 1e-2, "rad/m": 0.1, "1/m": 0.1, "rad/m^2": 1.0, "m/rad": 1e-3}
 """Sizes (SI) to which differences of rows near zero are related; of the other units the rows are not near zero."""
 
@@ -52,6 +55,32 @@ def rig_of(name: str):
     found = jn.load(rig).with_changes({path: value for path, value in changes.items() if path != "anti_roll_bar.kind"})
     found = found if kind is None else found.with_changes({"anti_roll_bar.kind": kind})
     return found.mirrored() if "right" in name else found
+
+
+def compared_axle() -> dict[str, float]:
+    """Of each row of an axle how far both are apart, relative to its size; stops are open."""
+    changes = {path: value for path, value in _BAR.items() if path != "strut.bump_stop"}
+    column = {"handwheel": [-0.7, 0.0, 0.6], "upper_joint": [-0.4, 0.0, 0.5], "lower_joint": [-0.1, 0.02, 0.25]}
+    changes["steering"] = {"rack_ratio": 0.013, "column": {**column, "pinion": [0.06, 0.03, 0.148]}}
+    changes["strut.bump_stop"] = {"gap": 0.06, "rate": 1e5}
+    rig = jn.load("formula-student-front").with_changes(changes)
+    car = jn.AxleLayout(
+        axle="front",
+        wheelbase=1.55,
+        centre_of_mass_height=0.3,
+        brake_share=0.6,
+        front_overhang=0.7,
+        body_width=1.2,
+    )
+    pairs = [rolled(rig, jn.sweep_roll, roll, 0.0) for roll in ROLLS]
+    pairs += [steered(rig, jn.sweep_steering, car, rack, 0.006) for rack in RACKS]
+    found: dict[str, float] = {}
+    for own, wanted in pairs:
+        for name, value in wanted.items():
+            apart = abs(own[name] - value) / max(abs(value), 1e-3)
+            bare = name.removeprefix("left.").removeprefix("right.")
+            found[bare] = max(found.get(bare, 0.0), apart)
+    return found
 
 
 def compared(name: str, travel: float, rack: float | None) -> tuple[dict[str, float], dict[str, float]]:
