@@ -18,6 +18,7 @@ from report_rows import report_rows
 from ride_rows import ride_rows
 from start_rows import start_rows
 from timing import Row, markdown, median_time, shown
+from variant_rows import variant_rows
 from vehicle_rows import vehicle_rows
 
 import jounce as jn
@@ -115,6 +116,7 @@ PARTS = (
     vehicle_rows,
     ride_rows,
     inspection_rows,
+    variant_rows,
     update_rows,
     start_rows,
     report_rows,

@@ -110,6 +110,15 @@ def test_output_steps(name: str, step: float) -> None:
     assert solution.events == reference.events
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_contacts_that_open_and_close_just_before_an_edge_on_a_sample(seed: int) -> None:
+    """The force of a tyre with damping jumps where the slope of the road does: what it was before that counts, too."""
+    rig = parts.load("audi-a6-quarter-car")
+    times = output_times(1.0, 1e-3)
+    heights = np.random.default_rng(seed).normal(0.0, 6e-3, 501).cumsum()
+    assert compared(build(rig), rig.parameters(), piecewise_linear(times[::2], heights), times, 2e-9) > 20
+
+
 def test_irregular_samples() -> None:
     rig = KART
     compiled = compile_model(build(rig))

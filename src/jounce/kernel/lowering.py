@@ -97,6 +97,8 @@ class Lanes:
         return (element, False) if element < first else (first + (element - first) * self.count, True)
 
 
+WIDTH = 4
+"""Samples that one vector holds in functions that are written for vectors."""
 AnyFunction = ca.Function | Lanes | Packed
 
 
@@ -182,6 +184,38 @@ class Lowering:
         following = builder.add(sample, _INDEX(1))
         sample.add_incoming(following, builder.block)
         builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
+        ir.IRBuilder(leave).ret_void()
+
+    def add_wide(self, name: str, function: ca.Function, count: int) -> None:
+        """Append ``void name(x, u, p, m, out)`` for ``count`` samples, a multiple of ``WIDTH``: a vector takes so many.
+
+        ``x``, ``u`` and ``out`` hold one row of the samples for each element; ``p`` and ``m`` are the same for all of
+        them. LLVM makes vectors of the loop of ``add_many`` by itself only where functions are small.
+        """
+        native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
+        vector = ir.VectorType(_DOUBLE, WIDTH).as_pointer()
+        entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
+        ir.IRBuilder(entry).branch(loop)
+        builder = ir.IRBuilder(loop)
+        first = builder.phi(_INDEX)
+        first.add_incoming(_INDEX(0), entry)
+
+        def place(argument: int, element: int) -> ir.Value:
+            if argument in (2, 3):
+                return builder.gep(native.args[argument], [_INDEX(element)])
+            row = builder.gep(native.args[argument], [builder.add(first, _INDEX(element * count))])
+            return builder.bitcast(row, vector)
+
+        self._body(
+            builder,
+            function,
+            load=lambda argument, element: builder.load(place(argument, element), align=8),
+            store=lambda value, element: self._store(builder, value, place(4, element)),
+            operation=self._each,
+        )
+        following = builder.add(first, _INDEX(WIDTH))
+        first.add_incoming(following, builder.block)
+        builder.cbranch(builder.icmp_signed("<", following, _INDEX(count)), loop, leave)
         ir.IRBuilder(leave).ret_void()
 
     def add_sum(self, name: str, function: ca.Function, total: int, count: int) -> None:
@@ -275,20 +309,37 @@ class Lowering:
         function: ca.Function,
         load: Callable[[int, int], ir.Value],
         store: Callable[[ir.Value, int], Any],
+        operation: Callable[[ir.IRBuilder, str, list[ir.Value]], ir.Value] | None = None,
     ) -> None:
-        work: dict[int, ir.Value] = {}
+        operate, work = operation or self._operation, dict[int, ir.Value]()
         self._made = {}
         for k in range(function.n_instructions()):
-            operation = _OPCODES[function.instruction_id(k)]
+            code = _OPCODES[function.instruction_id(k)]
             inputs, outputs = function.instruction_input(k), function.instruction_output(k)
-            if operation == "OP_CONST":
+            if code == "OP_CONST":
                 work[outputs[0]] = ir.Constant(_DOUBLE, function.instruction_constant(k))
-            elif operation == "OP_INPUT":
+            elif code == "OP_INPUT":
                 work[outputs[0]] = load(inputs[0], inputs[1])
-            elif operation == "OP_OUTPUT":
+            elif code == "OP_OUTPUT":
                 store(work[inputs[0]], outputs[1])
             else:
-                work[outputs[0]] = self._operation(builder, operation, [work[i] for i in inputs])
+                work[outputs[0]] = operate(builder, code, [work[i] for i in inputs])
+
+    def _each(self, b: ir.IRBuilder, operation: str, x: list[ir.Value]) -> ir.Value:
+        """An operation on numbers and vectors of samples: on each sample by itself where it has no form for vectors."""
+        kinds = [value.type for value in x if isinstance(value.type, ir.VectorType)]
+        if not kinds:
+            return self._operation(b, operation, x)
+        x = [self._spread(b, value, kinds[0]) for value in x]
+        wide = self._wide(b, operation, x)
+        if wide is not None:
+            return wide
+        found = ir.Constant(kinds[0], ir.Undefined)
+        for i in range(kinds[0].count):
+            place = ir.IntType(32)(i)
+            one = self._operation(b, operation, [b.extract_element(value, place) for value in x])
+            found = b.insert_element(found, one, place)
+        return found
 
     def _operation(self, b: ir.IRBuilder, operation: str, x: list[ir.Value]) -> ir.Value:
         wide = [value.type for value in x if isinstance(value.type, ir.VectorType)]

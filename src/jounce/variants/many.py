@@ -60,9 +60,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
 ) -> xr.Dataset:
     """Simulate many variants of a rig over a trial, each from its own static equilibrium.
 
-    What is linear between its contacts runs side by side in vector registers wherever contacts keep, threads sharing
-    the variants; only sums of the samples are kept then. All other runs are those of :func:`simulate`, one by one. The
-    results do not depend on the number of threads.
+    What is linear between its contacts runs side by side in vector registers, threads sharing the variants; only sums
+    of the samples are kept then. A variant goes through its events by itself and comes back to the others. All other
+    runs are those of :func:`simulate`, one by one. The results do not depend on the number of threads.
 
     Parameters
     ----------
@@ -427,7 +427,7 @@ class _Group:
         sums = sums_side_by_side(study.compiled, study.base, parameters, self._signals, times, channels, threads)
         if sums is None:
             return np.ones(len(rows), dtype=bool)
-        careful = sums.careful.copy()
+        careful = sums.alone.copy()
         for place, limit in limits.items():  # what runs away is said where it runs alone
             j = channels.index(place)
             careful |= ~(

@@ -12,17 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.segments import POLYNOMIAL, Segments
+from jounce.core.segments import CIRCLE, Segments
 from jounce.core.types import Array
-from jounce.kernel.engine import Problem, flatten
+from jounce.kernel.engine import Control, Problem, Samples, flatten
 from jounce.kernel.methods import lanes
-from jounce.kernel.methods.exact import parts_for, rate_bound_of, signals_of, typical_step
+from jounce.kernel.methods.exact import MOST_WAVES, parts_for, rate_bound_of, run_of, signals_of, typical_step
 from jounce.kernel.methods.propagators import Calls, propagators, terms_of
 from jounce.mechanics.facts import SLOPE_LANES
 from jounce.simulation.compiled import Compiled
+from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 
 _SPARE = 1.3  # by which the motions of a variant may be faster than those of the one that the step is chosen for
+_LEAST = 4  # variants below which laying out all that they share takes longer than to run each alone
 _FEW = 64  # variants below which a thread more gains nothing
 _MOST_STEPS = 20_000_000
 
@@ -31,8 +33,8 @@ _MOST_STEPS = 20_000_000
 class Sums:
     """What was found of each variant and channel: mean, mean square, least and greatest value about ``rest``.
 
-    All have one row a variant; ``rest`` is the value at rest. ``careful`` tells which variants have nothing here: they
-    change their contacts, or cannot be followed at the common step.
+    All have one row a variant; ``rest`` is the value at rest. ``alone`` tells which variants have nothing here: they
+    rest in other contacts, or cannot be followed at the common step. ``events`` counts what switched.
     """
 
     mean: Array
@@ -40,7 +42,8 @@ class Sums:
     least: Array
     most: Array
     rest: Array
-    careful: NDArray[np.bool_]
+    alone: NDArray[np.bool_]
+    events: NDArray[np.int64]
 
 
 def sums_side_by_side(
@@ -72,7 +75,7 @@ def sums_side_by_side(
         with ThreadPoolExecutor(workers) as pool:
             list(pool.map(lanes.follow, works))
     total, square, least, most = (work.sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
-    return Sums(total / len(times), square / len(times), least, most, work.rest, work.margin < 0.0)
+    return Sums(total / len(times), square / len(times), least, most, work.rest, work.alone == 1, work.events)
 
 
 def _prepared(
@@ -84,17 +87,20 @@ def _prepared(
     channels: Sequence[int],
 ) -> lanes.Work | None:
     facts, zero = compiled.facts, compiled.facts.linear_without
-    if zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
+    if len(parameters) < _LEAST or zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
         return None
     if any(np.any(parameters[:, facts.parameters.index(name)] != 0.0) for name in zero):
         return None
-    if any(np.any(signal.kind != POLYNOMIAL) for signal in signals):
+    if any(np.any(signal.kind == CIRCLE) for signal in signals):
         return None
     step = typical_step(times, np.diff(times))
     if np.max(np.abs(np.diff(times) - step)) > 1e-9 * step:
         return None
     order, count = facts.track_order, len(facts.tracks)
     tracks = flatten(list(signals))
+    frequency = lanes.frequencies(tracks)
+    if len(frequency) > MOST_WAVES:
+        return None
     still = compiled.inputs(
         {name: float(s.evaluate(times[:1])[0][0]) for name, s in zip(facts.tracks, signals, strict=True)}
     )
@@ -102,63 +108,91 @@ def _prepared(
         rest = find_equilibrium(compiled, base, still)
     except SimulationError:  # one by one those that have an equilibrium run
         return None
-    if not _outputs_are_linear(compiled, base, rest.x, rest.modes, still, channels):
+    some = (rest.modes, np.ones_like(rest.modes), np.zeros_like(rest.modes))
+    if not all(_outputs_are_linear(compiled, base, rest.x, modes, still, channels) for modes in some):
         return None
     scale = state_scale(rest, *facts.counts, 1.0)
     inputs, each = order * count, signals_of(tracks, order * count)
     address = compiled.native.address
     calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
     sizes = (len(facts.states), count, order, each)
-    props = propagators(calls, sizes, compiled.shapes["slopes"][0], len(facts.switches), np.zeros(1), scale)
-    values = np.zeros((1, compiled.scalars))
-    values[0] = compiled.extended(base)
+    props = propagators(calls, sizes, compiled.shapes["slopes"][0], len(facts.switches), frequency, scale)
     problem = Problem(
-        compiled.engine, tracks, tracks.first[:-1].copy(), values[0], rest.modes.copy(), rest.x.copy(), inputs
+        compiled.engine,
+        tracks,
+        tracks.first[:-1].copy(),
+        compiled.extended(base),
+        rest.modes.copy(),
+        rest.x.copy(),
+        inputs,
     )
     watched = len(facts.switches) > 0
-    z = rate_bound_of(problem, props) * step * _SPARE
+    z = max(rate_bound_of(problem, props), float(frequency[-1])) * step * _SPARE
     parts = parts_for(z, watched)
     if parts * len(times) > _MOST_STEPS:
         return None
     fastest = z / parts
     if fastest > 1.0:
         return None
-    jumping = lanes.jumps(tracks, each)
-    terms = terms_of(fastest)
-    made = lanes.Sizes(len(facts.states), count * each, inputs, len(channels), len(facts.switches), jumping, terms)
+    band = dead_band(compiled, base, rest, scale, still)
+    control = Control(0.0, scale, band, _MOST_STEPS, float(times[-1] - times[0]))
+    nothing = Samples(
+        np.zeros(0), *(np.zeros((rows, 0)) for rows in (len(facts.states), inputs, len(facts.outputs), 0))
+    )
+    props = props._replace(step=step / parts)
+    run = run_of(problem, control, props, nothing, np.zeros(3, dtype=np.int64))
+    jumping, terms = lanes.jumps(tracks, each), terms_of(fastest)
     nodes = times if parts == 1 else (times[:-1, None] + step / parts * np.arange(parts)).ravel()
     nodes = nodes if parts == 1 else np.append(nodes, times[-1])
-    course = lanes.course(tracks, each, inputs, nodes, jumping, terms)
-    code = lanes.code(compiled.identity, made, lambda: compiled.functions["switch"])
+    course, together = lanes.course(tracks, each, inputs, nodes, jumping, terms, frequency)
+    made = lanes.Sizes(
+        len(facts.states),
+        count,
+        len(course.felt),
+        inputs,
+        len(channels),
+        len(facts.switches),
+        len(jumping),
+        together,
+        terms,
+        parts > 1,
+    )
+    functions = compiled.functions
+    code = lanes.code(compiled.identity, made, lambda: (functions["switch"], functions["rate"]))
     variants = len(parameters)
     return lanes.Work(
-        problem,
-        props._replace(step=step / parts),
-        lanes.Addresses(address["derived"], address["output"], address["switch"], *code.address),
+        run,
+        lanes.Addresses(
+            address["derived"], address["output"], *code.address[:2], np.array(code.address[2:], dtype=np.int64)
+        ),
         course,
-        lanes.room(code.sizes, compiled.scalars, len(facts.outputs))._replace(values=values),
+        lanes.room(code.sizes, run, compiled.scalars, len(facts.outputs)),
         np.ascontiguousarray(parameters),
         np.array([0, variants], dtype=np.int64),
         np.array(channels, dtype=np.int64),
-        2.0 * rest.modes - 1.0,
+        rest.modes.copy(),
         np.array(jumping, dtype=np.int64),
         np.array(code.numbers, dtype=np.int64),
+        np.array([step / parts]),
         parts,
         terms,
         fastest,
+        1e-12 * max(1.0, abs(float(times[-1]))),
         np.full((variants, lanes.SUMS * len(channels)), np.nan),
         np.full((variants, len(channels)), np.nan),
-        np.zeros(variants),
+        np.zeros(variants, dtype=np.int64),
+        np.zeros(variants, dtype=np.int64),
     )
 
 
 def _apart(work: lanes.Work, span: NDArray[np.int64]) -> lanes.Work:
     """The same work on other variants, with arrays of its own to work in."""
+    run = work.run
+    problem = run.problem._replace(piece=run.problem.piece.copy(), m=run.problem.m.copy())
+    props = run.props._replace(scratch=type(run.props.scratch)(*(array.copy() for array in run.props.scratch)))
+    own = {name: getattr(run, name).copy() for name in ("x", "trial", "time", "u", "part", "orders", "counts", "marks")}
     room = lanes.Room(*(array.copy() for array in work.room))
-    problem = work.problem._replace(p=room.values[0], piece=work.problem.piece.copy(), m=work.problem.m.copy())
-    scratch = type(work.props.scratch)(*(array.copy() for array in work.props.scratch))
-    own = {name: getattr(work.props, name).copy() for name in ("matrix", "modes", "fastest", "terms", "kick", "used")}
-    return work._replace(problem=problem, props=work.props._replace(scratch=scratch, **own), room=room, span=span)
+    return work._replace(run=run._replace(problem=problem, props=props, **own), room=room, span=span)
 
 
 def _outputs_are_linear(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from dataclasses import dataclass
 
 import casadi as ca
@@ -9,8 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from llvmlite.binding import parse_assembly
 
 from jounce.kernel.lowering import _OPCODES, Lanes, Lowering
+from jounce.kernel.machine import Code, machine_code, this_machine
 from jounce.kernel.native import compile_functions
 
 UNARY = {
@@ -95,6 +98,24 @@ def test_binary(name):
 def test_what_is_no_number_stays_none(name):
     found, _ = native_and_reference([UNARY[name](X[0])], [(np.nan, 1.0)])
     assert np.isnan(found).all()
+
+
+def test_samples_side_by_side_are_each_what_they_are_alone():
+    """Numbers that all samples share meet vectors, and what has no form for vectors is done one by one."""
+    both, (u, p, m) = X[0] * OTHERS[0] + X[1], OTHERS
+    expressions = [*(f(both) for f in UNARY.values()), *(f(both, u) for f in BINARY.values()), p + m, ca.SX(2.0)]
+    function = ca.Function("f", [X, u, p, m], [ca.densify(ca.vertcat(*expressions))])
+    lowering = Lowering()
+    lowering.add_wide("f", function, 8)
+    random = np.random.default_rng(5)
+    x, at_u, shared = random.normal(size=(2, 8)), random.normal(size=(1, 8)), np.array([0.7, 0.2])
+    found = np.empty((len(expressions), 8))
+    code = Code([machine_code(parse_assembly(str(lowering.module)), this_machine(), 3)], ("f",))
+    pointer = ctypes.POINTER(ctypes.c_double)
+    call = ctypes.CFUNCTYPE(None, *[pointer] * 5)(code.address["f"])
+    call(*(array.ctypes.data_as(pointer) for array in (x, at_u, shared[:1], shared[1:], found)))
+    expected = np.column_stack([function(x[:, i], at_u[:, i], 0.7, 0.2).full().ravel() for i in range(8)])
+    np.testing.assert_allclose(found, expected, rtol=3e-14, atol=1e-300)
 
 
 @pytest.mark.parametrize("operation", [ca.logic_and, ca.logic_or])

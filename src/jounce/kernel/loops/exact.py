@@ -49,7 +49,7 @@ def propagate(work: Work) -> int:
     advance(problem.tracks, problem.piece, times[0], slack)
     fill(problem.tracks, problem.piece, run.time, run.props.scratch.base)
     find(problem, run.props)
-    status = _step_to(run, times[0], times[0], slack)
+    status = step_to(run, times[0], times[0], slack)
     _place(run, times[0])
     size = _FIRST_BLOCK if switches > 0 else BLOCK
     while status == COMPLETED and marks[0] < len(times):
@@ -62,12 +62,12 @@ def propagate(work: Work) -> int:
             # With switches a block of one step is no gain: to judge its bend takes a neighbour.
             if nodes > (1 if switches > 0 else 0):
                 passed, status = _block(work, nodes, sub)
-            if passed == laid:  # the pieces at its end are known; after an event ``_step_to`` has moved them on
+            if passed == laid:  # the pieces at its end are known; after an event ``step_to`` has moved them on
                 for track in range(len(problem.piece)):
                     problem.piece[track] = blocks.reached[track]
         if passed == 0:
             start, end = _next_step(work, marks[0] - 1, sub)
-            status = _step_to(run, start, end, slack)
+            status = step_to(run, start, end, slack)
             passed = blocks.parts if end == times[marks[0]] and sub == 0 else 1
             if end == times[marks[0]]:
                 _place(run, end)
@@ -137,9 +137,9 @@ def _lay_out(work: Any, nodes: int) -> int:
         rows[0, d] = run.x[0, d]
     set_rows(run.props.loops.set, rows, 1, run.props.matrix[run.props.used[1]], lay.drift, nodes)
     for row in range(len(blocks.most) if len(run.problem.m) > 0 else 0):  # only switches ask what edges do inside steps
-        blocks.most[row], jumps = 0.0, blocks.jumps[row]
+        blocks.most[row], blocks.most_thrown[row], jumps, thrown = 0.0, 0.0, blocks.jumps[row], blocks.thrown[row]
         for node in range(nodes + 1):
-            jumps[node] = 0.0
+            jumps[node], thrown[node] = 0.0, 0.0
     for track in range(lay.tracks):
         nodes = _lay_track(work, track, nodes)
     return nodes
@@ -153,14 +153,23 @@ def _lay_track(work: Any, track: int, nodes: int) -> int:
     matrix, terms, slack, c = run.props.matrix[cell], run.props.terms[cell], blocks.slack, tracks.coefficients
     i, last, rate, row = run.problem.piece[track], tracks.first[track + 1] - 1, tracks.rate[track], track * lay.signals
     value, slope, higher = blocks.signals[row], blocks.signals[row + 1], blocks.signals[row + 2 : row + lay.signals]
-    stop, start, straight = tracks.stop[i] if i < last else np.inf, tracks.start[i], lay.signals == 2
+    stop, start = tracks.stop[i] if i < last else np.inf, tracks.start[i]
+    straight, watched = lay.signals == 2, len(run.problem.m) > 0
     c0, c1 = c[i, 0], rate * c[i, 1]
     for node in range(nodes + 1):
         while clock[node] + slack >= stop:
             left = clock[node] - stop
-            # An edge on a node needs nothing: the step behind it begins with the new piece. Inside a step the old piece
-            # is carried on over the edge, and what the jump of its signals does in the time left is added.
-            if left > slack:
+            # Behind an edge on a node the next step begins with the new piece, but just before it switches may have
+            # been on their other side. Inside a step the old piece is carried on over the edge, and what the jump of
+            # its signals does in the time left is added.
+            if left <= slack:
+                if watched and node > 0:
+                    if straight:
+                        _throw(blocks, row, node, c[i + 1, 0] - (c0 + (stop - start) * c1))
+                        _throw(blocks, row + 1, node, rate * c[i + 1, 1] - c1)
+                    else:
+                        _throw_on_node(work, track, i, node)
+            else:
                 if terms == 0 or tracks.kind[i] == 1 or tracks.kind[i + 1] == 1:
                     return node - 1
                 _add_edge(work, track, i, node, left)
@@ -209,29 +218,57 @@ def _signals_at(tracks: Any, i: int, rate: float, s: float, node: int, value: An
 def _add_edge(work: Any, track: int, i: int, node: int, left: float) -> None:
     """Add what a track's jumps of signals from piece ``i`` to the next make of the state at ``node``, ``left`` s on."""
     run, blocks, tracks = work.run, work.blocks, work.run.problem.tracks
-    lay, c, powers, cell = run.props.layout, tracks.coefficients, run.props.scratch.powers, run.props.used[1]
-    stop, rate, terms, matrix = tracks.stop[i], tracks.rate[track], run.props.terms[cell], run.props.matrix[cell]
-    s = rate * (stop - tracks.start[i])
+    lay, powers, cell = run.props.layout, run.props.scratch.powers, run.props.used[1]
+    terms, matrix = run.props.terms[cell], run.props.matrix[cell]
     for j in range(lay.signals):
-        if j == 0:
-            old = c[i, 0] + s * (c[i, 1] + s * (c[i, 2] + s * c[i, 3]))
-            # Pieces that join differ by rounding of their values and of the edge's time, which is no jump.
-            jump = c[i + 1, 0] - old
-            rounding = 1e-15 * (abs(old) + max(1.0, abs(stop)) * abs(rate) * (abs(c[i, 1]) + abs(c[i + 1, 1])))
-            if abs(jump) <= rounding:
-                jump = 0.0
-        elif j == 1:
-            jump = rate * (c[i + 1, 1] - (c[i, 1] + s * (2.0 * c[i, 2] + 3.0 * s * c[i, 3])))
-        elif j == 2:
-            jump = rate * rate * (2.0 * c[i + 1, 2] - (2.0 * c[i, 2] + 6.0 * s * c[i, 3]))
-        else:
-            jump = 6.0 * rate**3 * (c[i + 1, 3] - c[i, 3])
+        jump = _jump(tracks, track, i, j)
         row = track * lay.signals + j
         blocks.jumps[row, node] += abs(jump)
         blocks.most[row] = max(blocks.most[row], blocks.jumps[row, node])
         if jump != 0.0:
             powers_of(powers, jump, left, terms + 1)
             add_rows(run.props.loops.add, blocks.rows, node, matrix, lay.series + row * TERMS + 1, powers, 1, terms, 1)
+
+
+@part()
+def _jump(tracks: Any, track: int, i: int, j: int) -> float:
+    """Jump of the signal ``j`` of a track from its polynomial ``i`` to the next."""
+    c, rate, stop = tracks.coefficients, tracks.rate[track], tracks.stop[i]
+    s = rate * (stop - tracks.start[i])
+    if j == 0:
+        old = c[i, 0] + s * (c[i, 1] + s * (c[i, 2] + s * c[i, 3]))
+        # Pieces that join differ by rounding of their values and of the edge's time, which is no jump.
+        jump = c[i + 1, 0] - old
+        rounding = 1e-15 * (abs(old) + max(1.0, abs(stop)) * abs(rate) * (abs(c[i, 1]) + abs(c[i + 1, 1])))
+        return jump if abs(jump) > rounding else 0.0
+    if j == 1:
+        return float(rate * (c[i + 1, 1] - (c[i, 1] + s * (2.0 * c[i, 2] + 3.0 * s * c[i, 3]))))
+    if j == 2:
+        return float(rate * rate * (2.0 * c[i + 1, 2] - (2.0 * c[i, 2] + 6.0 * s * c[i, 3])))
+    return float(6.0 * rate**3 * (c[i + 1, 3] - c[i, 3]))
+
+
+@part(forceinline=True)
+def _throw(blocks: Any, row: int, node: int, jump: float) -> None:
+    blocks.thrown[row, node] += abs(jump)
+    blocks.most_thrown[row] = max(blocks.most_thrown[row], blocks.thrown[row, node])
+
+
+@part()
+def _throw_on_node(work: Any, track: int, i: int, node: int) -> None:
+    """Take down the jumps of a track from piece ``i`` to the next, on the node itself."""
+    blocks, tracks, found, lay = (
+        work.blocks,
+        work.run.problem.tracks,
+        work.run.props.scratch.powers,
+        work.run.props.layout,
+    )
+    for piece, way in ((i, -1.0), (i + 1, 1.0)):
+        _derivatives(tracks, piece, tracks.rate[track], tracks.stop[i], work.run.props.scratch.derivatives)
+        for j in range(lay.order):
+            found[j] = way * work.run.props.scratch.derivatives[j] + (found[j] if way > 0.0 else 0.0)
+    for j in range(lay.order):
+        _throw(blocks, track * lay.signals + j, node, found[j])
 
 
 @part(forceinline=True)
@@ -270,7 +307,7 @@ def _block(work: Any, nodes: int, sub: int) -> tuple[int, int]:
             return nodes, COMPLETED
         advance(problem.tracks, problem.piece, blocks.clock[suspect], blocks.slack)
         events, at = run.counts[2], suspect + 1
-        status = _step_to(run, blocks.clock[suspect], blocks.clock[at], blocks.slack)
+        status = step_to(run, blocks.clock[suspect], blocks.clock[at], blocks.slack)
         if status != COMPLETED or run.counts[2] > events:
             if status == COMPLETED and (sub + at) % blocks.parts == 0:
                 _place(run, blocks.clock[at])
@@ -301,19 +338,20 @@ def _suspect(work: Any, first: int, nodes: int) -> int:
     """
     run, blocks = work.run, work.blocks
     g, band, modes, found = blocks.g, run.band, run.problem.m, nodes
-    kick = run.props.kick[run.props.used[1]]
+    kick, throw = run.props.kick[run.props.used[1]], run.props.throw[run.props.used[1]]
     for i in range(len(modes)):
         side, room = 1.0 if modes[i] > 0.5 else -1.0, -band[i]
         for row in range(kick.shape[0]):
-            room += blocks.most[row] * kick[row, i]
+            room += blocks.most[row] * kick[row, i] + blocks.most_thrown[row] * throw[row, i]
         # Most switches are far from their sides all through a block: one bound for all its steps says so.
         lowest, bend = _extremes(g[i], side, nodes)
         if lowest >= room + 0.5 * bend:
             continue
         for k in range(first, found):
-            room = -band[i]
+            room, thrown = -band[i], 0.0
             for row in range(kick.shape[0]):
                 room += blocks.jumps[row, k + 1] * kick[row, i]
+                thrown += blocks.thrown[row, k + 1] * throw[row, i]
             # Second differences on both sides of the step stand for the curvature inside; at the block's ends, where
             # there is only one, it counts twice. A parabola lies off its chord by an eighth of it; a quarter is to be
             # safe.
@@ -324,7 +362,7 @@ def _suspect(work: Any, first: int, nodes: int) -> int:
                 bend = bend + before if k + 2 <= nodes else 2.0 * before
             elif k + 2 <= nodes:
                 bend *= 2.0
-            if there < -band[i] or min(here, there) < room + 0.25 * bend:
+            if there < -band[i] or min(here, there - thrown) < room + 0.25 * bend:
                 found = k
                 break
     return found
@@ -378,7 +416,7 @@ def _longest_part(run: Any) -> float:
 
 
 @part()
-def _step_to(run: Any, t: float, end: float, slack: float) -> int:
+def step_to(run: Any, t: float, end: float, slack: float) -> int:
     """Take the state from ``t`` to ``end``, through all edges and events; give a status code."""
     problem, marks = run.problem, run.marks
     while True:

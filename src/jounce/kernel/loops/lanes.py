@@ -7,10 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from jounce.kernel.engine import COMPLETED, Problem
 from jounce.kernel.loops.compiling import call_native, call_one, part
-from jounce.kernel.loops.propagators import build
-from jounce.kernel.methods.lanes import NEARS, SUMS, Work
-from jounce.kernel.methods.propagators import TERMS
+from jounce.kernel.loops.exact import step_to
+from jounce.kernel.loops.propagators import find
+from jounce.kernel.loops.signals import advance
+from jounce.kernel.methods.exact import Run
+from jounce.kernel.methods.lanes import ALONE, NEARS, SUMS, Work
+from jounce.kernel.methods.propagators import TERMS, Propagators
+
+_STILL, _START = 0, 1  # rows of the ends of a course
 
 
 @part()
@@ -21,55 +27,120 @@ def follow(work: Work) -> None:
         last = min(first + wide, work.span[1])
         for lane in range(wide):
             _lay_out(work, min(first + lane, last - 1), lane)
-        _march(work)
+        _march(work, first, last - first)
         for lane in range(last - first):
             _take_down(work, first + lane, lane)
+
+
+@part(forceinline=True)
+def _run_of(work: Any, lane: int) -> Any:
+    """The run of one variant of the block: its own parameters, modes and propagators, and room that all share."""
+    run, room, count = work.run, work.room, work.room.fastest.shape[1]
+    problem, props, own = run.problem, run.props, lane * count
+    return Run(
+        Problem(
+            problem.engine,
+            problem.tracks,
+            problem.piece,
+            room.values[lane],
+            room.modes[lane],
+            problem.x0,
+            problem.inputs,
+        ),
+        run.control,
+        Propagators(
+            props.calls,
+            props.loops,
+            props.layout,
+            props.scratch,
+            props.step,
+            props.frequency,
+            props.scale,
+            room.matrix[own : own + count],
+            room.mode_table[own : own + count],
+            room.fastest[lane],
+            room.terms[lane],
+            room.kick[own : own + count],
+            room.throw[own : own + count],
+            room.used[lane],
+        ),
+        run.out,
+        run.band,
+        run.x,
+        run.trial,
+        run.time,
+        run.u,
+        run.part,
+        run.orders,
+        run.counts,
+        run.marks,
+    )  # fmt: skip
 
 
 @part()
 def _lay_out(work: Any, variant: int, lane: int) -> None:
     """Put what a step needs of a variant into its lane, and the variant where it rests."""
-    problem, props, room = work.problem, work.props, work.room
-    # The extended parameters lie where the problem has its own.
-    call_native(
-        work.addresses.derived, work.parameters, variant, work.course.still, problem.m, problem.m, room.values, 0
-    )
-    build(problem, props, 0)
-    work.margin[variant] = 0.0
-    if not props.fastest[0] * props.step <= work.fastest or not _rest(work):
-        work.margin[variant] = -np.inf
-        room.kept[:, lane] = 0.0
-        room.variant[:, lane] = 0.0
+    room, course, none = work.room, work.course, work.modes
+    call_native(work.addresses.derived, work.parameters, variant, course.still, none, none, room.values, lane)
+    count = room.fastest.shape[1]
+    for i in range(len(work.modes)):
+        room.modes[lane, i] = work.modes[i]
+    room.used[lane, 0], room.lost[lane] = 0, 0
+    for c in range(lane * count, (lane + 1) * count):
+        room.laid[c] = 0
+    for q in range(len(course.still)):
+        work.run.props.scratch.base[q, 0] = course.still[q]
+    run = _run_of(work, lane)
+    find(run.problem, run.props)
+    if not _fits(work, run) or not _rest(work, run):
+        _lose(work, variant, lane)
         return
-    _read_rows(work)
-    matrix, lay, n = props.matrix[0], props.layout, props.layout.states
-    at = 0
-    for j in range(n):
-        at = _put(room.variant, at, lane, matrix, j, n)
-    at = _put(room.variant, at, lane, matrix, lay.drift, n)
-    for j in range(lay.tracks * lay.signals):
-        at = _put(room.variant, at, lane, matrix, lay.forcing + j, n)
-    for signal in work.jumping:
-        for p in range(work.terms):
-            at = _put(room.variant, at, lane, matrix, lay.series + signal * TERMS + p + 1, n)
-    at = _begin(work, variant, lane, at)
-    for number in work.numbers:
-        room.variant[at, lane] = room.values[0, number]
-        at += 1
+    for i in range(room.rest.shape[1]):
+        room.rest[lane, i] = room.state[i, 0]
+    for q in range(len(course.still)):
+        room.inputs[q, 0] = course.still[q]
+    call_one(work.addresses.output, room.state, room.inputs, run.problem.p, run.problem.m, room.outputs)
+    for k in range(len(work.chosen)):
+        work.rest[variant, k] = room.outputs[work.chosen[k], 0]
+    _change(work, run, variant, lane)
+    _look(work, run, lane, work.addresses.look, course.ends, _STILL)
+    sound = _is_sound(work, room.one[1])
+    for j in range(len(work.chosen)):
+        at = room.rest.shape[1] + SUMS * j
+        room.one[0, at], room.one[0, at + 1] = 0.0, 0.0
+        room.one[0, at + 2], room.one[0, at + 3] = np.inf, -np.inf
+    _look(work, run, lane, work.addresses.look, course.ends, _START)
+    if not sound or not _is_sound(work, room.one[1]):  # other contacts at rest, or thrown over at the start
+        _lose(work, variant, lane)
+        return
+    for i in range(room.kept.shape[0]):
+        room.kept[i, lane] = room.one[1, i]
 
 
 @part()
-def _put(to: Any, at: int, lane: int, matrix: Any, row: int, count: int) -> int:
-    for i in range(count):
-        to[at + i, lane] = matrix[row, i]
-    return at + count
+def _lose(work: Any, variant: int, lane: int) -> None:
+    """Leave a variant to itself: what is in its lane means nothing from here on."""
+    room = work.room
+    work.alone[variant], room.lost[lane] = 1, 1
+    for i in range(room.kept.shape[0]):
+        room.kept[i, lane] = room.next[i, lane] = 0.0
+    for i in range(room.variant.shape[0]):
+        room.variant[i, lane] = 0.0
+
+
+@part(forceinline=True)
+def _fits(work: Any, run: Any) -> bool:
+    """Whether the common step is short enough for the modes of a variant."""
+    return bool(run.props.fastest[run.props.used[1]] * run.props.step <= work.fastest)
 
 
 @part()
-def _rest(work: Any) -> bool:
+def _rest(work: Any, run: Any) -> bool:
     """Find where the variant rests, with its modes held: Gauss, with the greatest pivot; tell whether there is such."""
-    props, table, state = work.props, work.room.balance, work.room.state
-    matrix, lay, n = props.matrix[0], props.layout, props.layout.states
+    props, table, state = run.props, work.room.balance, work.room.state
+    matrix, lay, n = props.matrix[props.used[1]], props.layout, props.layout.states
+    for d in range(n):
+        state[d, 0] = 0.0
     for i in range(n):
         for j in range(n):
             table[i, j] = matrix[lay.slope + j, i]
@@ -81,7 +152,7 @@ def _rest(work: Any) -> bool:
         for i in range(k + 1, n):
             if abs(table[i, k]) > abs(table[best, k]):
                 best = i
-        if not abs(table[best, k]) > 1e-12 * props.fastest[0]:
+        if not abs(table[best, k]) > 1e-12 * props.fastest[props.used[1]]:
             return False
         for j in range(k, n + 1):
             table[k, j], table[best, j] = table[best, j], table[k, j]
@@ -101,9 +172,78 @@ def _rest(work: Any) -> bool:
 
 
 @part()
-def _read_rows(work: Any) -> None:
+def _change(work: Any, run: Any, variant: int, lane: int) -> None:
+    """Give a lane what a step needs in the modes of its variant."""
+    room, modes = work.room, run.problem.m
+    c = lane * room.fastest.shape[1] + run.props.used[1]
+    column, first = room.columns[c], room.columns.shape[1] - len(modes)
+    same = room.laid[c] == 1
+    for i in range(len(modes)):
+        same = same and column[first + i] == modes[i]
+    if not same:
+        _lay_column(work, run, variant, lane, column)
+        room.laid[c] = 1
+    for i in range(len(column)):
+        room.variant[i, lane] = column[i]
+
+
+@part()
+def _lay_column(work: Any, run: Any, variant: int, lane: int, column: Any) -> None:
+    """Write what a step needs: images of the states, drift, forcing, series, rows of outputs, numbers, modes."""
+    props = run.props
+    matrix, lay, n = props.matrix[props.used[1]], props.layout, props.layout.states
+    at = 0
+    for j in range(n):
+        at = _put(column, at, matrix, j, n)
+    at = _put(column, at, matrix, lay.drift, n)
+    for signal in work.course.felt:
+        at = _put(column, at, matrix, lay.forcing + signal, n)
+    for signal in work.jumping:
+        for p in range(work.terms):
+            at = _put(column, at, matrix, lay.series + signal * TERMS + p + 1, n)
+    at = _lay_outputs(work, run, variant, lane, column, at)
+    for number in work.numbers:
+        column[at] = run.problem.p[number]
+        at += 1
+    for i in range(len(run.problem.m)):
+        column[at + i] = run.problem.m[i]
+
+
+@part()
+def _put(column: Any, at: int, matrix: Any, row: int, count: int) -> int:
+    for i in range(count):
+        column[at + i] = matrix[row, i]
+    return at + count
+
+
+@part()
+def _lay_outputs(work: Any, run: Any, variant: int, lane: int, column: Any, at: int) -> int:
+    """Write the rows of outputs, about their values at rest; give the place behind them."""
+    problem, room, still = run.problem, work.room, work.course.still
+    n, inputs = room.rest.shape[1], len(still)
+    _read_rows(work, run)
+    for i in range(n):
+        room.state[i, 0] = room.rest[lane, i]
+    for q in range(inputs):
+        room.inputs[q, 0] = still[q]
+    call_one(work.addresses.output, room.state, room.inputs, problem.p, problem.m, room.outputs)
+    for k in range(len(work.chosen)):
+        constant = room.outputs[work.chosen[k], 0] - work.rest[variant, k]
+        for i in range(n):
+            column[at + i] = room.rows[k, i]
+            constant -= room.rows[k, i] * room.rest[lane, i]
+        for q in range(inputs):
+            column[at + n + q] = room.rows[k, n + q]
+            constant -= room.rows[k, n + q] * still[q]
+        column[at + n + inputs] = constant
+        at += n + inputs + 1
+    return at
+
+
+@part()
+def _read_rows(work: Any, run: Any) -> None:
     """Slopes of the outputs looked at, along states and inputs."""
-    problem, calls, room, lay = work.problem, work.props.calls, work.props.scratch, work.props.layout
+    problem, calls, room, lay = run.problem, run.props.calls, run.props.scratch, run.props.layout
     n, lanes, directions = lay.states, calls.lanes, lay.states + lay.inputs
     for first in range(0, directions, lanes):
         room.seeds[:] = 0.0
@@ -117,78 +257,99 @@ def _read_rows(work: Any) -> None:
 
 
 @part()
-def _begin(work: Any, variant: int, lane: int, at: int) -> int:
-    """Lay out the rows of outputs, about rest, and what is kept at the start; give the place behind them."""
-    problem, room, course = work.problem, work.room, work.course
-    n, inputs, seeds = room.state.shape[0], len(course.still), work.props.scratch.seeds
-    for q in range(inputs):
-        room.inputs[q, 0] = course.still[q]
-    for i in range(n):
-        room.kept[i, lane] = seeds[0, i] = room.state[i, 0]
-    call_one(work.addresses.output, room.state, room.inputs, problem.p, problem.m, room.outputs)
-    row = n
-    for k in range(len(work.chosen)):
-        constant, first = 0.0, 0.0
-        for i in range(n):
-            room.variant[at + i, lane] = room.rows[k, i]
-            constant -= room.rows[k, i] * room.state[i, 0]
-        for q in range(inputs):
-            room.variant[at + n + q, lane] = room.rows[k, n + q]
-            constant -= room.rows[k, n + q] * course.still[q]
-            first += room.rows[k, n + q] * (course.start[q] - course.still[q])
-        room.variant[at + n + inputs, lane] = constant
-        at += n + inputs + 1
-        work.rest[variant, k] = room.outputs[work.chosen[k], 0]
-        room.kept[row, lane], room.kept[row + 1, lane] = first, first * first
-        room.kept[row + 2, lane], room.kept[row + 3, lane] = first, first
-        row += SUMS
-    call_native(work.addresses.switch, seeds, 0, room.inputs, problem.p, problem.m, room.switches, 0)
-    for q in range(inputs):
-        room.inputs[q, 0] = course.start[q]
-    call_native(work.addresses.switch, seeds, 0, room.inputs, problem.p, problem.m, room.switches, 1)
-    for i in range(len(work.side)):
-        still, start = work.side[i] * room.switches[0, i], work.side[i] * room.switches[1, i]
-        room.kept[row, lane], room.kept[row + 1, lane], room.kept[row + 2, lane] = 0.0, start, min(still, start)
-        row += NEARS
-    return at
+def _look(work: Any, run: Any, lane: int, address: int, ends: Any, row: int) -> None:
+    """Sum up outputs and look at the switches where a variant is: sums so far are in ``one``, and go on there."""
+    room = work.room
+    for i in range(room.rest.shape[1]):
+        room.one[0, i] = room.state[i, 0]
+    c = lane * room.fastest.shape[1] + run.props.used[1]
+    call_native(address, room.one, 0, room.columns[c], ends[row], work.length, room.one, 1)
 
 
 @part()
-def _march(work: Any) -> None:
+def _is_sound(work: Any, one: Any) -> bool:
+    """Whether all switching functions are on their side, but for rounding."""
+    switches, sound = len(work.modes), True
+    for i in range(switches):
+        sound = sound and one[len(one) - 1 - NEARS * (switches - i)] >= -work.run.control.dead_band[i]
+    return sound
+
+
+@part()
+def _march(work: Any, first: int, count: int) -> None:
     """Take a block of variants through the whole course."""
-    room, course, addresses, none = work.room, work.course, work.addresses, work.problem.m
-    here, there, wide = room.kept, room.next, room.kept.shape[1]
-    sub = 0
+    room, course, addresses = work.room, work.course, work.addresses
+    here, there, last = room.kept, room.next, room.kept.shape[0] - 1
+    watched, sub = len(work.modes) > 0, 0
+    for track in range(len(room.piece)):
+        room.piece[track] = work.run.problem.tracks.first[track]
     for k in range(len(course.edges)):
         sub += 1
         sampled, edge = sub == work.parts, course.edges[k]
-        if edge >= 0:
-            address = addresses.step_over_edge if sampled else addresses.part_over_edge
-            call_one(address, here, room.variant, course.over_edges[edge], none, there)
+        if edge == ALONE:
+            for lane in range(count):
+                if room.lost[lane] == 0:
+                    _step_alone(work, first + lane, lane, k, sampled, here, there)
         else:
-            address = addresses.step if sampled else addresses.part
-            call_one(address, here, room.variant, course.level[k], none, there)
+            kind = (0 if sampled else len(addresses.steps) // 2) + (course.kinds[edge] if edge >= 0 else 0)
+            row = course.over_edges[edge] if edge >= 0 else course.level[k]
+            call_one(addresses.steps[kind], here, room.variant, row, work.length, there)
+        if watched and edge != ALONE and _lowest(there[last]) < 0.0:
+            for lane in range(count):
+                if there[last, lane] < 0.0 and room.lost[lane] == 0:
+                    _step_alone(work, first + lane, lane, k, sampled, here, there)
         here, there = there, here
         if sampled:
             sub = 0
     if len(course.edges) % 2 == 1:
         for i in range(room.kept.shape[0]):
-            for lane in range(wide):
+            for lane in range(count):
                 room.kept[i, lane] = room.next[i, lane]
+
+
+@part(fastmath={"nnan", "nsz"})
+def _lowest(row: Any) -> float:
+    found = row[0]
+    for lane in range(1, len(row)):
+        found = min(found, row[lane])
+    return found
+
+
+@part()
+def _step_alone(work: Any, variant: int, lane: int, k: int, sampled: bool, here: Any, there: Any) -> None:
+    """Take one variant over a step by itself, through its events, and bring it back to the others."""
+    room, course, run = work.room, work.course, _run_of(work, lane)
+    n, last = room.rest.shape[1], room.kept.shape[0] - 1
+    advance(run.problem.tracks, room.piece, course.clock[k], work.slack)
+    for track in range(len(room.piece)):
+        run.problem.piece[track] = room.piece[track]
+    for d in range(n):
+        run.x[0, d] = here[d, lane]
+    run.counts[2], run.marks[2], run.marks[3] = 0, 0, 0
+    status = step_to(run, course.clock[k], course.clock[k + 1], work.slack)
+    if status != COMPLETED or not _fits(work, run):
+        _lose(work, variant, lane)
+        return
+    if run.counts[2] > 0:
+        work.events[variant] += run.counts[2]
+        _change(work, run, variant, lane)
+    for i in range(last):
+        room.one[0, i] = here[i, lane]
+    for d in range(n):
+        room.state[d, 0] = run.x[0, d]
+    _look(work, run, lane, work.addresses.look if sampled else work.addresses.glance, course.level, k)
+    for i in range(last):
+        there[i, lane] = room.one[1, i]
 
 
 @part()
 def _take_down(work: Any, variant: int, lane: int) -> None:
     """Take down what was found of a variant."""
-    kept, n, sums = work.room.kept, work.room.state.shape[0], work.sums.shape[1]
-    if work.margin[variant] < 0.0:
+    kept, n, sums = work.room.kept, work.room.rest.shape[1], work.sums.shape[1]
+    if work.alone[variant] == 1:
         return
     for i in range(n + sums):
         if not math.isfinite(kept[i, lane]):
-            work.margin[variant] = -np.inf
+            work.alone[variant] = 1
     for j in range(sums):
         work.sums[variant, j] = kept[n + j, lane]
-    nearest = np.inf
-    for i in range(len(work.side)):
-        nearest = min(nearest, kept[n + sums + NEARS * i + 2, lane])
-    work.margin[variant] = min(work.margin[variant], nearest) if nearest <= 0.0 else work.margin[variant]

@@ -12,6 +12,7 @@ from jounce.kernel.loops.rows import add_rows
 from jounce.kernel.methods.propagators import TERMS
 
 _CLOSE, _CLOSE_JUMP = 1e-19, 1e-16  # of a series' first terms, below which the rest counts for nothing
+_FAR = 1e6  # how far inputs are moved to see what they make of switching functions: m, m/s, N, ...
 
 
 @part()
@@ -271,9 +272,10 @@ def _turn(turned: Any, w: float, h: float) -> None:
 def _kicks(problem: Any, props: Any, matrix: Any, c: int) -> None:
     """Fill in how far a jump of each signal, by one, may throw each switching function off its chord.
 
-    The jump itself counts, and a quarter of a step of the bend that it makes; twice that, to be safe.
+    The jump itself counts, and a quarter of a step of the bend that it makes; twice that, to be safe. On the end of a
+    step only the jump itself counts: just before it, the function was off by that.
     """
-    lay, kick, found = props.layout, props.kick[c], props.scratch.thrown
+    lay, kick, throw, found = props.layout, props.kick[c], props.throw[c], props.scratch.thrown
     if len(problem.m) == 0:
         return
     _throws(problem, props, matrix)
@@ -284,13 +286,17 @@ def _kicks(problem: Any, props: Any, matrix: Any, c: int) -> None:
                 kick[row, i] = (
                     2.0 * (found[q, i] + 0.25 * props.step * found[lay.inputs + q, i]) if j < lay.order else 0.0
                 )
+                throw[row, i] = found[q, i] if j < lay.order else 0.0
                 if 0 < j <= lay.order:
                     kick[row, i] += 0.5 * props.step * found[q - 1, i]
 
 
 @part()
 def _throws(problem: Any, props: Any, matrix: Any) -> None:
-    """Change of the switching functions along each input, then along the rates that each input makes, both ways."""
+    """Change of the switching functions along each input, then along the rates that each input makes, both ways.
+
+    So far out that of several lines, of which a function is the lowest, the steepest counts.
+    """
     lay, room = props.layout, props.scratch
     found, here, x, u = room.thrown, room.switches, room.seeds, room.base
     room.thrown[:] = 0.0
@@ -298,15 +304,16 @@ def _throws(problem: Any, props: Any, matrix: Any) -> None:
         x[0, d] = problem.x0[d]
     call_native(props.calls.switch, x, 0, u, problem.p, problem.m, here, 0)
     for q in range(lay.inputs):
-        for way in (-1.0, 1.0):
-            u[q, 0] += way
+        value = u[q, 0]
+        for way in (-_FAR, _FAR):
+            u[q, 0] = value + way
             call_native(props.calls.switch, x, 0, u, problem.p, problem.m, here, 1)
-            u[q, 0] -= way
+            u[q, 0] = value
             for d in range(lay.states):
                 x[0, d] = problem.x0[d] + way * matrix[lay.input_slope + q, d]
             call_native(props.calls.switch, x, 0, u, problem.p, problem.m, here, 2)
             for d in range(lay.states):
                 x[0, d] = problem.x0[d]
             for i in range(len(problem.m)):
-                found[q, i] = max(found[q, i], abs(here[1, i] - here[0, i]))
-                found[lay.inputs + q, i] = max(found[lay.inputs + q, i], abs(here[2, i] - here[0, i]))
+                found[q, i] = max(found[q, i], abs(here[1, i] - here[0, i]) / _FAR)
+                found[lay.inputs + q, i] = max(found[lay.inputs + q, i], abs(here[2, i] - here[0, i]) / _FAR)

@@ -5,7 +5,7 @@ add what their jumps of signals do until its end. Blocks of such steps are compu
 switching functions are looked at in all of them; a step in which one may leave its side is done once more, in parts,
 and where it does, the steps behind it are dropped.
 
-Steps of any length (``_step_to``) are Taylor series between the edges of the input and the events. Modes are held on
+Steps of any length (``step_to``) are Taylor series between the edges of the input and the events. Modes are held on
 each part of a step. Where a switching function leaves its side, the part ends at the located crossing, the mode flips,
 and the matrices of the new modes carry on. So also where an edge of the input throws a switch over: that takes no time.
 """
@@ -27,7 +27,7 @@ _propagate, _bound_rates = Loop("exact"), Loop("rate_bound")
 
 BLOCK = 192
 """Most steps in a block, whose scratch arrays should stay in the cache."""
-_MAX_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000  # beyond, steps with error control are the faster way
+MOST_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000  # beyond, steps with error control are the faster way
 _BAND = 1e-2  # share of the dead band of adaptive steps, whose errors are larger
 WATCHED = 0.5  # radians of the fastest motion between looks at the switches; the series converge well beyond
 
@@ -40,7 +40,7 @@ class Blocks(NamedTuple):
     number of each piece's angular frequency, ``reached`` the piece of each track at the end of a block. At the nodes
     of a block: ``clock`` (s), ``rows`` (states), ``signals`` of the tracks, and, an element a row, ``x``, ``u`` and the
     switching functions ``g``; ``jumps`` (for each signal) are what edges make of it inside the step to a node, and
-    ``most`` the largest in the block.
+    ``most`` the largest in the block; ``thrown`` and ``most_thrown`` those on the node itself.
     """
 
     parts: int
@@ -56,6 +56,8 @@ class Blocks(NamedTuple):
     g: Matrix
     jumps: Matrix
     most: Vector
+    thrown: Matrix
+    most_thrown: Vector
 
 
 class Plan(NamedTuple):
@@ -75,7 +77,7 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     speed = np.abs(tracks.coefficients[:, 2] * np.repeat(tracks.rate, np.diff(tracks.first)))
     frequency = np.unique(speed[tracks.kind == 1])
     frequency = np.concatenate([np.zeros(1), frequency[frequency > 0.0]])
-    if np.any(tracks.kind == 2) or len(frequency) > _MAX_WAVES or len(times) < 2:
+    if np.any(tracks.kind == 2) or len(frequency) > MOST_WAVES or len(times) < 2:
         return None
     count = len(tracks.rate)
     sizes = (len(control.scale), count, problem.inputs // max(count, 1), signals_of(tracks, problem.inputs))
@@ -105,6 +107,8 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
         g=np.zeros((switches, nodes)),
         jumps=np.zeros((rows, nodes)),
         most=np.zeros(rows),
+        thrown=np.zeros((rows, nodes)),
+        most_thrown=np.zeros(rows),
     )
     return Plan(props._replace(step=typical / parts), blocks)
 
@@ -181,21 +185,26 @@ def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, coun
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps (none) and events.
     """
-    width, inputs = plan.blocks.rows.shape[1], problem.inputs
+    return _propagate(Work(run_of(problem, control, plan.props, out, counts), plan.blocks))
+
+
+def run_of(problem: Problem, control: Control, props: Propagators, out: Samples, counts: Integers) -> Run:
+    """Lay out a run that stands at its start."""
+    width = props.matrix.shape[2]
     run = Run(
         problem,
         control,
-        plan.props,
+        props,
         out,
         band=_BAND * control.dead_band + 1e-14,
         x=np.zeros((1, width)),
         trial=np.zeros((1, width)),
         time=np.zeros(1),
-        u=np.zeros((inputs, 1)),
+        u=np.zeros((problem.inputs, 1)),
         part=np.zeros(2),
         orders=np.zeros(1, dtype=np.int64),
         counts=counts,
         marks=np.zeros(5, dtype=np.int64),
     )
     run.x[0, : len(control.scale)] = problem.x0
-    return _propagate(Work(run, plan.blocks))
+    return run

@@ -1,10 +1,11 @@
 """Many variants of a piecewise linear model over one course, side by side: metrics of their outputs, no samples kept.
 
-All variants feel the same signals at the same times, and each keeps the modes it rests in; so a step is the same
-handful of products for every variant, and variants lie side by side in vector registers. What a step needs of a
-variant (``propagators``) is made one after another, a block of variants is then taken through the whole run. A variant
-whose switching functions come near to their other side, or whose motions are too fast for the common step, is left to
-the careful way (``methods.exact``): its ``margin`` says so.
+All variants feel the same signals at the same times. While contacts keep, a step is the same handful of products for
+every variant, and variants lie side by side in vector registers. What a step needs of a variant (``propagators``) is
+made one after another, a block of variants is then taken through the whole run. After each step the switching
+functions are judged; a variant of which one may have left its side takes this step once more by itself, through all
+its events (``methods.exact``), and comes back to the others with what a step needs in its new modes. Motions that are
+too fast for the common step leave a variant ``alone``: it has to run by itself.
 """
 
 from __future__ import annotations
@@ -15,13 +16,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from llvmlite import ir
 
 from jounce.core.types import Array
-from jounce.kernel.arrays import Integers, Matrix, Vector
+from jounce.kernel.arrays import Block, IntegerMatrix, Integers, Matrix, Vector
 from jounce.kernel.call import Loop
-from jounce.kernel.engine import Problem, Tracks
-from jounce.kernel.methods.propagators import Propagators
+from jounce.kernel.engine import Tracks
+from jounce.kernel.methods.exact import Run
 from jounce.kernel.native import Native, Source, kept_code
 
 if TYPE_CHECKING:
@@ -30,246 +30,351 @@ if TYPE_CHECKING:
     from jounce.kernel.lowering import Lowering
 
 _follow = Loop("lanes")
-SUMS, NEARS = 4, 3
-"""Numbers kept of an output (sum, sum of squares, least, greatest) and of a switching function."""
+SUMS, NEARS = 4, 2
+"""Numbers kept of an output (sum, sum of squares, least, greatest) and of a switching function (it and its rate)."""
+_TOGETHER = 3  # combinations of signals that jump in one step, for each of which there is code of its own
+ALONE = -2
+"""Number of a step that all variants take by themselves."""
+_FEWEST = 4  # variants side by side: one vector
 _CACHE = 24_000  # bytes that the arrays of a block should not exceed
+_MODES = 16  # combinations of modes whose matrices are kept of each variant of a block
+
+
+LOOKS = ("look", "glance")
+"""Functions for what is looked at where one variant has come to by itself, with a sample there or without."""
 
 
 @dataclass(frozen=True)
 class Sizes:
     """What the code of a step is made for.
 
-    Numbers of states, of signals of all tracks, of inputs, of outputs and switching functions that are looked at; which
-    signals jump at edges inside steps; how many terms of a series a jump takes; and how many numbers of the model the
-    switching functions need.
+    Numbers of states, of tracks, of signals that do not vanish, of inputs, of outputs and switching functions that are
+    looked at, of signals that jump at edges inside steps; which of the latter do so in one step, each combination;
+    how many terms of a series a jump takes; whether there are steps without a sample at their end; and how many numbers
+    of the model the switching functions and their rates need.
     """
 
     states: int
+    tracks: int
     signals: int
     inputs: int
     outputs: int
     switches: int
-    jumping: tuple[int, ...]
+    jumping: int
+    together: tuple[tuple[int, ...], ...]
     terms: int
+    parted: bool
     numbers: int = 0
 
     @property
     def kept(self) -> int:
-        """Rows of what a step changes."""
-        return self.states + SUMS * self.outputs + NEARS * self.switches
+        """Rows of what a step changes; last how near a switching function came to its other side in it."""
+        return self.states + SUMS * self.outputs + NEARS * self.switches + 1
 
     @property
-    def places(self) -> tuple[int, int, int, int, int, int]:
-        """Where drift, forcing, series, outputs and numbers begin in the rows of a variant; and the end."""
+    def places(self) -> tuple[int, int, int, int, int, int, int]:
+        """Where drift, forcing, series, outputs, numbers and modes begin in the rows of a variant; and the end."""
         drift = self.states**2
         forcing = drift + self.states
         series = forcing + self.states * self.signals
-        outputs = series + self.states * self.terms * len(self.jumping)
+        outputs = series + self.states * self.terms * self.jumping
         numbers = outputs + self.outputs * (self.states + self.inputs + 1)
-        return drift, forcing, series, outputs, numbers, numbers + self.numbers
+        modes = numbers + self.numbers
+        return drift, forcing, series, outputs, numbers, modes, modes + self.switches
 
     @property
     def lanes(self) -> int:
         """Variants side by side."""
         fit = _CACHE // (8 * (2 * self.kept + self.places[-1]))
-        return int(np.clip(fit // 8 * 8, 8, 32))
+        return int(np.clip(fit // 8 * 8, 8, 32)) if fit >= 8 else _FEWEST
 
+    @property
+    def modes(self) -> int:
+        """Combinations of modes of each variant whose matrices are kept."""
+        return int(min(2 ** min(self.switches, 60), _MODES))
 
-NAMES = ("step", "step_over_edge", "part", "part_over_edge")
-"""Functions of a step: with a sample at its end or without, and with edges of the course inside or without."""
+    @property
+    def steps(self) -> tuple[tuple[bool, tuple[int, ...] | None], ...]:
+        """Each kind of step: whether there is a sample at its end, and which signals jump inside (None: no edge)."""
+        kinds = (None, *self.together)
+        return tuple((sampled, jumping) for sampled in (True, False)[: 1 + self.parted] for jumping in kinds)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the functions."""
+        return *LOOKS, *(f"step {i}" for i in range(len(self.steps)))
 
 
 @dataclass(frozen=True)
 class Steps:
-    """What the module of native code holds: ``f(kept, variant, course, modes, kept)`` of many variants.
+    """What the module of native code holds: ``f(kept, variant, course, length, kept)``, of steps for many variants.
 
-    ``switch`` is the model's function of (states, inputs, extended parameters, modes), of which it needs ``numbers``.
+    ``watch`` gives the model's switching functions, then their rates, of (states, inputs, rates of the last input of
+    each track, extended parameters, modes); of the parameters it needs ``numbers``.
     """
 
     sizes: Sizes
-    switch: ca.Function
+    watch: ca.Function
     numbers: tuple[int, ...]
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the functions."""
-        return NAMES
+        return self.sizes.names
 
     def add(self, lowering: Lowering) -> None:
         """Append the functions."""
         import casadi as ca
 
-        for name in NAMES:
-            inputs, result = self._graph(name.startswith("step"), name.endswith("edge"))
-            lowering.add_many(f"{name} of many", ca.Function(name, inputs, [result]), internal=True)
-            # With a number of variants that it knows, LLVM sees that rows do not overlap, and takes them in vectors.
-            native = lowering.declare(name, [ir.DoubleType().as_pointer()] * 5)
-            builder = ir.IRBuilder(native.append_basic_block())
-            wide = (ir.IntType(64)(number) for number in (self.sizes.lanes, 0, self.sizes.lanes))
-            builder.call(lowering.module.globals[f"{name} of many"], [*native.args, *wide])
-            builder.ret_void()
+        for name in LOOKS:
+            lowering.add(name, ca.Function(name, *self._graph(sampled=name == "look")))
+        for i, (sampled, jumping) in enumerate(self.sizes.steps):
+            graph = self._graph(sampled=sampled, steps=True, jumping=jumping)
+            lowering.add_wide(f"step {i}", ca.Function("step", *graph), self.sizes.lanes)
 
-    def _graph(self, sampled: bool, over_edge: bool) -> tuple[list[ca.SX], ca.SX]:
+    def _graph(
+        self, *, sampled: bool, steps: bool = False, jumping: tuple[int, ...] | None = None
+    ) -> tuple[list[ca.SX], list[ca.SX]]:
         import casadi as ca
 
-        sizes, n, inputs = self.sizes, self.sizes.states, self.sizes.inputs
-        drift, forcing, series, outputs, numbers, end = sizes.places
-        kept, variant, m = ca.SX.sym("kept", sizes.kept), ca.SX.sym("variant", end), ca.SX.sym("m", sizes.switches)
-        count = len(sizes.jumping) * sizes.terms
-        course = ca.SX.sym("course", sizes.signals + 2 * inputs + (inputs + count if over_edge else 0))
-        signals, ends = course[: sizes.signals], course[sizes.signals : sizes.signals + 2 * inputs]
-        after, before = ends[:inputs], ends[inputs:]
-        x, sums, near = kept[:n], kept[n : n + SUMS * sizes.outputs], kept[n + SUMS * sizes.outputs :]
-        moved = x + ca.reshape(variant[: n * n], n, n) @ x + variant[drift:forcing]
-        moved += ca.reshape(variant[forcing:series], n, sizes.signals) @ signals
-        if over_edge and count:
-            moved += ca.reshape(variant[series:outputs], n, count) @ course[sizes.signals + 3 * inputs :]
+        sizes, n, inputs, terms = self.sizes, self.sizes.states, self.sizes.inputs, self.sizes.terms
+        drift, forcing, series, outputs, numbers, modes, end = sizes.places
+        kept, variant, length = ca.SX.sym("kept", sizes.kept), ca.SX.sym("variant", end), ca.SX.sym("length")
+        side, over_edge = inputs + sizes.tracks, jumping is not None
+        course = ca.SX.sym("course", sizes.signals + 2 * side + (inputs + sizes.jumping * terms if over_edge else 0))
+        after = course[sizes.signals : sizes.signals + side]
+        before = course[sizes.signals + side : sizes.signals + 2 * side]
+        at_edges = course[sizes.signals + 2 * side :]
+        x, sums, near = kept[:n], kept[n : n + SUMS * sizes.outputs], kept[n + SUMS * sizes.outputs : -1]
+        moved, nearest = x, ca.SX(1.0)
+        if steps:
+            moved = x + ca.reshape(variant[: n * n], n, n) @ x + variant[drift:forcing]
+            moved += ca.reshape(variant[forcing:series], n, sizes.signals) @ course[: sizes.signals]
+        for jump in jumping or ():
+            own, place = series + jump * terms * n, inputs + jump * terms
+            moved += ca.reshape(variant[own : own + terms * n], n, terms) @ at_edges[place : place + terms]
         if sampled and sizes.outputs:
             table = ca.reshape(variant[outputs:numbers], n + inputs + 1, sizes.outputs).T
-            y = table @ ca.vertcat(moved, after, 1.0)
+            y = table @ ca.vertcat(moved, after[:inputs], 1.0)
             total, squares, least, most = (sums[i::SUMS] for i in range(SUMS))
             found = ca.horzcat(total + y, squares + y * y, ca.fmin(least, y), ca.fmax(most, y))
             sums = ca.reshape(found.T, SUMS * sizes.outputs, 1)
         if sizes.switches:
-            p = ca.SX(self.switch.size1_in(2), 1)
+            p, m, sign = ca.SX(self.watch.size1_in(3), 1), variant[modes:], 2.0 * variant[modes:] - 1.0
             for i, number in enumerate(self.numbers):
                 p[number] = variant[numbers + i]
 
-            def distance(u: ca.SX) -> ca.SX:
-                """How far each switching function is from its other side."""
-                return (2.0 * m - 1.0) * self.switch(moved, u, p, m)
+            def watch(at: ca.SX) -> tuple[ca.SX, ca.SX]:
+                """How far each switching function is from its other side, and how fast it goes away from there."""
+                found = self.watch(moved, at[:inputs], at[inputs:], p, m)
+                return sign * found[: sizes.switches], sign * found[sizes.switches :]
 
-            # It may come nearer inside a step than at its ends: by its bend, and by what edges throw it.
-            change, last, margin = (near[i::NEARS] for i in range(NEARS))
-            last_of_step = distance(before)
-            bend = ca.fabs(last_of_step - last - change)
-            if over_edge:
-                thrown = course[sizes.signals + 2 * inputs : sizes.signals + 3 * inputs]
-                ways = [ca.fabs(distance(before + way * thrown) - last_of_step) for way in (-1.0, 1.0)]
-                bend += ca.fmax(*ways)
-            nearest = ca.fmin(margin, ca.fmin(last_of_step, last) - bend)
-            found = ca.horzcat(last_of_step - last, distance(after), nearest)
-            near = ca.reshape(found.T, NEARS * sizes.switches, 1)
-        return [kept, variant, course, m], ca.densify(ca.vertcat(moved, sums, near))
+            there, leaving = watch(after)
+            if steps:
+                # Inside a step a parabola with the rates at both ends dips below its chord by an eighth of their
+                # difference, times the step; a quarter is to be safe. Edges throw it beyond that.
+                (end_of_step, arriving), here, left = watch(before), near[0::NEARS], near[1::NEARS]
+                dip = 0.25 * length * ca.fabs(arriving - left)
+                if over_edge:
+                    throw = ca.vertcat(at_edges[:inputs], ca.SX(sizes.tracks, 1))
+                    ways = [ca.fabs(watch(before + way * throw)[0] - end_of_step) for way in (-1.0, 1.0)]
+                    dip += ca.fmax(*ways)
+                lowest = ca.fmin(ca.fmin(end_of_step, here) - dip, there)
+                nearest = lowest[0]
+                for i in range(1, sizes.switches):
+                    nearest = ca.fmin(nearest, lowest[i])
+            near = ca.reshape(ca.horzcat(there, leaving).T, NEARS * sizes.switches, 1)
+        return [kept, variant, course, length], [ca.densify(ca.vertcat(moved, sums, near, nearest))]
 
 
 class Course(NamedTuple):
-    """What all variants feel: at each step the signals at its start, then the inputs just after and before its end.
+    """What all variants feel, at each step: the signals at its start, then inputs just after and just before its end.
 
-    ``edges`` numbers the steps with edges inside (-1: none), whose rows in ``over_edges`` go on with how far these
-    throw each input, and what their jumps weigh.
-    ``still`` are the inputs that the variants rest under, ``start`` those just after the start.
+    Of the signals only those are there that do not vanish (``felt``). The inputs are followed by the rate of the last
+    one of each track. ``edges`` numbers the steps with edges inside (-1: none, ``ALONE``: between sines), whose rows in
+    ``over_edges`` go on with how far these throw each input, and what their jumps weigh; ``kinds`` says which of
+    ``Sizes.steps`` each of them is. ``clock`` (s) are the ends of steps, from the start of the first one on. The rows
+    of ``ends`` are for the inputs that the variants rest under (``still``), and for those just after the start.
     """
 
+    clock: Vector
     level: Matrix
     over_edges: Matrix
     edges: Integers
+    kinds: Integers
+    felt: Integers
     still: Vector
-    start: Vector
+    ends: Matrix
 
 
 class Addresses(NamedTuple):
-    """Native functions: of the model, then of the steps in the order of ``NAMES``."""
+    """Native functions: of the model, then ``LOOKS``, and steps as ``Sizes.steps`` has them."""
 
     derived: int
     output: int
-    switch: int
-    step: int
-    step_over_edge: int
-    part: int
-    part_over_edge: int
+    look: int
+    glance: int
+    steps: Integers
 
 
 class Room(NamedTuple):
-    """Arrays that a block of variants works in; ``kept`` and ``next`` take turns."""
+    """Arrays that a block of variants works in.
+
+    ``kept`` and ``next`` take turns; their columns, and those of ``variant``, are variants. With one row (or one after
+    another) a variant: parameters (``values``), ``modes``, ``rest``; propagators (``matrix`` to ``used``, as
+    ``Propagators`` has them), and for each of them, ``columns``, what ``variant`` gets in its modes; ``laid`` says
+    which of these there are. ``lost`` marks variants that go alone. ``one`` is a column of ``kept`` before and after;
+    ``piece`` are the pieces of the tracks at the last step that a variant took by itself.
+    """
 
     kept: Matrix
     next: Matrix
     variant: Matrix
+    values: Matrix
+    modes: Matrix
+    rest: Matrix
+    matrix: Block
+    mode_table: Matrix
+    fastest: Matrix
+    terms: IntegerMatrix
+    kick: Block
+    throw: Block
+    used: IntegerMatrix
+    columns: Matrix
+    laid: Integers
+    lost: Integers
+    one: Matrix
+    piece: Integers
     balance: Matrix
     rows: Matrix
     state: Matrix
     inputs: Matrix
-    values: Matrix
     outputs: Matrix
-    switches: Matrix
 
 
 class Work(NamedTuple):
     """Variants from ``first`` to ``stop`` (``span``), one row of ``parameters`` each, and what is found of them.
 
-    ``chosen`` are the outputs looked at, ``side`` the sign of each switching function at rest. ``sums`` has ``SUMS``
-    numbers of each output, about its value at ``rest``; ``margin`` is how near a switch came, below zero where the
-    variant has to go the careful way.
+    ``run`` is that of a variant which takes a step by itself; ``chosen`` are the outputs looked at, ``modes`` those at
+    rest. ``length`` of a step (s) is an array of one number. ``sums`` has ``SUMS`` numbers of each output, about its
+    value at ``rest``; ``events`` counts what happened to a variant; ``alone`` is 1 where it has to run by itself.
     """
 
-    problem: Problem
-    props: Propagators
+    run: Run
     addresses: Addresses
     course: Course
     room: Room
     parameters: Matrix
     span: Integers
     chosen: Integers
-    side: Vector
+    modes: Vector
     jumping: Integers
     numbers: Integers
+    length: Vector
     parts: int
     terms: int
     fastest: float
+    slack: float
     sums: Matrix
     rest: Matrix
-    margin: Vector
+    events: Integers
+    alone: Integers
 
 
-def course(tracks: Tracks, signals: int, inputs: int, times: Array, jumping: Sequence[int], terms: int) -> Course:
-    """Lay out what tracks of polynomials do over steps between ``times`` (s), all of one length."""
+def course(
+    tracks: Tracks, signals: int, inputs: int, times: Array, jumping: Sequence[int], terms: int, frequency: Array
+) -> tuple[Course, tuple[tuple[int, ...], ...]]:
+    """Lay out what tracks of polynomials and sines do over steps between ``times`` (s), all of one length.
+
+    ``frequency`` are the angular frequencies of the sines (rad/s) after a zero: each step has the signals of all of
+    them, which vanish where a track is on another piece. Where a sine begins or ends inside a step, all variants take
+    it alone. Gives also which of the ``jumping`` signals do so in one step, for each combination that occurs.
+    """
     count = len(tracks.rate)
     order = inputs // max(count, 1)
     slack = 1e-12 * max(1.0, abs(times[-1]))
-    nodes, before = np.empty((2, len(times), count * signals))
-    weights: dict[int, Array] = {}
+    each = max(signals, order + 1)
+    nodes, before = np.empty((2, len(times), count * each))
+    level = np.zeros((len(times) - 1, len(frequency), count, signals))
+    jumped = np.zeros((len(times), len(jumping)), dtype=bool)
+    thrown = np.zeros((len(times), inputs + len(jumping) * terms))  # of the step to each node
+    edges = np.full(len(times), -1, dtype=np.int64)
     for track in range(count):
         first, last = tracks.first[track], tracks.first[track + 1] - 1
-        stops, own = tracks.stop[first:last], slice(track * signals, (track + 1) * signals)
+        stops, own = tracks.stop[first:last], slice(track * each, (track + 1) * each)
         for found, side, shift in ((nodes, "right", slack), (before, "left", -slack)):
             piece = first + np.searchsorted(stops, times + shift, side=side)  # type: ignore[call-overload]
-            found[:, own] = _signals(tracks, track, piece, times, signals)
+            found[:, own] = _signals(tracks, track, piece, times, each)
+            if found is nodes:
+                wave = np.searchsorted(frequency, _frequency(tracks, track, piece[:-1]))
+                here = nodes[:-1, own][:, :signals].copy()
+                here[wave > 0, 3:] = 0.0  # which follows from the others on a sine
+                level[np.arange(len(times) - 1), wave, track] = here
         step = np.searchsorted(times, stops - slack, side="left") - 1  # the step in which each edge lies
-        for i, k in enumerate(step):
-            left = times[k + 1] - stops[i] if 0 <= k < len(times) - 1 else 0.0
-            if left <= slack:  # an edge on a node needs nothing: the step behind it begins with the new piece
-                continue
-            at = np.array([stops[i]])
-            old, new = (_signals(tracks, track, np.array([first + i + j]), at, signals)[0] for j in (0, 1))
-            of = weights.setdefault(int(k), np.zeros(inputs + len(jumping) * terms))
-            for j, jump in enumerate(new - old):
-                if j < order:
-                    of[track * order + j] += abs(jump)
-                if 0 < j <= order:
-                    of[track * order + j - 1] += abs(jump) * (times[k + 1] - times[k])
-                if track * signals + j in jumping:
-                    place = inputs + list(jumping).index(track * signals + j) * terms
-                    of[place : place + terms] += jump * left ** np.arange(1, terms + 1)
-    held = [track * signals + i for track in range(count) for i in range(order)]
-    values = nodes[:, held]
-    level = np.ascontiguousarray(np.hstack([nodes[:-1], values[1:], before[1:, held]]))
-    edges = np.full(len(times) - 1, -1, dtype=np.int64)
-    edges[list(weights)] = np.arange(len(weights))
-    over = np.zeros((len(weights), level.shape[1] + inputs + len(jumping) * terms))
-    for row, (k, of) in enumerate(weights.items()):
-        over[row, : level.shape[1]], over[row, level.shape[1] :] = level[k], of
-    still = np.where(np.arange(inputs) % max(order, 1) == 0, values[0], 0.0)
-    return Course(level, over, edges, still, values[0].copy())
+        inside = (step >= 0) & (step < len(times) - 1)
+        left = np.where(inside, times[np.minimum(step + 1, len(times) - 1)] - stops, 0.0)
+        edge = np.flatnonzero(left > slack)  # on a node it needs nothing: the step behind it begins with the new piece
+        left, node = left[edge], step[edge] + 1
+        bent = (tracks.kind[first + edge] == 1) | (tracks.kind[first + edge + 1] == 1)
+        edges[node] = np.maximum(edges[node], 0)
+        edges[node[bent]] = ALONE
+        old, new = (_signals(tracks, track, first + edge + i, stops[edge], signals) for i in (0, 1))
+        for j, jump in enumerate(np.where(bent[:, None], 0.0, new - old).T):
+            if j < order:
+                np.add.at(thrown[:, track * order + j], node, np.abs(jump))
+            if 0 < j <= order:
+                np.add.at(thrown[:, track * order + j - 1], node, np.abs(jump) * (times[1] - times[0]))
+            if track * signals + j in jumping:
+                which = list(jumping).index(track * signals + j)
+                jumped[node[jump != 0.0], which] = True
+                place = inputs + which * terms
+                for term in range(terms):
+                    np.add.at(thrown[:, place + term], node, jump * left ** (term + 1))
+    held, rates = ([track * each + i for track in range(count) for i in places] for places in (range(order), (order,)))
+    ends = [*held, *rates]
+    felt = np.flatnonzero(np.any(level, axis=0).ravel())
+    rows = np.hstack([level.reshape(len(level), -1)[:, felt], nodes[1:, ends], before[1:, ends]])
+    edges = edges[1:].copy()
+    over = np.flatnonzero(edges >= 0)
+    edges[over] = np.arange(len(over))
+    together, kinds = np.unique(jumped[1:][over], axis=0, return_inverse=True)
+    if len(together) > _TOGETHER:
+        together, kinds = np.ones((1, len(jumping)), dtype=bool), np.zeros(len(over))
+    still = np.where(np.arange(inputs) % max(order, 1) == 0, nodes[0, held], 0.0)
+    alike = np.zeros((2, rows.shape[1]))
+    for row, at in enumerate((np.append(still, np.zeros(count)), nodes[0, ends])):
+        alike[row, -2 * len(ends) :] = np.tile(at, 2)
+    found = Course(
+        np.ascontiguousarray(times, dtype=float),
+        np.ascontiguousarray(rows),
+        np.ascontiguousarray(np.hstack([rows[over], thrown[1:][over]])),
+        edges,
+        1 + kinds.ravel().astype(np.int64),
+        felt,
+        still,
+        alike,
+    )
+    return found, tuple(tuple(np.flatnonzero(row).tolist()) for row in together)
+
+
+def frequencies(tracks: Tracks) -> Array:
+    """Angular frequencies of all sines (rad/s), ascending, after a zero."""
+    found = [_frequency(tracks, k, np.arange(*tracks.first[k : k + 2])) for k in range(len(tracks.rate))]
+    return np.unique(np.concatenate([np.zeros(1), *found]))
+
+
+def _frequency(tracks: Tracks, track: int, piece: Integers) -> Array:
+    return np.where(tracks.kind[piece] == 1, np.abs(tracks.coefficients[piece, 2] * tracks.rate[track]), 0.0)
 
 
 def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
-    """Which signals of tracks of polynomials jump at an edge, but for rounding."""
+    """Which signals of tracks jump at an edge between polynomials, but for rounding."""
     found = set()
     for track in range(len(tracks.rate)):
         first, last = tracks.first[track], tracks.first[track + 1] - 1
         inner = np.arange(first, last)
-        at = tracks.stop[first:last]
+        inner = inner[(tracks.kind[inner] == 0) & (tracks.kind[inner + 1] == 0)]
+        at = tracks.stop[inner]
         old, new = (_signals(tracks, track, inner + j, at, signals) for j in (0, 1))
         size = 1e-12 * np.max(np.abs(np.vstack([old, new, np.zeros((1, signals))])), axis=0)
         found |= {track * signals + int(j) for j in np.flatnonzero(np.any(np.abs(new - old) > size, axis=0))}
@@ -280,13 +385,20 @@ def _signals(tracks: Tracks, track: int, piece: Integers, times: Array, signals:
     """Value and derivatives of some pieces at some times."""
     rate, c = tracks.rate[track], tracks.coefficients[piece].T
     s = rate * (times - tracks.start[piece])
-    found = [
-        c[0] + s * (c[1] + s * (c[2] + s * c[3])),
-        rate * (c[1] + s * (2.0 * c[2] + 3.0 * s * c[3])),
-        rate**2 * (2.0 * c[2] + 6.0 * s * c[3]),
-        6.0 * rate**3 * c[3],
-    ]
-    return np.array(found[:signals]).T
+    found = np.array(
+        [
+            c[0] + s * (c[1] + s * (c[2] + s * c[3])),
+            rate * (c[1] + s * (2.0 * c[2] + 3.0 * s * c[3])),
+            rate**2 * (2.0 * c[2] + 6.0 * s * c[3]),
+            6.0 * rate**3 * c[3],
+        ]
+    )
+    bent = tracks.kind[piece] == 1
+    if bent.any():
+        c, s, w = c[:, bent], s[bent], rate * c[2, bent]
+        sine, cosine = np.sin(c[2] * s + c[3]), np.cos(c[2] * s + c[3])
+        found[:, bent] = c[0] + c[1] * sine, c[1] * w * cosine, -c[1] * w**2 * sine, -c[1] * w**3 * cosine
+    return found[:signals].T
 
 
 class Code(NamedTuple):
@@ -297,13 +409,16 @@ class Code(NamedTuple):
     numbers: tuple[int, ...]
 
 
-def code(identity: str, sizes: Sizes, switch: Callable[[], ca.Function]) -> Code:
-    """Native code of steps for a model; ``identity`` says everything that its switching functions depend on."""
+def code(identity: str, sizes: Sizes, functions: Callable[[], tuple[ca.Function, ca.Function]]) -> Code:
+    """Native code of steps for a model; ``identity`` says everything that its ``functions`` depend on.
+
+    These are the switching functions and the rates, of (states, inputs, extended parameters, modes).
+    """
     key = (identity, sizes)
     if key not in _KEPT:
-        native, notes = kept_code(f"lanes {sizes} {identity}", lambda: _source(sizes, switch()))
+        native, notes = kept_code(f"lanes {sizes} {identity}", lambda: _source(sizes, *functions()))
         numbers = tuple(json.loads(notes))
-        found = Code(tuple(native.address[name] for name in NAMES), replace(sizes, numbers=len(numbers)), numbers)
+        found = Code(tuple(native.address[name] for name in sizes.names), replace(sizes, numbers=len(numbers)), numbers)
         _KEPT[key] = found, native
     return _KEPT[key][0]
 
@@ -311,29 +426,51 @@ def code(identity: str, sizes: Sizes, switch: Callable[[], ca.Function]) -> Code
 _KEPT: dict[tuple[str, Sizes], tuple[Code, Native]] = {}
 
 
-def _source(sizes: Sizes, switch: ca.Function) -> Source:
+def _source(sizes: Sizes, switch: ca.Function, rate: ca.Function) -> Source:
     import casadi as ca
 
     x, u, p, m = (ca.SX.sym(name, switch.size1_in(i)) for i, name in enumerate("xupm"))
-    found = switch(x, u, p, m)
+    last, order = ca.SX.sym("last", sizes.tracks), sizes.inputs // max(sizes.tracks, 1)
+    rates = [u[i + 1] if (i + 1) % order else last[i // order] for i in range(sizes.inputs)]
+    at = switch(x, u, p, m)
+    along = ca.jtimes(at, x, rate(x, u, p, m)) + ca.jtimes(at, u, ca.vertcat(*rates))
+    watch = ca.Function("watch", [x, u, last, p, m], [ca.densify(ca.vertcat(at, along))])
+    found = ca.vertcat(at, along)
     numbers = tuple(i for i in range(p.shape[0]) if ca.depends_on(found, p[i]))
-    return Source({}, Steps(replace(sizes, numbers=len(numbers)), switch, numbers), json.dumps(numbers))
+    return Source({}, Steps(replace(sizes, numbers=len(numbers)), watch, numbers), json.dumps(numbers))
 
 
-def room(sizes: Sizes, values: int, outputs: int) -> Room:
-    """Arrays for blocks of variants, with so many extended parameters and outputs of the model."""
-    n, wide = sizes.states, sizes.lanes
+def room(sizes: Sizes, run: Run, values: int, outputs: int) -> Room:
+    """Arrays for blocks of variants, with so many extended parameters and outputs of the model.
+
+    The propagators of ``run`` say how large those of a variant are.
+    """
+    n, wide, all_modes = sizes.states, sizes.lanes, sizes.lanes * sizes.modes
+    _, rows, width = run.props.matrix.shape
     return Room(
         np.zeros((sizes.kept, wide)),
         np.zeros((sizes.kept, wide)),
         np.zeros((sizes.places[-1], wide)),
+        np.zeros((wide, values)),
+        np.zeros((wide, sizes.switches)),
+        np.zeros((wide, n)),
+        np.zeros((all_modes, rows, width)),
+        np.zeros((all_modes, sizes.switches)),
+        np.zeros((wide, sizes.modes)),
+        np.zeros((wide, sizes.modes), dtype=np.int64),
+        np.zeros((all_modes, *run.props.kick.shape[1:])),
+        np.zeros((all_modes, *run.props.kick.shape[1:])),
+        np.zeros((wide, 2), dtype=np.int64),
+        np.zeros((all_modes, sizes.places[-1])),
+        np.zeros(all_modes, dtype=np.int64),
+        np.zeros(wide, dtype=np.int64),
+        np.zeros((2, sizes.kept)),
+        np.zeros(sizes.tracks, dtype=np.int64),
         np.zeros((n, n + 1)),
         np.zeros((sizes.outputs, n + sizes.inputs)),
         np.zeros((n, 1)),
         np.zeros((sizes.inputs, 1)),
-        np.zeros((1, values)),
         np.zeros((outputs, 1)),
-        np.zeros((2, sizes.switches)),
     )
 
 

@@ -83,9 +83,9 @@ class Propagators(NamedTuple):
     """All propagators made so far, for steps of ``step`` s, and the modes each belongs to.
 
     For each of them ``fastest`` is a bound of its rates and those of the waves (rad/s or 1/s), ``terms`` how many terms
-    of a series a jump inside a step takes (0: it has none), and ``kick`` how far, at most, a jump of a
-    signal throws a switching function off the chord of a step. ``used`` is how many there were, and which one is in
-    use.
+    of a series a jump inside a step takes (0: it has none), ``kick`` how far, at most, a jump of a signal inside a step
+    throws a switching function off its chord, and ``throw`` how far one at its end. ``used`` is how many there were,
+    and which one is in use.
     """
 
     calls: Calls
@@ -100,6 +100,7 @@ class Propagators(NamedTuple):
     fastest: Vector
     terms: Integers
     kick: Block
+    throw: Block
     used: Integers
 
 
@@ -131,6 +132,7 @@ def propagators(
         np.zeros((count, switches)),
         np.zeros(count),
         np.zeros(count, dtype=np.int64),
+        np.zeros((count, layout.tracks * layout.signals, switches)),
         np.zeros((count, layout.tracks * layout.signals, switches)),
         np.zeros(2, dtype=np.int64),
     )
