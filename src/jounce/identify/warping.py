@@ -10,6 +10,10 @@ The same with thinned signals, in a hundredth of the time, says beforehand wheth
 
 from __future__ import annotations
 
+import contextlib
+import math
+import mmap
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,12 +21,12 @@ from jounce.core.types import Array
 from jounce.kernel.call import Loop
 
 Indices = NDArray[np.int64]
-_BLOCK, _LONG = 128, 60_000  # half as many stores, and half the memory, from so many samples on
+_BLOCK, _SHORT = 128, 20_000  # from four times as many samples on, fewer stores: fresh memory takes long, too
 _WIDE = 512  # a band from which a narrower one may save time
 _NARROW = 16  # times as narrow is that which gives some path
 _THIN = 16  # samples that become one where it is tried
 _USED = 0.85  # of the thinned band: where more is in use, too little is left out
-_path = Loop("warping")
+_path, _path_here = Loop("warping"), Loop("warping", here=True)
 
 
 def warping_path(
@@ -46,7 +50,7 @@ def warping_path(
     band = max(int(radius), 0)
     if narrow is None:
         narrow = band // _NARROW if band > _WIDE and _pays(x, backwards, band) else -1
-    path, _ = _follow(x, backwards, band, min(narrow, band), _BLOCK if x.size < _LONG else 2 * _BLOCK)
+    path, _ = _follow(x, backwards, band, min(narrow, band), _BLOCK * max(math.isqrt(x.size // _SHORT), 1))
     return path[0].copy(), path[1].copy()
 
 
@@ -57,12 +61,24 @@ def _follow(
     n = x.size
     path = np.empty((2, 2 * n - 1), dtype=np.int64)
     width = 2 * (band // 2 + 2) + 1
-    costs, stores = np.empty((2, width)), np.empty(((2 * n - 3) // block + 1 if n > 1 else 0, 2, width))
+    costs, stores = np.empty((2, width)), _fresh(((2 * n - 3) // block + 1 if n > 1 else 0, 2, width))
     if unused is not None:
         stores.fill(unused)
     directions = np.empty((block, 2 * (block // 2 + 2) + 1), dtype=np.int64)
-    first = _path(x, backwards, band, narrow, costs, stores, directions, path)
+    loop = _path if n < _SHORT else _path_here  # made for this very processor, it has its time back
+    first = loop(x, backwards, band, narrow, costs, stores, directions, path)
     return path[:, first:], stores
+
+
+def _fresh(shape: tuple[int, int, int]) -> Array:
+    """Memory that is filled once (half a gigabyte for long signals), in pages of the ordinary size where there are such.
+
+    NumPy asks Linux for huge ones: to find and clear them may take longer than to compute what is stored.
+    """
+    with contextlib.suppress(AttributeError, OSError, ValueError):  # Windows; no memory; no size
+        pages = mmap.mmap(-1, 8 * math.prod(shape), flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+        return np.frombuffer(pages).reshape(shape)
+    return np.empty(shape)
 
 
 def _pays(x: Array, backwards: Array, band: int) -> bool:

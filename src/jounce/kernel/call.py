@@ -42,16 +42,22 @@ PYTHON = (
     "PyTuple_Size",
 )
 """Functions of the interpreter that the code calls."""
+_HERE = "this processor"
+"""In place of a platform: no object comes along for it."""
 _PROTOTYPE = ctypes.PYFUNCTYPE(ctypes.c_int64, ctypes.py_object, ctypes.c_void_p)
 _LOG = logging.getLogger("jounce")
 Head = dict[str, Any]
 
 
 class Loop:
-    """A loop by its name (see ``loops.LOOPS``), to be called with what its annotations say; it gives an integer."""
+    """A loop by its name (see ``loops.LOOPS``), to be called with what its annotations say; it gives an integer.
 
-    def __init__(self, name: str) -> None:
-        self.name = name
+    With ``here`` its bitcode is compiled for this very processor (once, a quarter of a second) in place of the object
+    for all processors of the platform: loops that run for seconds gain a tenth where there are wider registers.
+    """
+
+    def __init__(self, name: str, *, here: bool = False) -> None:
+        self.name, self.here = name, here
 
     def __call__(self, *arguments: Any) -> int:
         """Run the loop.
@@ -71,7 +77,7 @@ class Loop:
         if not objects_are_known():
             _LOG.warning("this build of Python is not known to the loops of jounce: Numba compiles %r here", self.name)
             return {}, _by_numba(self.name)
-        return _load(self.name)
+        return _load(self.name, _HERE if self.here else this_platform())
 
     @cached_property
     def _call(self) -> Callable[[tuple[Any, ...]], int]:
@@ -133,9 +139,8 @@ def objects_are_known() -> bool:
     )
 
 
-def _load(name: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
+def _load(name: str, platform: str) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     """Code of a loop from the first place where it is sound."""
-    platform = this_platform()
     ways: tuple[Callable[[], bytes | None], ...] = (
         lambda: _shipped(name, platform),
         lambda: recall(key_here(f"loop {name}")),

@@ -71,6 +71,16 @@ def test_channels_count_by_their_weights():
     assert alone[0] < heavy < alone[0] + 0.02e-3
 
 
+@pytest.mark.parametrize("offset", [False, True])
+def test_whole_samples_of_lag_are_compared_by_weighted_sums_of_squares(offset):
+    reach, kept = 30, slice(30, -30)
+    channel = pair(4e-3, weight=3.0, offset=offset, constant=0.7)
+    residuals = [channel.measured[kept] - np.roll(bump(0.4), lag)[kept] for lag in range(-reach, reach + 1)]
+    squares = np.array([9.0 * np.sum((one - offset * one.mean()) ** 2) for one in residuals])
+    found = channel.misfit(reach)
+    assert found - found.min() == pytest.approx(squares - squares.min(), abs=1e-9)
+
+
 def test_eliminated_lags_give_what_the_joint_search_gives():
     """Truth of other structure, so that parameters and lags pull at each other."""
     trials = []

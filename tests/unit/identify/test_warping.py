@@ -3,6 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from jounce.identify import warping
 from jounce.identify.warping import _pays, warping_path
 
 
@@ -104,3 +105,13 @@ def test_strips_wider_than_one_give_the_least_cost(radius: int) -> None:
     for narrow in (-1, None):
         i, j = warping_path(x, y, radius, narrow=narrow)
         assert float(np.sum((x[i] - y[j]) ** 2)) == pytest.approx(least, rel=1e-12)
+
+
+def test_what_is_done_otherwise_for_long_signals_changes_nothing(monkeypatch) -> None:
+    """Machine code for this very processor, fewer stores, and ordinary memory where no other is to be had."""
+    x, y = np.random.default_rng(3).standard_normal((2, 1700)).cumsum(axis=1)
+    expected = warping_path(x, y, 600)
+    monkeypatch.setattr(warping, "_SHORT", 100)
+    np.testing.assert_array_equal(warping_path(x, y, 600), expected)
+    monkeypatch.delattr(warping.mmap, "MAP_PRIVATE")
+    np.testing.assert_array_equal(warping_path(x, y, 600), expected)

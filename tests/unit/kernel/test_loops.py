@@ -220,6 +220,17 @@ def test_elsewhere_code_is_made_for_this_processor_and_kept_in_the_cache(
     assert len(steps) == 2
 
 
+def test_a_loop_made_for_this_very_processor_takes_no_object_for_the_platform(elsewhere, steps) -> None:
+    expected = follow()
+    steps.clear()
+    for _ in range(2):
+        state = np.full(5, np.nan)
+        Loop("hysteresis", here=True)(PATH, 1.0, 0.5, 1.0, 0.0, state)
+        assert np.array_equal(state, expected)
+    assert steps == ["object_for"]  # from the bitcode, once
+    assert len(list((elsewhere / "cache").iterdir())) == 1
+
+
 def test_without_any_folder_code_is_made_each_time(elsewhere, steps, monkeypatch) -> None:
     for name in ("built", "cache"):
         (elsewhere / name).write_text("in the way")
