@@ -71,7 +71,7 @@ def _follow(
 
 
 def _fresh(shape: tuple[int, int, int]) -> Array:
-    """Memory that is filled once (half a gigabyte for long signals), in pages of the ordinary size where there are such.
+    """Memory that is filled once (half a gigabyte for long signals), in pages of the usual size where there are such.
 
     NumPy asks Linux for huge ones: to find and clear them may take longer than to compute what is stored.
     """
