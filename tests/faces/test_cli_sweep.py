@@ -188,7 +188,8 @@ def test_roads_are_tables_files_or_classes(study, tmp_path: Path) -> None:
 def script(file: Path, out: Path, count: int) -> list[str]:
     """A process that sweeps with shards of so many variants."""
     code = (
-        "import sys\nfrom jounce.variants import shards\nfrom jounce.cli import main, sweep\n"
+        "import signal, sys\nfrom jounce.variants import shards\nfrom jounce.cli import main, sweep\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # whoever runs the tests may ignore it
         f"shards._size = lambda *_: {count}\nsweep._write = lambda *_: ()\n"
         f"words = ['sweep', {str(file)!r}, '--out', {str(out)!r}, *sys.argv[1:]]\n"
         "if __name__ == '__main__':\n    sys.exit(main(words))\n"
@@ -219,8 +220,8 @@ ALONE = STUDY.replace('["rms sprung.az", "max tyre.force"]', '["Wk sprung.az"]')
 def test_a_process_that_is_ended_leaves_whole_shards(study, tmp_path: Path, how, options) -> None:
     file, out = study(ALONE), tmp_path / "out"
     process = subprocess.Popen([*script(file, out, 16), *options], stderr=subprocess.PIPE, text=True)
-    until(lambda: len(shards_of(out)) >= 3)
-    process.send_signal(how)
+    until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
+    process.send_signal(how)  # with a killed one its workers end, too: otherwise its stderr would stay open
     _, said = process.communicate(timeout=60)
     assert process.returncode == (130 if how == signal.SIGINT else -signal.SIGKILL), said
     assert how == signal.SIGKILL or "--resume goes on" in said
@@ -241,7 +242,7 @@ def test_a_process_that_is_ended_leaves_whole_shards(study, tmp_path: Path, how,
 def test_a_worker_that_is_killed_is_replaced(study, tmp_path: Path) -> None:
     file, out = study(ALONE.replace("512", "1024")), tmp_path / "out"
     process = subprocess.Popen([*script(file, out, 16), "--workers", "2"], stderr=subprocess.PIPE, text=True)
-    until(lambda: len(shards_of(out)) >= 3)
+    until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
     children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text(encoding="utf-8").split()
     spawned = [
         int(child) for child in children if "spawn_main" in Path(f"/proc/{child}/cmdline").read_text(encoding="utf-8")
@@ -263,3 +264,120 @@ def test_workers_that_are_ended_again_and_again_are_told(monkeypatch) -> None:
     monkeypatch.setattr(workers, "_pooled", broken)
     with pytest.raises(jn.JounceError, match="again and again; found '3 times in a row, 1 shards left'"):
         list(workers.on_processes(2, None, [workers.Task(0, 0, {}, "")]))
+
+
+SCHEDULER = [
+    sys.executable,
+    "-m",
+    "distributed.cli.dask_scheduler",
+    "--host",
+    "127.0.0.1",
+    "--port",
+    "0",
+    "--no-dashboard",
+]
+WORKER = [sys.executable, "-m", "distributed.cli.dask_worker", "--nthreads", "1", "--no-nanny", "--no-dashboard"]
+
+
+@pytest.fixture
+def cluster(tmp_path: Path):
+    """A scheduler and two workers, each a process of its own, as on several machines: address and processes."""
+    pytest.importorskip("distributed")
+    about, said = tmp_path / "scheduler.json", (tmp_path / "cluster.txt").open("w")
+    started = [subprocess.Popen([*SCHEDULER, "--scheduler-file", str(about)], stdout=said, stderr=said)]
+    until(lambda: about.is_file() and about.read_text(encoding="utf-8").endswith("}"))
+    address = json.loads(about.read_text(encoding="utf-8"))["address"]
+    started += [
+        subprocess.Popen([*WORKER, "--local-directory", str(tmp_path / f"w{k}"), address], stdout=said, stderr=said)
+        for k in range(2)
+    ]
+    yield address, started
+    for one in reversed(started):
+        one.kill()
+        one.wait(timeout=30)
+    said.close()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_results(study, tmp_path: Path, cluster) -> None:
+    address, started = cluster
+    file, out = study(ALONE), tmp_path / "out"
+    process = subprocess.Popen([*script(file, out, 16), "--cluster", address], stderr=subprocess.PIPE, text=True)
+    until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
+    started[1].kill()
+    _, said = process.communicate(timeout=300)
+    assert process.returncode == 0, said
+    assert len(shards_of(out)) == 32
+    direct = subprocess.run(script(file, tmp_path / "direct", 512), capture_output=True, check=False)
+    assert direct.returncode == 0
+    name = "Wk sprung.az"
+    np.testing.assert_array_equal(jn.load_sweep(out)[name].values, jn.load_sweep(tmp_path / "direct")[name].values)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_a_scheduler_that_goes_away_leaves_what_is_finished(study, tmp_path: Path, cluster) -> None:
+    address, started = cluster
+    file, out = study(ALONE), tmp_path / "out"
+    process = subprocess.Popen([*script(file, out, 16), "--cluster", address], stderr=subprocess.PIPE, text=True)
+    until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
+    started[0].kill()
+    _, said = process.communicate(timeout=300)
+    assert process.returncode == 2, said
+    assert "the scheduler went away" in said
+    kept = shards_of(out)
+    assert 3 <= len(kept) < 32
+    done = subprocess.run([*script(file, out, 16), "--resume"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert kept < shards_of(out)
+
+
+class FakeCluster:
+    """What is asked of a client: whether there are workers, and what they run on."""
+
+    def __init__(self, versions: dict[str, str] | Exception) -> None:
+        self.scheduler, self.versions = self, versions
+        self.address = "tcp://10.0.0.5:8786"
+
+    def wait_for_workers(self, _count: int, timeout: float) -> None:
+        if self.versions == {}:
+            raise TimeoutError(timeout)
+
+    def run(self, function):
+        if isinstance(self.versions, Exception):
+            raise self.versions
+        return {"tcp://10.0.0.6:1": function(), "tcp://10.0.0.7:1": {**function(), **self.versions}}
+
+
+@pytest.mark.parametrize(
+    ("versions", "said"),
+    [
+        ({}, "no worker has joined the cluster.*dask worker tcp://10.0.0.5:8786"),
+        ({"jounce": "0.0.9"}, "10.0.0.7:1: a worker has other versions; found 'jounce 0.0.9 there, "),
+        ({"python": "3.8"}, "python 3.8 there"),
+        (ModuleNotFoundError("No module named 'jounce'", name="jounce"), "missing on a worker; found 'jounce'"),
+    ],
+)
+def test_what_is_wrong_with_a_cluster_is_told(versions, said) -> None:
+    pytest.importorskip("distributed")
+    with pytest.raises(jn.JounceError, match=said):
+        workers.check_cluster(FakeCluster(versions))
+
+
+def test_a_scheduler_that_is_not_there(cli, study, tmp_path: Path, monkeypatch) -> None:
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(workers, "_PATIENCE", 0.3)
+    for address in ("tcp://127.0.0.1:1", "nonsense://x"):
+        outcome = cli("sweep", study(), "--out", "out", "--cluster", address)
+        assert outcome.exit_code == 2
+        assert f"{address}: no scheduler answers" in outcome.err
+    assert cli("sweep", study(), "--out", "out", "--cluster", "x", "--workers", 2).exit_code == 2
+    assert not (tmp_path / "out").exists()
+
+
+def test_without_the_extra_it_is_said_what_to_install(cli, study, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    outcome = cli("sweep", study(), "--out", "out", "--cluster", "tcp://127.0.0.1:8786")
+    assert outcome.exit_code == 2
+    assert "pip install 'jounce[cluster]'" in outcome.err

@@ -37,6 +37,10 @@ def sweep(
         int | None,
         typer.Option(min=1, help="Processes; by default one, or one a processor where variants run alone for long."),
     ] = None,
+    cluster: Annotated[
+        str | None,
+        typer.Option(metavar="URL", help='A Dask scheduler that does the work instead, e.g. "tcp://10.0.0.5:8786".'),
+    ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where the sweep in the folder was stopped.")] = False,
     force: Force = False,
     as_json: AsJson = False,
@@ -51,17 +55,31 @@ def sweep(
         raise DescriptionError(
             "--force begins anew, --resume goes on", where="--resume, --force", allowed="one of them"
         )
+    if cluster is not None and workers is not None:
+        allowed = "one of them: the workers of a cluster are its own"
+        raise DescriptionError("two places to work in", where="--workers, --cluster", allowed=allowed)
     command = shlex.join(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == ["sweep"] else ""
     missing: Sequence[Finding] = ()
     with progress() as say:
         say("reading the study")
-        from jounce.variants.study import run_sweep
+        from jounce.variants.study import read_sweep, run_sweep
+        from jounce.variants.workers import cluster_at
 
         def tell_share(done: int, count: int) -> None:
             say(f"simulating {count:,} variants: {100.0 * done / count:.1f} %".replace(",", " "))
 
+        def run(client: Any = None) -> SweepResult:
+            return run_sweep(
+                study, out, resume=resume, force=force, workers=workers, client=client, say=tell_share, command=command
+            )
+
         try:
-            found = run_sweep(study, out, resume=resume, force=force, workers=workers, say=tell_share, command=command)
+            if cluster is None:
+                found = run()
+            else:
+                read_sweep(study)  # what is wrong with it is said before anybody is asked to work
+                with cluster_at(cluster) as client:
+                    found = run(client)
         except KeyboardInterrupt:
             if (out / "sweep.json").is_file():
                 tell("what is finished is kept; the same command with --resume goes on.")

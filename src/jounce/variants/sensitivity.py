@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 _CONFIDENCE = (2.5, 97.5)  # percentiles
 _RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000
+_NORMAL = 1.959964  # standard errors to either side that hold 95 %
 _END = 0.2  # of the variants, at either end of a number's range
 _FEWEST = 3
 _LEAST = 1e-12  # of a metric's size: what varies less is rounding
@@ -38,7 +39,7 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     -------
     xarray.Dataset
         On ``metric`` and ``number`` (paths of what varied); ``_low`` and ``_high`` of each are the ends of its 95 %
-        interval, from resampling (with a fixed seed). ``at_low`` and ``at_high`` are means of the metric (SI) over the
+        interval. ``at_low`` and ``at_high`` are means of the metric (SI) over the
         fifth of the variants with the lowest and the highest values of the number, but for :func:`morris`. From
         :func:`saltelli`: ``first`` and ``total``, shares (1) of the metric's variance that the number is behind alone,
         and with all others. From
@@ -56,7 +57,9 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     Notes
     -----
     First-order indices as [saltelli2010] recommends, total ones after Jansen (equation (f) of table 2 there); effects
-    as [morris1991] with the mean of absolute ones [campolongo2007].
+    as [morris1991] with the mean of absolute ones [campolongo2007]. Their intervals are from resampling, with a fixed
+    seed; those of regression hold where the scatter about the lines differs from place to place [white1980], those of
+    rank correlations are after [bonett2000].
 
     Examples
     --------
@@ -222,16 +225,25 @@ def _regression(x: Array, z: Array) -> dict[str, Array]:
     target = (z - np.mean(z)) / np.std(z)
     ranks, of_target = rankdata(x, axis=0), rankdata(z)
 
-    def estimate(rows: Any) -> tuple[Array, ...]:
-        slopes = np.linalg.lstsq(np.column_stack([scaled[rows], np.ones(len(scaled[rows]))]), target[rows], rcond=None)[
-            0
-        ]
-        a, b = ranks[rows] - np.mean(ranks[rows], axis=0), of_target[rows] - np.mean(of_target[rows])
-        return slopes[:-1], (a * b[:, None]).sum(axis=0) / np.sqrt((a**2).sum(axis=0) * (b**2).sum())
-
-    found = _with_ends(names, len(z), numbers, estimate)
-    left = target - scaled @ found["regression"]
-    return {**found, "explained": np.array(1.0 - np.var(left))}
+    slopes = np.linalg.lstsq(scaled, target, rcond=None)[0]
+    left = target - scaled @ slopes
+    inverse = np.linalg.pinv(scaled.T @ scaled)
+    errors = np.sqrt(np.diag(inverse @ (scaled * left[:, None] ** 2).T @ scaled @ inverse))
+    ranks = rankdata(x, axis=0) - 0.5 * (len(x) + 1)
+    of_target = rankdata(z) - 0.5 * (len(z) + 1)
+    size = np.sqrt((ranks**2).sum(axis=0) * (of_target**2).sum())
+    alike = (ranks * of_target[:, None]).sum(axis=0) / np.where(size > 0.0, size, 1.0)
+    apart = _NORMAL * np.sqrt((1.0 + 0.5 * alike**2) / max(len(z) - 3, 1))
+    turned = np.arctanh(np.clip(alike, -1.0 + 1e-15, 1.0 - 1e-15))
+    return {
+        "regression": slopes,
+        "regression_low": slopes - _NORMAL * errors,
+        "regression_high": slopes + _NORMAL * errors,
+        "rank_correlation": alike,
+        "rank_correlation_low": np.tanh(turned - apart),
+        "rank_correlation_high": np.tanh(turned + apart),
+        "explained": np.array(1.0 - np.var(left)),
+    }
 
 
 def _ends(x: Array, z: Array) -> dict[str, Array]:

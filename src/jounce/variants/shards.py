@@ -18,7 +18,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing, contextmanager
+from contextlib import AbstractContextManager, closing, contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import metadata
@@ -258,13 +258,22 @@ def _read(kept: Kept, number: int) -> xr.Dataset | None:
     for file in kept.names()[number]:
         content = file.read_bytes()
         if _checksum(content) == file.name.split(".")[1]:
-            return xr.load_dataset(io.BytesIO(content), engine="h5netcdf")
+            with _own_locks():
+                return xr.load_dataset(io.BytesIO(content), engine="h5netcdf")
     return None
 
 
 def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
     """Run the variants of a task; give the content of their shard."""
-    return netcdf_of(work.run(task.columns, first=task.first, threads=threads))
+    found = work.run(task.columns, first=task.first, threads=threads)
+    with _own_locks():
+        return netcdf_of(found)
+
+
+def _own_locks() -> AbstractContextManager[object]:
+    """Keep xarray from asking a cluster that this process belongs to for the lock of what is in memory."""
+    dask = sys.modules.get("dask")
+    return nullcontext() if dask is None else dask.config.set(scheduler="synchronous")
 
 
 def _checksum(content: bytes) -> str:

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import itertools
+import logging
 import multiprocessing
+import multiprocessing.connection
+import os
 import pickle
 import signal
-from collections.abc import Generator, Mapping, Sequence
+import sys
+import threading
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import metadata
@@ -22,6 +29,7 @@ if TYPE_CHECKING:
 
 Results = Generator[tuple[int, bytes], None, None]
 _WAITING = 2  # tasks each worker has before it: enough never to stand idle, few enough for memory
+_PATIENCE, _JOINING = 10.0, 30.0  # s: for a scheduler to answer, for a first worker to join
 _MOST_ENDS = 3  # how often workers may be ended from outside before anything more is done
 
 
@@ -101,6 +109,19 @@ def _pooled(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
 
 def _begin() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process tells when to stop
+    threading.Thread(target=_end_with_the_first, name="jounce watches", daemon=True).start()
+
+
+def _end_with_the_first() -> None:
+    """Nobody would take the work of a process whose first one was killed, and nobody would end it."""
+    first = multiprocessing.parent_process()
+    if first is not None:
+        multiprocessing.connection.wait([first.sentinel])
+        os._exit(1)
+
+
+_ONE_AT_A_TIME = threading.Lock()
+"""Workers of a cluster may have several threads; what a compiled model works in is there once a process."""
 
 
 def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
@@ -110,7 +131,8 @@ def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
     own = metadata.version("jounce")
     if own != task.version:
         raise JounceError("a worker has another version of jounce", found=own, allowed=task.version)
-    return task.number, shard_of(_unpacked(packed), task, 1)
+    with _ONE_AT_A_TIME:
+        return task.number, shard_of(_unpacked(packed), task, 1)
 
 
 @lru_cache(maxsize=2)
@@ -119,24 +141,85 @@ def _unpacked(packed: bytes) -> Work:
     return found
 
 
+@contextmanager
+def cluster_at(address: str) -> Iterator[Any]:
+    """Give a client of the Dask scheduler at an address; refuse one that is not there, or of other versions."""
+    distributed = require("distributed", "cluster")
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is said once, by us
+    hint = "Start one with: dask scheduler, and on each machine: dask worker ADDRESS --nworkers auto --nthreads 1"
+    try:
+        client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        found = " ".join(str(error).split()) or type(error).__name__
+        raise JounceError("no scheduler answers", where=address, found=found, hint=hint) from None
+    with client:
+        yield client
+
+
+def check_cluster(client: Any) -> None:
+    """Refuse a cluster without workers, and one whose Python or packages would give other results or none."""
+    distributed = require("distributed", "cluster")
+    where = str(getattr(client.scheduler, "address", "client"))
+    try:
+        client.wait_for_workers(1, timeout=_JOINING)
+    except (TimeoutError, distributed.TimeoutError):
+        hint = f"Start some: dask worker {where} --nworkers auto --nthreads 1"
+        raise JounceError("no worker has joined the cluster", where=where, hint=hint) from None
+    own = _versions()
+    try:
+        others = client.run(_versions)
+    except ModuleNotFoundError as error:
+        raise _not_there(error) from None
+    for worker, found in others.items():
+        differs = {
+            name: f"{version} there, {own[name]} here" for name, version in found.items() if version != own[name]
+        }
+        if differs:
+            told = "; ".join(f"{name} {words}" for name, words in differs.items())
+            hint = "Install the same on all machines."
+            raise JounceError("a worker has other versions", where=str(worker), found=told, hint=hint)
+
+
+def _versions() -> dict[str, str]:
+    """Of what results depend on, and of what processes talk with."""
+    own = {name: metadata.version(name) for name in ("jounce", "numpy", "distributed")}
+    return {"python": f"{sys.version_info.major}.{sys.version_info.minor}", **own}
+
+
+def _not_there(error: ModuleNotFoundError) -> JounceError:
+    return JounceError("a package is missing on a worker", found=error.name, hint="Install jounce on all machines.")
+
+
 def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
     """Give number and content of shards as the workers of a Dask cluster finish them; who vanishes is replaced."""
     distributed = require("distributed", "cluster")
+    check_cluster(client)
     packed, pending = pickle.dumps(work), iter(tasks)
-    following, waiting = distributed.as_completed(with_results=True), set()
-    window = max(_WAITING * len(client.scheduler_info()["workers"]), 1)
+    following, waiting = distributed.as_completed(loop=client.loop, with_results=True), set()
 
-    def submit(most: int) -> None:
-        for _, task in zip(range(most), pending, strict=False):
+    def submit() -> None:
+        """Give every worker there is now enough to do."""
+        most = max(_WAITING * len(client.scheduler_info(n_workers=-1)["workers"]), 1)
+        for task in itertools.islice(pending, max(most - len(waiting), 0)):
             future = client.submit(work_on, packed, task, pure=False)
             waiting.add(future)
             following.add(future)
 
     try:
-        submit(window)
-        for future, (number, content) in following:
+        submit()
+        for future, result in following:
             waiting.discard(future)
-            yield number, content
-            submit(1)
+            if isinstance(result, BaseException):  # so it tells what it has lost
+                raise result
+            yield result
+            submit()
+    except ModuleNotFoundError as error:
+        raise _not_there(error) from None
+    except distributed.KilledWorker as error:
+        hint = "Is there memory enough? What was done is kept: resume."
+        raise JounceError("workers were ended again and again", found=str(error), hint=hint) from None
+    except (distributed.comm.CommClosedError, distributed.CancelledError):
+        raise JounceError("the scheduler went away", hint="What was done is kept: resume.") from None
     finally:
-        client.cancel(list(waiting))
+        with suppress(Exception):  # a scheduler that went away
+            client.cancel(list(waiting))
