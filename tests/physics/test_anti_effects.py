@@ -53,6 +53,9 @@ def test_a_front_axle_that_is_not_driven_only_dives() -> None:
     assert jn.AxleLayout(**{**car, "axle": "rear", "drive_share": 0.0}).effects == ("anti_lift",)
     with pytest.raises(jn.DescriptionError):
         jn.AxleLayout(**car, drive="chain")
+    for wrong, text in (({"wheelbase": 2600.0}, "at most 30 m"), ({"brake_share": 60.0}, r"at least 0, at most 1\.$")):
+        with pytest.raises(jn.DescriptionError, match=text):
+            jn.AxleLayout(**{**car, **wrong})
 
 
 @pytest.mark.parametrize("axle", ["front", "rear"])

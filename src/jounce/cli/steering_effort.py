@@ -72,12 +72,12 @@ def steering_effort(
         say("loading")
         chosen = chosen_rig(rig, changes(set_))
         both = pairs(load, "--load", _LOAD)
-        loads = [
+        one, other = (
             _load({**both, **pairs(texts, option, _LOAD)}, option)
             for texts, option in ((left, "--left"), (right, "--right"))
-        ]
+        )
         say("sweeping")
-        found = effort(chosen, *loads, text_range(rack, "m", "--rack"), quantity(travel, "m", "--travel"))
+        found = effort(chosen, one, other, text_range(rack, "m", "--rack"), quantity(travel, "m", "--travel"))
         if out is not None:
             SWEEP_FILES.write(found, out, force=force)
 

@@ -325,7 +325,7 @@ class Unit:
             raise PydanticCustomError(
                 "out_of_range",
                 "out of range; found {found}; allowed: {allowed}",
-                {"found": shown(value), "allowed": f"{self._range()} {self.si}"},
+                {"found": shown(value), "allowed": self._range() + ("" if self.si == "1" else f" {self.si}")},
             )
         return number
 

@@ -364,13 +364,13 @@ def _damper(rig: Corner, found: Lumping) -> dict[str, Any]:
         ]
         damper = VelocityTable(velocity=damper.velocity, force=tuple(forces))
     third = None if rig.third_spring is None else rig.third_spring.damper
-    if third is None:
+    if third is None or found.third_ratio == 0.0:
         return dict(damper.model_dump())
     one, other = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
     share = found.third_ratio / found.damper_ratio  # velocity of the third damper for one of the lumped one
     velocities = np.unique(np.round(np.concatenate([one[0], other[0] / share]), 12))
-    forces = _through(one, velocities) + 0.5 * share * _through(other, share * velocities)
-    return dict(VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(forces.tolist())).model_dump())
+    both = _through(one, velocities) + 0.5 * share * _through(other, share * velocities)
+    return dict(VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist())).model_dump())
 
 
 def _law_points(damper: Damper | VelocityTable, where: str) -> tuple[Array, Array]:

@@ -13,11 +13,11 @@ from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.core.units import Mass, PositiveLength, Unit
+from jounce.core.units import Mass, Unit
 from jounce.kinematics.axle import Axle
 from jounce.kinematics.loads import ContactLoad, Joints, balanced, pickup_loads, single_forces, vector_forces
 from jounce.kinematics.model import check_corner
-from jounce.kinematics.sweeps import prepare_sweep
+from jounce.kinematics.sweeps import CarLength, prepare_sweep
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -38,8 +38,8 @@ class LoadedAxle(Description):
 
     axle: Literal["front", "rear"]
     mass: Mass
-    wheelbase: PositiveLength
-    centre_of_mass_height: PositiveLength
+    wheelbase: CarLength
+    centre_of_mass_height: CarLength
     weight_share: _Share
     brake_share: _Share
     drive_share: _Share = 0.0

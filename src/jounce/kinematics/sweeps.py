@@ -17,7 +17,7 @@ from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.core.units import Length, Mass, PositiveLength, Unit, bare_si, to_si
+from jounce.core.units import Length, Mass, Unit, bare_si, to_si
 from jounce.core.writing import Formats
 from jounce.kernel.poses import END_OF_TRAVEL, REACHED, Found, Walk, Work, space_for, walk_poses
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
@@ -188,6 +188,8 @@ def _parents(values: Array) -> list[int]:
 
 
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
+CarLength = Annotated[float, Unit("m", above=0.0, at_most=30.0)]
+"""A size of a car, m: none is longer, and millimetres taken for metres are."""
 
 
 class AxleLayout(Description):
@@ -207,15 +209,15 @@ class AxleLayout(Description):
     """
 
     axle: Literal["front", "rear"]
-    wheelbase: PositiveLength
-    centre_of_mass_height: PositiveLength
+    wheelbase: CarLength
+    centre_of_mass_height: CarLength
     brake_share: _Share
     brakes: Literal["outboard", "inboard"] = "outboard"
     drive_share: _Share | None = None
     drive: Literal["shaft", "hub"] = "shaft"
     mass: Mass | None = None
     front_overhang: Length | None = None
-    body_width: PositiveLength | None = None
+    body_width: CarLength | None = None
 
     @property
     def driven(self) -> float:

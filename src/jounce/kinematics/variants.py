@@ -16,6 +16,7 @@ from jounce.kinematics.axle import Axle, AxleVariables, check_roll, rolled, stee
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, si_values, sweep_values
 from jounce.parts import Corner, Rig
+from jounce.parts.corners import LARGE
 from jounce.parts.rig import unit_of, unknown_path
 
 if TYPE_CHECKING:
@@ -241,6 +242,15 @@ def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, 
         for part, column in zip(parts, read, strict=True):
             if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
                 raise DescriptionError("not a list of finite numbers", where=where, found=str(given)[:60])
+            far = float(np.max(np.abs(column)))
+            if part.startswith("hardpoints.") and far > LARGE:
+                raise DescriptionError(
+                    "no point of a corner is that far; a bare number is in metres",
+                    where=where,
+                    found=f"{far:g} m",
+                    allowed=f"up to {LARGE:g} m",
+                    hint='Millimetres meant? Write "65 mm", or divide by 1000.',
+                )
             if part in found:
                 raise DescriptionError("given twice, as a point and as one of its numbers", where=f"changes: {part}")
             found[part] = column

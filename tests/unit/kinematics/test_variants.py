@@ -152,6 +152,8 @@ def test_bad_axles_of_variants(given, text: str) -> None:
         ({"hardpoints.tie_rod_inner": [0.1, 0.2, 0.3]}, "not a list of places"),
         ({"hardpoints.tie_rod_inner": [[0.1, 0.2, np.nan]]}, "not a finite number"),
         ({"hardpoints.tie_rod_inner": [[0.1, 0.2, 0.3]], "hardpoints.tie_rod_inner[0]": [0.1]}, "given twice"),
+        ({"hardpoints.tie_rod_inner": [[-106.0, 101.6, 110.0]]}, "106 m.*Millimetres meant"),
+        ({"hardpoints.tie_rod_inner[2]": [0.11, 112.0]}, "112 m.*Millimetres meant"),
     ],
 )
 def test_bad_places_are_refused(changes, text: str) -> None:

@@ -151,7 +151,7 @@ def draw_pose(
         colour = look.colour or part.colour
         flat = MM * view.flat(np.array([pose.points[name] for name in part.points]))
         if part.coil and not look.ghost:
-            turns = coil(*(pose.points[name] for name in part.points), scene.coil_radius)
+            turns = coil(pose.points[part.points[0]], pose.points[part.points[1]], scene.coil_radius)
             _line(axes, MM * view.flat(turns), colour, 1.2, 3.4, look)
             continue
         if part.plate:
