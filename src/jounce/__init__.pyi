@@ -43,8 +43,11 @@ from .design.pareto import best_dampers as best_dampers
 from .design.pareto import pareto as pareto
 from .design.spread import kinematic_spread as kinematic_spread
 from .design.springs import design_springs as design_springs
+from .exchange.equations import Equations as Equations
+from .exchange.equations import equations as equations
 from .exchange.fmu.export import FmuExport as FmuExport
 from .exchange.fmu.export import export_fmu as export_fmu
+from .exchange.points import write_hardpoints as write_hardpoints
 from .identify.damper import DamperCurve as DamperCurve
 from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve

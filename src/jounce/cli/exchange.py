@@ -65,6 +65,64 @@ def fmu(
     return Reply(plain, lambda console: _draw(console, made, plain), as_json)
 
 
+@export_app.command("equations")
+def equations_(
+    rig: RigName,
+    out: Annotated[Path, typer.Option(metavar="FILE", help="File to write: .tex, .py (SymPy), .c or .casadi.")],
+    set_: Changes = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write the equations of motion of a rig: mass matrix, forces and constraints.
+
+    Example: jounce export equations kart-quarter-car --out kart.tex
+    """
+    from jounce.exchange.equations import EQUATION_FORMATS, equations
+
+    EQUATION_FORMATS.check(out, force=force)
+    with progress() as say:
+        say("loading")
+        found = equations(chosen_rig(rig, changes(set_)))
+        say("writing the equations")
+        EQUATION_FORMATS.write(found, out, force=force)
+    plain = {"rig": rig, **found.to_dict(), "out": str(out)}
+
+    def draw(console: Console) -> None:
+        console.print("M a = Q + G^T lambda, G a + gamma = 0, dq/dt = dq; SI")
+        for word in ("coordinates", "speeds", "inputs", "modes", "constraints"):
+            console.print(f"{word}: {', '.join(plain[word]) or 'none'}")
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json)
+
+
+@export_app.command("hardpoints")
+def hardpoints(
+    rig: RigName,
+    out: Annotated[Path, typer.Option(metavar="FILE", help="File to write: .csv or .dxf, in mm.")],
+    set_: Changes = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write the hardpoints of a 3-D rig as a table, or as a drawing for CAD.
+
+    Example: jounce export hardpoints kart-double-wishbone --out points.csv
+    """
+    from jounce.exchange.points import POINT_FORMATS, write_hardpoints
+
+    POINT_FORMATS.check(out, force=force)
+    chosen = chosen_rig(rig, changes(set_))
+    write_hardpoints(chosen, out, force=force)
+    points = {name: list(point) for name, point in chosen.hardpoints.given().items()}  # type: ignore[attr-defined]
+    plain = {"rig": rig, "hardpoints": points, "out": str(out)}
+
+    def draw(console: Console) -> None:
+        console.print(f"{len(points)} hardpoints in mm: x forward, y left, z up from the road")
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json)
+
+
 def _draw(console: Console, made: FmuExport, plain: dict[str, object]) -> None:
     binaries = f"for {', '.join(made.platforms)}" if made.platforms else "as sources only"
     console.print(f"FMI {made.version}.0, model exchange and co-simulation, {binaries}")

@@ -49,6 +49,8 @@ BASES = {
     "design optimise": "design optimise kart-quarter-car --objective sprung.az --free strut.damper.coefficient=50..500",
     "design pareto": 'design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --points 3',
     "design kinematics": "design kinematics none.toml --out designed",
+    "export equations": "export equations kart-quarter-car --out kart.tex",
+    "export hardpoints": "export hardpoints kart-double-wishbone --out kart.dxf",
     "export fmu": "export fmu kart-quarter-car --out kart.fmu --sources-only",
     "import adams": "import adams front.sub",
     "import chrono": "import chrono chrono.json",

@@ -76,6 +76,8 @@ def targets() -> Iterator[tuple[str, str, str]]:
 
 def suffixes(name: str, option: str) -> tuple[str, ...]:
     """Suffixes that an output may have, from the tables of formats."""
+    from jounce.exchange.equations import EQUATION_FORMATS
+    from jounce.exchange.points import POINT_FORMATS
     from jounce.inspection.archive.exporting import TABLES
     from jounce.kinematics.sweeps import SWEEP_FILES
     from jounce.plots.style import FIGURES
@@ -92,6 +94,8 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
             ((one, "--out") for one in ("kinematics", "clearances", "steering-effort")), (*SWEEP_FILES.writers,)
         ),
         ("export fmu", "--out"): (".fmu",),
+        ("export equations", "--out"): tuple(EQUATION_FORMATS.writers),
+        ("export hardpoints", "--out"): tuple(POINT_FORMATS.writers),
         **dict.fromkeys(
             ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)
         ),

@@ -1,0 +1,113 @@
+"""Hardpoints of a 3-D rig for other programs: a table, and a drawing for CAD."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from jounce.core.errors import OutputError
+from jounce.core.writing import Formats
+from jounce.parts import Rig
+from jounce.parts.bodies import Triple
+from jounce.parts.corners import Corner
+
+_MM = 1e3
+_LINES = (
+    ("strut_bottom", "strut_top"),
+    ("pushrod_outer", "pushrod_inner"),
+    ("rocker_pivot", "rocker_axis"),
+    ("rocker_pivot", "pushrod_inner"),
+    ("rocker_pivot", "strut_bottom"),
+    ("arm_inner", "arm_outer"),
+    ("arm_inner", "wheel_centre"),
+    ("arm_outer", "wheel_centre"),
+    ("arb_pivot", "arb_arm_end"),
+    ("arb_arm_end", "arb_link_end"),
+)
+"""What is drawn between points beside the links."""
+_TEXT = 8.0  # mm: height of the names
+
+
+def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path:
+    """Write the hardpoints of a 3-D rig as a table (``.csv``) or a drawing (``.dxf``), in mm.
+
+    The table has columns ``name``, ``x [mm]``, ``y [mm]``, ``z [mm]`` (x forward, y left, z up; z = 0 is the road) and
+    is read again by ``jounce import hardpoints``; the drawing holds points with their names, and lines along the links.
+
+    Parameters
+    ----------
+    rig : Rig
+        3-D corner of a car.
+    path : Path or str
+        File to write.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    OutputError
+        For a rig without hardpoints, another suffix, and an existing file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> file = write_hardpoints(jn.load("kart-double-wishbone"), tempfile.mkdtemp() + "/points.csv")
+    >>> file.read_text().splitlines()[0]
+    'name,x [mm],y [mm],z [mm]'
+    """
+    return POINT_FORMATS.write(_points(rig), path, force=force)
+
+
+def _points(rig: Rig) -> Corner:
+    if not isinstance(rig, Corner):
+        raise OutputError(
+            "the rig has no hardpoints",
+            where="rig",
+            found=getattr(rig, "model", type(rig).__name__),
+            allowed="3-D corners such as kart-double-wishbone",
+        )
+    return rig
+
+
+def _table(rig: Corner, file: Path) -> None:
+    rows = [f"{name},{','.join(map(_number, point))}" for name, point in rig.hardpoints.given().items()]
+    file.write_text("\n".join(["name,x [mm],y [mm],z [mm]", *rows, ""]), encoding="utf-8")
+
+
+def _number(metres: float) -> str:
+    return f"{_MM * metres:.9g}"
+
+
+def _lines(rig: Corner) -> Iterator[tuple[Triple, Triple]]:
+    points = rig.hardpoints
+    given = points.given()
+    for one, other in (*type(points).rods, *_LINES):
+        if one in given and other in given:
+            yield given[one], given[other]
+
+
+def _drawing(rig: Corner, file: Path) -> None:
+    """The oldest dialect of DXF (R12), which every program reads."""
+    pairs: list[tuple[int, str]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC")]
+    pairs += [(0, "SECTION"), (2, "ENTITIES")]
+    for name, point in rig.hardpoints.given().items():
+        pairs += [(0, "POINT"), (8, "hardpoints"), *_at(10, point)]
+        pairs += [(0, "TEXT"), (8, "names"), *_at(10, point), (40, f"{_TEXT:g}"), (1, name)]
+    for one, other in _lines(rig):
+        pairs += [(0, "LINE"), (8, "links"), *_at(10, one), *_at(11, other)]
+    pairs += [(0, "ENDSEC"), (0, "EOF")]
+    file.write_text("".join(f"{code:3d}\n{value}\n" for code, value in pairs), encoding="ascii")
+
+
+def _at(code: int, point: Triple) -> list[tuple[int, str]]:
+    return [(code + 10 * axis, _number(value)) for axis, value in enumerate(point)]
+
+
+POINT_FORMATS = Formats("hardpoints", {".csv": _table, ".dxf": _drawing})
+"""What hardpoints are written as."""

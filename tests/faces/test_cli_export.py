@@ -1,0 +1,63 @@
+"""``jounce export``: equations and hardpoints, and what is refused; FMUs have tests of their own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import jounce as jn
+from jounce.parts.importers import import_hardpoints
+
+
+@pytest.mark.parametrize(
+    ("suffix", "begin"), [(".tex", "% quarter-car"), (".py", '"""quarter-car'), (".c", "/* quarter-car")]
+)
+def test_equations(cli, tmp_path: Path, suffix: str, begin: str) -> None:
+    outcome = cli("export", "equations", "kart-quarter-car", "--out", f"kart{suffix}")
+    assert outcome.exit_code == 0, outcome.err
+    assert (tmp_path / f"kart{suffix}").read_text().startswith(begin)
+    assert "speeds: sprung.vz, unsprung.vz" in outcome.out
+    assert cli("export", "equations", "kart-quarter-car", "--out", f"kart{suffix}").exit_code == 2
+
+
+def test_equations_as_a_function_of_casadi(cli, tmp_path: Path) -> None:
+    import casadi as ca
+
+    plain = cli("export", "equations", "kart-quarter-car", "--out", "kart.casadi", "--json").json
+    assert plain["numbers"]["sprung.mass"] == 16.0
+    found = ca.Function.load(str(tmp_path / "kart.casadi"))
+    assert found.name_out() == ["M", "Q", "G", "gamma", "dq", "dz"]
+    refused = cli("export", "equations", "kart-quarter-car", "--out", "kart.docx")
+    assert (refused.exit_code, ".tex, .py, .c, .casadi" in refused.err) == (2, True)
+
+
+@pytest.mark.parametrize(
+    "name", ["formula-student-front", "generic-mcpherson", "sedan-multi-link", "semi-trailing-arm"]
+)
+def test_hardpoints_come_back(cli, tmp_path: Path, name: str) -> None:
+    outcome = cli("export", "hardpoints", name, "--out", "points.csv")
+    assert outcome.exit_code == 0
+    rig = jn.load(name)
+    found, _, _ = import_hardpoints(tmp_path / "points.csv", model=rig.model)
+    for point, place in rig.hardpoints.given().items():
+        assert getattr(found.hardpoints, point) == pytest.approx(place, abs=1e-9)
+
+
+def test_a_drawing_for_cad(cli, tmp_path: Path) -> None:
+    assert cli("export", "hardpoints", "kart-double-wishbone", "--out", "kart.dxf").exit_code == 0
+    lines = (tmp_path / "kart.dxf").read_text().splitlines()
+    pairs = list(zip(map(int, lines[::2]), lines[1::2], strict=True))
+    rig = jn.load("kart-double-wishbone").hardpoints
+    kinds = [value for code, value in pairs if code == 0]
+    assert kinds.count("POINT") == kinds.count("TEXT") == len(rig.given())
+    assert kinds.count("LINE") == len(type(rig).rods) + 1
+    assert (kinds[0], kinds[-1]) == ("SECTION", "EOF")
+    at = pairs.index((1, "wheel_centre"))
+    place = [float(value) for code, value in pairs[at - 6 : at] if code in (10, 20, 30)]
+    assert place == pytest.approx([1e3 * value for value in rig.wheel_centre])
+
+
+def test_a_lumped_rig_has_no_hardpoints(cli) -> None:
+    refused = cli("export", "hardpoints", "kart-quarter-car", "--out", "points.csv")
+    assert (refused.exit_code, "the rig has no hardpoints" in refused.err) == (2, True)
