@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import socket
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
+import openpyxl
 import pytest
 
 from jounce.cli import main
@@ -16,6 +19,7 @@ from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import content_of, existing_file
 from jounce.inspection.archive.store import Store
 from jounce.inspection.archive.watching import FolderWatch
+from jounce.parts.importers import import_hardpoints
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes with names are a thing of POSIX")
 
@@ -98,3 +102,52 @@ def test_names_that_no_file_has(tmp_path: Path) -> None:
         existing_file("a\0b")
     assert main(["modes", "a\0b.toml"]) == 2
     assert main(["modes", "x" * 5000 + ".toml"]) == 2
+
+
+def test_paths_that_lead_nowhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
+    """A link to itself, a home of nobody, and a NUL, which no argument of a program has."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "loop").symlink_to("loop")
+    for folder in ("loop", "loop/x", "~no-such-user/x"):
+        assert main(["campaign", "synthesise", folder]) == 2
+        assert capsys.readouterr().err.startswith(f"jounce: {folder}: no such path can be")
+    assert main(["campaign", "new", "loop"]) == 2
+    assert main(["check", "loop"]) == 2
+    assert "internal" not in capsys.readouterr().err
+    for words in (["modes", "a\0b"], ["inspect", "search", "--store", "a\0"], ["campaign", "new", "\0"]):
+        assert main(words) == 2
+        assert "an argument with a NUL character" in capsys.readouterr().err
+    assert [one.name for one in tmp_path.iterdir()] == ["loop"]
+
+
+@pytest.mark.skipif(not Path("/proc/self/mem").exists(), reason="a thing of Linux")
+@pytest.mark.parametrize("command", [["modes"], ["check"], ["iri"]])
+def test_a_file_that_cannot_be_read_is_named(command: list[str], tmp_path: Path, capsys) -> None:
+    for suffix in (".toml", ".csv"):
+        (tmp_path / f"a{suffix}").symlink_to("/proc/self/mem")
+        assert main([*command, str(tmp_path / f"a{suffix}")]) == 2
+        said = capsys.readouterr().err
+        assert f"a{suffix}" in said
+        assert "internal" not in said
+
+
+def test_descriptions_of_every_system_are_read(tmp_path: Path) -> None:
+    for end in ("\n", "\r\n", "\r"):
+        (tmp_path / "road.toml").write_bytes(
+            end.join(['schema = "jounce.road/1"', 'kind = "step"', 'height = "1 cm"', ""]).encode()
+        )
+        assert main(["check", str(tmp_path / "road.toml")]) == 0
+
+
+@pytest.mark.parametrize(("told", "row"), [("A1:XFD1048576", 1048576), ("A1:D2", 10**10), ("A1", 30_000)])
+def test_sheets_that_tell_billions_of_cells(tmp_path: Path, told: str, row: int) -> None:
+    sheet = f"""<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="{told}"/>
+    <sheetData><row r="1"><c r="A1"><v>1</v></c></row><row r="{row}"><c r="A{row}"><v>1</v></c></row></sheetData>
+    </worksheet>"""
+    book, small, large = openpyxl.Workbook(), io.BytesIO(), tmp_path / "points.xlsx"
+    book.save(small)
+    with zipfile.ZipFile(small) as archive, zipfile.ZipFile(large, "w", zipfile.ZIP_DEFLATED) as made:
+        for info in archive.infolist():
+            made.writestr(info.filename, sheet if info.filename.endswith("sheet1.xml") else archive.read(info))
+    with pytest.raises(DescriptionError, match="too many rows"):
+        import_hardpoints(large)

@@ -199,6 +199,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if words[:1] == ["--version"]:
         words[0] = "version"
     try:
+        if any("\0" in word for word in words):
+            raise JounceError("an argument with a NUL character", found=next(word for word in words if "\0" in word))
         if _COMPLETION in os.environ:
             return _complete(words)
         exit_code = _answer(words)

@@ -650,7 +650,7 @@ def history(
     from jounce.inspection.archive.history import history_of, trends_of
     from jounce.inspection.archive.store import Store
 
-    check_outputs(figure=figure, force=force)
+    check_outputs(figure=figure, report=report, force=force)
     with closing(Store(store, read_only=True)) as opened:
         records = opened.records(plate=plate)
         visits = history_of(opened, plate)

@@ -15,7 +15,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
 from jounce.control.design import CornerModel
-from jounce.core.description import Description, Whole, check_schema, read_toml
+from jounce.core.description import Description, Seed, check_schema, read_toml
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.core.kinds import Rows
@@ -95,7 +95,7 @@ class Controller(Description):
     actuator: Actuator = SemiActiveDamper()
     rate: Frequency = 1000.0
     noise: Noise = {}
-    seed: Whole = 0
+    seed: Seed = 0
 
     catalogue: ClassVar[Mapping[str, tuple[str, AnyActuator | None]]] = {}
     """Name to a line about it, and its actuator."""

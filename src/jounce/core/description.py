@@ -7,17 +7,19 @@ import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
 
-from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from jounce.core.errors import DescriptionError, nearest, shown
-from jounce.core.files import existing_file
+from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
 from jounce.core.shown import Shown
 
 D = TypeVar("D", bound="Description")
 Whole = Annotated[int, Strict()]
 """A whole number of a description; neither ``true`` nor ``"1"`` is one."""
+Seed = Annotated[Whole, Field(ge=0, lt=2**63)]
+"""What random numbers are drawn with."""
 
 
 if TYPE_CHECKING:
@@ -80,7 +82,7 @@ def description_text(path: Path | str) -> str:
     if file.stat().st_size > _LARGEST:
         allowed = f"at most {_LARGEST // 1_000_000} MB of text"
         raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
-    return file.read_text(encoding="utf-8")
+    return content_of(file).decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
 
 
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:

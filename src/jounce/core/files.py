@@ -5,7 +5,8 @@ from __future__ import annotations
 import errno
 import os
 import stat
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
 
@@ -62,7 +63,17 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError) ->
         if found.st_size > _LARGEST:
             size, most = (f"{one / 1e9:.3g} GB" for one in (found.st_size, _LARGEST))
             raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {most}")
-        return stream.read(_LARGEST)
+        with _named(file, error):
+            return stream.read(_LARGEST)
+
+
+@contextmanager
+def _named(file: Path, error: type[JounceError]) -> Iterator[None]:
+    """Let what the system says while a file is read name the file."""
+    try:
+        yield
+    except OSError as refused:
+        raise error("the file cannot be read", where=str(file), found=refused.strerror or str(refused)) from None
 
 
 _LARGEST = 1_000_000_000  # bytes

@@ -157,7 +157,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     >>> [file.name for file in made]
     ['notes.txt', '01.csv']
     """
-    root = Path(folder).resolve()
+    root = resolved(folder)
     files = {root / name: content for name, content in contents.items()}
     _check_room(root, files, force=force)
     with _told(root, "the folder cannot be written"):
@@ -184,9 +184,18 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     return [Path(folder) / name for name in contents]
 
 
+def resolved(path: Path | str, *, home: bool = False) -> Path:
+    """Give a path in full, without links; with ``home`` its ``~`` is that of a user. What is no path is refused."""
+    try:
+        return (Path(path).expanduser() if home else Path(path)).resolve()
+    except (RuntimeError, ValueError) as error:  # links that lead to themselves, users that are none, NUL
+        hint = "Choose another name."
+        raise OutputError("no such path can be", where=str(path), found=str(error), hint=hint) from None
+
+
 def check_folder(out: Path | str, *, force: bool = False) -> Path:
     """Refuse a folder that holds something (without ``force``), or that a file stands in the way of; give its path."""
-    folder = Path(out).expanduser().resolve()
+    folder = resolved(out, home=True)
     with _told(folder, "the folder cannot be written"):
         if folder.exists() and not folder.is_dir():
             raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
@@ -203,7 +212,7 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
     if root.exists() and not root.is_dir():
         raise OutputError("a file stands where the folder should be", where=str(root), hint="Choose another name.")
     for file in files:
-        if not file.resolve().is_relative_to(root):
+        if not resolved(file).is_relative_to(root):
             raise OutputError("the file would lie outside the folder", where=str(root), found=str(file))
         if file.is_dir():
             raise OutputError("a file cannot be written where a folder is", where=str(file))

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, Whole, misplaced
+from jounce.core.description import Description, Seed, Whole, misplaced
 from jounce.core.units import NonNegativeLength, Unit
 from jounce.kinematics.clearances import Rim, Solid
 from jounce.kinematics.sweeps import AxleLayout
@@ -113,7 +113,7 @@ class Spread(Description):
     exact: dict[str, NonNegativeLength] = {}
     adjust: tuple[str, ...] = ()
     cars: Annotated[Whole, Field(ge=2, le=100_000)] = 300
-    seed: Annotated[Whole, Field(ge=0)] = 0
+    seed: Seed = 0
 
 
 class KinematicStudy(Description):

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from pydantic import BeforeValidator, Field
 
-from jounce.core.description import Whole
+from jounce.core.description import Seed, Whole
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -205,7 +205,7 @@ class Iso8608(SampledRoad):
     roughness: Roughness | None = None
     length: PositiveLength
     step: PositiveLength = 0.05
-    seed: Whole = Field(default=0, ge=0, lt=2**63)
+    seed: Seed = 0
     waviness: Waviness = 2.0
     band: tuple[SpatialFrequency, SpatialFrequency] = BAND
     run_in: NonNegativeLength | None = None

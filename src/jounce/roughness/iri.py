@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError
+from jounce.core.files import content_of
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
 from jounce.core.shown import Shown
@@ -364,7 +365,7 @@ def read_profile(
 
 def _rows(file: Path) -> list[tuple[int, list[str]]]:
     """Lines that hold something but comments, with their numbers, split at blanks, commas, semicolons."""
-    text = file.read_bytes().decode("utf-8-sig", errors="replace")
+    text = content_of(file, RecordingError).decode("utf-8-sig", errors="replace")
     lines = ((number, line.split("#")[0]) for number, line in enumerate(text.splitlines(), 1))
     split = ((number, line.replace(",", " ").replace(";", " ").split()) for number, line in lines)
     return [(number, cells) for number, cells in split if cells]

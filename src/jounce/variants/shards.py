@@ -30,7 +30,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
-from jounce.core.writing import check_folder, write_atomically
+from jounce.core.writing import check_folder, resolved, write_atomically
 from jounce.recordings.writers import netcdf_of
 from jounce.variants.workers import Task, here, on_cluster, on_processes
 
@@ -126,7 +126,7 @@ def keep_in_shards(
     ``say`` is told how many variants are done, and of how many; ``command`` is what was typed. Without a number of
     ``workers`` there is one a processor where variants run alone, and for long.
     """
-    folder = Path(out).expanduser().resolve()
+    folder = resolved(out, home=True)
     study, goes_on = study_of(work, columns), (folder / MANIFEST).is_file() and resume
     kept = read_kept(folder) if goes_on else None
     if kept is not None:
@@ -199,7 +199,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     """
     import xarray as xr
 
-    kept = read_kept(Path(folder).expanduser().resolve())
+    kept = read_kept(resolved(folder, home=True))
     spans = {number: kept.spans[number] for number in kept.names()}
     count = sum(end - first for first, end in spans.values())
     found: dict[str, Array] = {}

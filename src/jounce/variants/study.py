@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, Whole, line_of, misplaced, read_description
+from jounce.core.description import Description, Seed, Whole, line_of, misplaced, read_description
 from jounce.core.errors import JounceError
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import PositiveTime, Unit
+from jounce.core.writing import resolved
 from jounce.parts.files import load, rig_named_in
 from jounce.roads import Trial
 from jounce.roads.loading import load_road, read_roads
@@ -43,7 +44,7 @@ class SweepDesign(Description):
 
     kind: Layout
     count: Annotated[Whole, Field(ge=1, le=MOST)] | None = None
-    seed: Annotated[Whole, Field(ge=0)] = 0
+    seed: Seed = 0
 
     @model_validator(mode="after")
     def _counts_what_is_drawn(self) -> SweepDesign:
@@ -198,7 +199,7 @@ def run_sweep(
         say=say,
         command=command,
     )
-    kept = read_kept(Path(out).expanduser().resolve())
+    kept = read_kept(resolved(out, home=True))
     seed = sweep.study.design.seed if sweep.study.design.count is not None else None
     return SweepResult(str(study), str(out), str(kept.about["command"]), seed, summarise(data), data)
 

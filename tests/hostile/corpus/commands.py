@@ -51,11 +51,13 @@ BASES = {
     "design kinematics": "design kinematics none.toml --out designed",
     "export equations": "export equations kart-quarter-car --out kart.tex",
     "export hardpoints": "export hardpoints kart-double-wishbone --out kart.dxf",
+    "design kinematic-front": "design kinematic-front none.toml --points 2 --out front",
     "export fmu": "export fmu kart-quarter-car --out kart.fmu --sources-only",
     "import adams": "import adams front.sub",
     "import chrono": "import chrono chrono.json",
     "import hardpoints": "import hardpoints points.csv",
     "fit stiffness": "fit stiffness spring.csv",
+    "fit hardpoints": 'fit hardpoints formula-student-front poses.csv --free hardpoints.tie_rod_inner[2]="10 mm"',
     "fit decay": 'fit decay base.csv --channel road.z --mass "16 kg"',
     "fit damper": "fit damper damper.csv",
     "bench speed": 'bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
@@ -63,9 +65,9 @@ BASES = {
     "bench scale": 'bench scale --prototype-mass "18.6 kg"',
     "bench springs": 'bench springs stiff="52.775 N/mm" --sprung-mass "16 kg"',
     "inspect simulate": "inspect simulate audi-a6-quarter-car --method theta",
-    "inspect evaluate": "inspect evaluate lane.csv --tester theta-msd3000",
-    "inspect import": "inspect import lane.csv --store lane.sqlite --tester theta-msd3000",
-    "inspect watch": "inspect watch . --store lane.sqlite --tester theta-msd3000 --once",
+    "inspect evaluate": "inspect evaluate lane.csv --tester eusama",
+    "inspect import": "inspect import lane.csv --store lane.sqlite --tester eusama",
+    "inspect watch": "inspect watch . --store lane.sqlite --tester eusama --once",
     "inspect reevaluate": "inspect reevaluate --store lane.sqlite",
     "inspect history": 'inspect history --plate "B-AB 123" --store lane.sqlite',
     "inspect search": "inspect search --store lane.sqlite",
@@ -102,6 +104,14 @@ VALUES = {
     "an equation": "a=b=c",
     "an own table": 'x={a=[1,2,{b="$x^$"}]}',
     "a long integer by path": "mass=" + "9" * 400,
+    "a NUL": "a\0b",
+    "a hyphen": "-",
+    "an option": "--json",
+    "formats": "%s%n{0}{x!r}",
+    "a home": "~no-such-user/x.toml",
+    "a device": "/dev/null",
+    "a link to itself": "loop",
+    "another process": "/proc/self/mem",
 }
 """What is given in the place of an option's value, or of an argument."""
 
@@ -145,12 +155,10 @@ def parameters(command: Any, name: tuple[str, ...] = ()) -> Iterator[tuple[str, 
 
 @cache
 def commands() -> dict[str, Any]:
-    """All commands, from the command line itself."""
-    import typer
+    """All commands, from the command line itself, with the options that each of them has."""
+    from jounce.cli.entry import _command
 
-    from jounce.cli.entry import application
-
-    return dict(parameters(typer.main.get_command(application())))
+    return dict(parameters(_command()))
 
 
 def cases() -> list[tuple[str, str, str]]:
@@ -207,7 +215,7 @@ def folder_of_files() -> Iterator[None]:
         prepare()
         os.chdir(home)
     with tempfile.TemporaryDirectory(dir=home) as folder:
-        shutil.copytree(home / "whole", folder, dirs_exist_ok=True)
+        shutil.copytree(home / "whole", folder, dirs_exist_ok=True, symlinks=True)
         os.chdir(folder)
         try:
             yield
@@ -229,15 +237,18 @@ def prepare() -> None:
     way = np.concatenate([np.linspace(0.0, 15.0, 31), np.linspace(14.5, 0.0, 30)])
     write("spring.csv", "displacement [mm], force [N]", way, 22.73 * way)
     force = 900.0 * np.cos(2.0 * np.pi * 3.0 * time)
+    poses = np.linspace(-0.03, 0.03, 13)
+    write("poses.csv", "wheel_travel [m], toe [deg]", poses, 0.3 - 4.0 * poses)
     write("damper.csv", "time [s], displacement [m], force [N]", time, 0.02 * wave, force)
     long = np.arange(5000) * 0.005
     sweep = np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2))
     loads = [3.0 * sweep, 4000.0 + 900.0 * np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2) + 0.6)]
     write("lane.csv", "time [s], left.plate.z [mm], left.plate.force [N]", long, *loads)
     Path("empty").write_bytes(b"")
+    Path("loop").symlink_to("loop")
     Path("rubbish.bin").write_bytes(np.random.default_rng(1).bytes(3000))
     Path("plate.csv").write_text('# plate_number = "B-AB 123"\n' + Path("lane.csv").read_text(encoding="utf-8"))
-    store = ["--store", "lane.sqlite", "--tester", "theta-msd3000"]
+    store = ["--store", "lane.sqlite", "--tester", "eusama"]
     code, *said = said_by(["inspect", "import", "lane.csv", "plate.csv", *store])
     Path("plate.csv").unlink()
     assert Path("lane.sqlite").is_file(), (code, said)
@@ -265,17 +276,18 @@ def verdict(case: tuple[str, str, str]) -> tuple[str, str]:
 
 
 def _verdict(case: tuple[str, str, str]) -> tuple[str, str]:
-    before = {entry.name: entry.stat().st_size for entry in os.scandir()}
+    before = {entry.name: entry.stat(follow_symlinks=False).st_size for entry in os.scandir()}
     name, place, kind = case
     words = words_of(case)
     code, out, err = said_by(words)
-    lost = [name for name, size in before.items() if not Path(name).exists() or Path(name).stat().st_size != size]
+    lost = [name for name, size in before.items() if not os.path.lexists(name) or Path(name).lstat().st_size != size]
     told = f"{code}: {err}"
     if code == 2:
         value = VALUES.get(kind, "")
         key = value.partition("=")[0][:20] + (":" if "=" in value else "")
         places = [place, place.strip("-").replace("-", "_"), name, key or "''", visible(value)[:10], "--json"]
-        places += ["none.toml", repr(value.partition("=")[0]), value.partition("=")[2][:10] or "--json"]
+        places += ["an argument with a NUL character"] if kind == "a NUL" else []
+        places += ["/proc/", "none.toml", repr(value.partition("=")[0]), value.partition("=")[2][:10] or "--json"]
         places += (
             ["jounce: .:", "no such file and no shipped", *words[-8:]] if kind in ("nothing", "no text", "") else []
         )

@@ -90,18 +90,16 @@ KINDS = {
         for kind in _ROADS
     },
     "control": Kind(lambda: 'schema = "jounce.control/1"\nlaw = "skyhook"\n'),
-    "tester": Kind(
-        _shipped(*_LIBRARY, "testers", "theta-msd3000.toml"), use="inspect evaluate lane.csv --tester given.toml"
-    ),
+    "tester": Kind(_shipped(*_LIBRARY, "testers", "eusama.toml"), use="inspect evaluate lane.csv --tester given.toml"),
     "limits": Kind(
         _shipped("jounce.inspection", "limits.toml"),
-        use="inspect evaluate lane.csv --tester theta-msd3000 --limits given.toml",
+        use="inspect evaluate lane.csv --tester eusama --limits given.toml",
     ),
     "truth": Kind(_shipped("jounce.campaign", "library", "kart-prototype.toml")),
     "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
-    "header": Kind(lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester theta-msd3000"),
+    "header": Kind(lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester eusama"),
 }
 """A good file of each kind; a test holds that every schema has one."""
 

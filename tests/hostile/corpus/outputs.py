@@ -29,10 +29,13 @@ LONG = (
     "compare",
     "ride",
     "sweep",
+    "design kinematic-front",
+    "fit hardpoints",
 )
 """Commands that compute for long: only places that are refused before they begin."""
 USES = {
     "design kinematics": "design kinematics study.toml --out designed",
+    "design kinematic-front": "design kinematic-front study.toml --points 2 --out front",
     "campaign run": "campaign run c/campaign.toml --out r",
     "sweep": "sweep sweep.toml --out swept",
 }
@@ -107,6 +110,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
                     "import adams",
                     "import chrono",
                     "import hardpoints",
+                    "fit hardpoints",
                     "design springs",
                     "design optimise",
                 )

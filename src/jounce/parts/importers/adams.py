@@ -13,6 +13,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.files import content_of
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
@@ -434,7 +435,7 @@ class _Plain(ET.TreeBuilder):
 
 def _xml_spring(file: Path) -> tuple[float, Array, Array]:
     try:
-        root = ET.fromstring(file.read_bytes(), ET.XMLParser(target=_Plain()))
+        root = ET.fromstring(content_of(file), ET.XMLParser(target=_Plain()))
     except (ET.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(f"not XML of a spring: {error}", where=str(file)) from None
     units = {

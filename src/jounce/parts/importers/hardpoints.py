@@ -14,7 +14,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.files import existing_file
+from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.types import Array
@@ -59,7 +59,7 @@ _ENTRY = re.compile(r"\W*([^:]*[A-Za-z][^:]*?)[\"']?\s*:\s*[\[{](.*)[\]}]\W*")
 """Point of a YAML or JSON file: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
 _HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
 _RADIUS = (0.08, 0.8)  # m
-_LARGEST, _ROWS = 20_000_000, 20_000
+_LARGEST, _ROWS, _COLUMNS = 20_000_000, 20_000, 200
 _ADVICE = "Give names with --name THEIRS=OURS."
 
 
@@ -185,7 +185,7 @@ def _read(file: Path) -> PointTable:
 
 
 def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
-    content = file.read_bytes()
+    content = content_of(file)
     if b"\0" in content:
         raise DescriptionError("not a text file", where=str(file), allowed="text, or .xlsx")
     for number, line in enumerate(content.decode("utf-8-sig", errors="replace").splitlines(), 1):
@@ -225,7 +225,10 @@ def _sheet(file: Path) -> Iterator[tuple[str, list[str]]]:
                 raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 200 MB")
         book = openpyxl.load_workbook(file, read_only=True, data_only=True)
         for sheet in book.worksheets:
-            for number, row in enumerate(sheet.iter_rows(values_only=True), 1):
+            sheet.reset_dimensions()  # what a file tells of them may be wrong, and billions of cells
+            for number, row in enumerate(sheet.iter_rows(values_only=True, max_col=_COLUMNS), 1):
+                if number > _ROWS:
+                    raise DescriptionError("too many rows", where=str(file), allowed=f"up to {_ROWS}")
                 cells = ["" if value is None else str(value).strip() for value in row]
                 if any(cells):
                     yield f"{file}, {sheet.title}, row {number}", cells

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.files import existing_file
+from jounce.core.files import content_of, existing_file
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 
@@ -122,7 +122,7 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
         raise DescriptionError("too large for a text file of Adams", where=str(file), allowed="up to 20 MB")
-    content = file.read_bytes()
+    content = content_of(file)
     if b"\0" in content:
         raise DescriptionError("not a text file", where=str(file), allowed="a file of Adams, as text")
     blocks: list[Block] = []

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.errors import DescriptionError, nearest
-from jounce.core.files import existing_file
+from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
 from jounce.core.units import conversion_factor
@@ -286,7 +286,7 @@ class _Entries:
         if existing_file(file).stat().st_size > _LARGEST:
             allowed = f"at most {_LARGEST // 1_000_000} MB"
             raise DescriptionError("the file is too large for a tyre property file", where=str(file), allowed=allowed)
-        content = file.read_bytes()
+        content = content_of(file)
         if b"\0" in content:
             raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
         for number, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
