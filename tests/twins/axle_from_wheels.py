@@ -7,6 +7,9 @@ axes of the road (y to the left along it, z up), with the body rolled onto it.
 from __future__ import annotations
 
 import numpy as np
+from catalogue_from_poses import FromPoses
+
+import jounce as jn
 
 STEP = 2e-3  # rad of roll
 RACK = 0.5e-3  # m
@@ -52,10 +55,10 @@ def middle(value) -> float:
     return float(np.asarray(value)[4])
 
 
-def rolled(rig, sweep_roll, roll: float, rack: float) -> tuple[dict[str, float], dict[str, float]]:
+def rolled(rig, roll: float, rack: float) -> tuple[dict[str, float], dict[str, float]]:
     """Rows of the middle of nine rolled poses, by jounce and from its wheels."""
     at = roll + STEP * np.arange(-4, 5)
-    rows = arrays(sweep_roll(rig, at, rack))
+    rows = arrays(jn.sweep_roll(rig, at, rack))
     points = {name: contact(rows, name, rig.wheel.radius, at) for name in SIDES}
     found = {}
     for name, (_, axis) in points.items():
@@ -66,7 +69,7 @@ def rolled(rig, sweep_roll, roll: float, rack: float) -> tuple[dict[str, float],
     assert np.allclose(points["left"][0][:, 2], points["right"][0][:, 2], atol=1e-12)  # one plane road
     apart = points["left"][0] - points["right"][0]
     found["track"] = middle(apart[:, 1])
-    found |= roll_centre(rows, points, at)
+    found |= roll_centre(rig, rows, roll, rack)
     twist = rows["right.anti_roll_bar_angle"] - rows["left.anti_roll_bar_angle"]
     found["anti_roll_bar_twist"] = middle(twist)
     found["anti_roll_bar_torque"] = rig.anti_roll_bar.stiffness * middle(twist)
@@ -89,24 +92,26 @@ def rolled(rig, sweep_roll, roll: float, rack: float) -> tuple[dict[str, float],
     return {name: middle(rows[name]) for name in found}, found
 
 
-def roll_centre(rows, points, roll) -> dict[str, float]:
-    """Where the lines from the contact points to the instant centres meet, over the road and beside its middle."""
-    ends, tips = [], []
-    for name in SIDES:
-        centre = np.stack([0.0 * roll, rows[f"{name}.instant_centre_y"], rows[f"{name}.instant_centre_z"]], axis=-1)
-        ends.append(points[name][0][4, 1:])
-        tips.append(onto_road(centre, roll)[4, 1:])
-    one, other = (tip - end for tip, end in zip(tips, ends, strict=True))
-    share = np.linalg.solve(np.column_stack([one, -other]), ends[1] - ends[0])
-    place = ends[0] + share[0] * one
+def roll_centre(rig, rows, roll: float, rack: float) -> dict[str, float]:
+    """Where the normals meet along which the wheels' points at the contact points do not move, in front view."""
+    ends, ways = [], []
+    for name, side in SIDES.items():
+        wheel = rig if side > 0.0 else rig.mirrored()
+        up = np.array([0.0, side * np.sin(roll), np.cos(roll)])
+        found = FromPoses(wheel, jn.sweep_travel, middle(rows[f"{name}.wheel_travel"]), rack, up)
+        place, speed = (found.now(value) * [1.0, side, 1.0] for value in (found.contact, found.patch))
+        ends.append(onto_road(place, roll)[1:])
+        ways.append(onto_road(np.array([0.0, speed[2], -speed[1]]), roll)[1:])
+    share = np.linalg.solve(np.column_stack([ways[0], -ways[1]]), ends[1] - ends[0])
+    place = ends[0] + share[0] * ways[0]
     half = 0.5 * (ends[0] + ends[1])
     return {"roll_centre_height": float(place[1] - ends[0][1]), "roll_centre_y": float(place[0] - half[0])}
 
 
-def steered(rig, sweep_steering, car, rack: float, travel: float) -> tuple[dict[str, float], dict[str, float]]:
+def steered(rig, car, rack: float, travel: float) -> tuple[dict[str, float], dict[str, float]]:
     """Rows of the middle of nine racks: normals of both wheels and the line of the rear axle, seen from above."""
     at = rack + RACK * np.arange(-4, 5)
-    rows = arrays(sweep_steering(rig, at, travel, vehicle=car))
+    rows = arrays(jn.sweep_steering(rig, at, travel, vehicle=car))
     place, ahead = {}, {}
     for name, side in SIDES.items():
         point, axis = contact(rows, name, rig.wheel.radius, 0.0 * at)

@@ -101,7 +101,8 @@ class Screw:
 class FromPoses:
     """Rows at one travel and rack (m), from the places that ``swept`` holds around it; axes of a left wheel inside."""
 
-    def __init__(self, rig, sweep_travel, travel: float, rack: float = 0.0) -> None:
+    def __init__(self, rig, sweep_travel, travel: float, rack: float = 0.0, up=UP) -> None:
+        self.up = np.asarray(up)  # out of the road, axes of a left wheel
         self.rig, self.side = rig, 1.0 if rig.side == "left" else -1.0
         self.steers = rig.model != "trailing-arm"
         travels = travel + STEPS[0] * np.arange(-2 * REACH, 2 * REACH + 1)
@@ -160,7 +161,7 @@ class FromPoses:
         return self.points["wheel_centre"]
 
     def contact_of(self, centre, spin):
-        return centre + self.rig.wheel.radius * unit(spin * spin[..., 2:] - UP)
+        return centre + self.rig.wheel.radius * unit(spin * (spin @ self.up)[..., None] - self.up)
 
     @cached_property
     def contact(self):

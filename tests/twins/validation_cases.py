@@ -41,8 +41,8 @@ CASES = [
     ("semi-trailing arm", 0.025, None),
 ]
 """Suspension, wheel travel and rack travel (m)."""
-ROLLS, RACKS = (0.02, -0.015), (0.015, -0.012)
-"""Roll of the body (rad), wheels straight, and travel of the rack (m) of an axle."""
+ROLLS, RACKS = ((0.02, 0.0), (-0.015, 0.012)), (0.015, -0.012)
+"""Roll of the body (rad) with travel of the rack (m), and travel of the rack alone, of an axle."""
 SCALES = {"m": 1e-2, "rad": 1e-2, "1": 1e-2, "rad/m": 0.1, "1/m": 0.1, "rad/m^2": 1.0, "m/rad": 1e-3}
 """Sizes (SI) to which differences of rows near zero are related; of the other units the rows are not near zero."""
 
@@ -72,8 +72,8 @@ def compared_axle() -> dict[str, float]:
         front_overhang=0.7,
         body_width=1.2,
     )
-    pairs = [rolled(rig, jn.sweep_roll, roll, 0.0) for roll in ROLLS]
-    pairs += [steered(rig, jn.sweep_steering, car, rack, 0.006) for rack in RACKS]
+    pairs = [rolled(rig, roll, rack) for roll, rack in ROLLS]
+    pairs += [steered(rig, car, rack, 0.006) for rack in RACKS]
     found: dict[str, float] = {}
     for own, wanted in pairs:
         for name, value in wanted.items():

@@ -98,6 +98,26 @@ class WheelRows:
         y = -np.cos(steer) * np.sin(camber) * gain - np.sin(steer) * np.cos(camber) * turn
         return np.stack([x, y, -np.cos(camber) * gain], axis=1)
 
+    @property
+    def turn_slope(self) -> Array:
+        """Turn of the upright for a unit rate of travel, rad/m, shape (n, 3).
+
+        Its share across the wheel's axis turns that axis; that along it follows from the motion of the contact patch.
+        """
+        axis, recession = self.axis, self.rows["contact_patch_recession"]
+        across = np.cross(axis, self.axis_slope)
+        contact = np.stack([self.rows[f"contact_point_{one}"] for one in "xyz"], axis=1)
+        reach = contact - self.centre
+
+        def behind(turn: Array) -> Array:
+            """By how much the patch of a turning wheel lags behind its recession."""
+            moved = np.cross(turn, reach)
+            return np.asarray(moved[:, 0] - recession * moved[:, 2])
+
+        still = self.centre_slope[:, 0] - recession
+        along = -(still + behind(across)) / behind(axis)
+        return np.asarray(across + along[:, None] * axis)
+
     def seen(self, side: float) -> dict[str, Array]:
         """Rows as the ground's axes show them: 1 for the left wheel, -1 for the right one."""
         return {name: side * value if name in _ODD else value for name, value in self.rows.items()}
@@ -146,6 +166,12 @@ class Ground:
         """Contact point in body axes of a left wheel, m, shape (n, 3)."""
         down = self.wheel.axis * self.lean[:, None] - self.normal
         return self.wheel.centre + self.wheel.radius * down / np.sqrt(1.0 - self.lean**2)[:, None]
+
+    @property
+    def jacking(self) -> Array:
+        """Outward motion of the wheel's point at the contact point over its rise, of a left wheel, body axes [1]."""
+        velocity = self.wheel.centre_slope + np.cross(self.wheel.turn_slope, self.contact - self.wheel.centre)
+        return np.asarray(velocity[:, 1] / velocity[:, 2])
 
     @property
     def height(self) -> Array:
@@ -388,7 +414,7 @@ def add_axle_rows(found: AxleVariables, left: Ground, right: Ground) -> None:
     roll = left.roll
     at_left, at_right = _across(one, roll), _across(other, roll)
     found.add("track", at_left - at_right, "m", "track: distance of the contact points", "never negative")
-    slope, mirrored = left.wheel.rows["jacking"], right.wheel.rows["jacking"]
+    slope, mirrored = left.jacking, right.jacking
     with np.errstate(divide="ignore", invalid="ignore"):
         along = (other[:, 2] - one[:, 2] + (one[:, 1] - other[:, 1]) * mirrored) / (slope + mirrored)
         centre = np.stack([one[:, 0], one[:, 1] - along, one[:, 2] + along * slope], axis=1)
