@@ -162,9 +162,9 @@ from .variants.designs import monte_carlo as monte_carlo
 from .variants.designs import morris as morris
 from .variants.designs import saltelli as saltelli
 from .variants.designs import sobol as sobol
-from .variants.many import simulate_many as simulate_many
 from .variants.sensitivity import sensitivity_indices as sensitivity_indices
 from .variants.shards import load_sweep as load_sweep
+from .variants.simulate import simulate_many as simulate_many
 from .variants.study import run_sweep as run_sweep
 from .variants.summary import bands as bands
 

@@ -49,7 +49,7 @@ def study(tmp_path: Path):
 
 def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(cli, study, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr(shards, "_size", lambda *_: 8)
-    run, worked = shards.shard_of, []
+    run, worked = workers.shard_of, []
 
     def interrupted(work, task, threads):
         if task.number == 2 and len(worked) == 2:
@@ -57,7 +57,7 @@ def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(cli, study, tmp
         worked.append(task.number)
         return run(work, task, threads)
 
-    monkeypatch.setattr(shards, "shard_of", interrupted)
+    monkeypatch.setattr(workers, "shard_of", interrupted)
     file = study()
     outcome = cli("sweep", file, "--out", "out")
     assert outcome.exit_code == 130
@@ -73,7 +73,7 @@ def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(cli, study, tmp
     assert outcome.exit_code == 0, outcome.err
     assert worked == [0, 1, -1, 2, 3]
     found = outcome.json["summary"]
-    assert (found["count"], found["ran"], found["side_by_side"], found["failed"]) == (32, 32, 0, {})
+    assert (found["count"], found["ran"], found["failed"]) == (32, 32, {})
     assert outcome.json == json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
     whole = jn.simulate_many(
         jn.load("audi-a6-quarter-car"),

@@ -216,7 +216,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     bar = figure.colorbar(drawn, ax=axes, pad=0.01, aspect=30)
     bar.solids.set_alpha(1.0)  # type: ignore[union-attr]
     bar.set_label(ends[len(columns) - len(names)][2].label(names[0]), fontsize=8.5)
-    bar.outline.set_visible(False)  # type: ignore[operator]
+    bar.outline.set_visible(False)
     return figure
 
 

@@ -6,7 +6,6 @@ import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +13,6 @@ import numpy as np
 from jounce.core.errors import DescriptionError, JounceError, unforeseen, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.core.waiting import told
 from jounce.parts import Rig
 from jounce.parts.rig import change_table, parameters_of, quantity_at, unit_of, unknown_path
 from jounce.recordings.schema import channels_of
@@ -23,8 +21,8 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
 from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
-from jounce.simulation.settings import Method, RunSettings
-from jounce.variants.designs import MOST, Design, is_whole
+from jounce.simulation.settings import RunSettings
+from jounce.variants.designs import MOST, Design
 from jounce.variants.metrics import RunMetric, of_course, of_sums, read_metrics
 from jounce.variants.side_by_side import sums_side_by_side
 
@@ -34,115 +32,9 @@ if TYPE_CHECKING:
 
     from jounce.control import Controller
     from jounce.core.segments import Segments
-    from jounce.simulation.controlled import AnyControl
 
 Variants = Mapping[str, Sequence[float | str] | Array] | Design
-_MOST_SAMPLES = 400_000_000  # numbers that channels over time may have: 3.2 GB
 _TRIAL, _CONTROL = "trial.", "control."
-
-
-def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
-    rig: Rig,
-    trial: Trial,
-    variants: Variants,
-    *,
-    metrics: Sequence[str] | str | None = None,
-    outputs: Sequence[str] | str | None = None,
-    output_step: float = 1e-3,
-    tolerance: float = 1e-5,
-    method: Method = "auto",
-    control: AnyControl | None = None,
-    threads: int | None = None,
-    out: Path | str | None = None,
-    resume: bool = False,
-    workers: int = 1,
-    client: Any = None,
-) -> xr.Dataset:
-    """Simulate many variants of a rig over a trial, each from its own static equilibrium.
-
-    What is linear between its contacts runs side by side in vector registers, threads sharing the variants; only sums
-    of the samples are kept then. A variant goes through its events by itself and comes back to the others. All other
-    runs are those of :func:`simulate`, one by one. The results do not depend on the number of threads.
-
-    Parameters
-    ----------
-    rig : Rig
-        What all variants start from.
-    trial : Trial
-        What all of them are driven over.
-    variants : mapping or Design
-        Path of a number to its value in each variant, SI or texts with units, all of one length; or a design
-        (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`, :func:`monte_carlo`). Paths are those of the rig
-        (``"strut.spring.rate"``), ``"trial.speed"``, ``"trial.road.seed"`` and the like, and with a controller
-        ``"control.rate"`` and the like.
-    metrics : sequence of str, optional
-        Numbers to keep of each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms sprung.az"``)
-        or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest (with a
-        controller, about the first sample). A channel that every corner has is taken of all of them.
-    outputs : sequence of str, optional
-        Channels to keep over time; all of them where neither ``metrics`` nor ``outputs`` are given.
-    output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
-        As :class:`jounce.simulation.RunSettings` has them: s, 1.
-    control : Controller, str, Path or callable, optional
-        As for :func:`simulate`.
-    threads : int, optional
-        Threads that share variants which run side by side; as many as there are processors by default.
-    out : path, optional
-        Folder in which results are kept by shards (netCDF) as they come, so that long sweeps survive what stops them;
-        :func:`load_sweep` reads it.
-    resume : bool
-        Go on where a sweep in ``out`` was stopped; nothing of it may have changed.
-    workers : int
-        Processes that share the shards; 1 works in this one. Where there are more, the script that asks for them needs
-        ``if __name__ == "__main__":``, as always with processes in Python.
-    client : dask.distributed.Client, optional
-        A cluster that works on the shards instead (extra ``cluster``).
-
-    Returns
-    -------
-    xarray.Dataset
-        Metrics on ``variant`` and channels on ``variant`` and ``time`` (s), each with ``units`` (SI) and ``long_name``;
-        the varied numbers are coordinates. A variant that does not run has NaN and the reason in ``reason``.
-        ``attrs["side_by_side"]`` counts the variants that ran side by side. Channels over time that memory does not
-        hold stay in ``out``.
-
-    Raises
-    ------
-    DescriptionError
-        For unknown paths, channels or metrics, values of different lengths, or more results than memory holds.
-    OutputError
-        For a folder that holds something else, or another sweep than the one that is resumed (it says what differs),
-        and for more results than the disk has room for.
-    SimulationError
-        When the rig as it is does not run on the trial.
-
-    Examples
-    --------
-    >>> import jounce as jn
-    >>> rig = jn.load("audi-a6-quarter-car")
-    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="1 s")
-    >>> many = jn.simulate_many(rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"])
-    >>> bool(many["max sprung.az"][0] < many["max sprung.az"][1])   # the softer damper
-    True
-    """
-    _check_threads(threads)
-    if not is_whole(workers) or workers < 1:
-        raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
-    work, columns = prepared(
-        rig, trial, variants, RunSettings(output_step, tolerance, method), metrics, outputs, _as_controller(control)
-    )
-    count = len(next(iter(columns.values())))
-    if out is not None:
-        from jounce.variants.shards import keep_in_shards
-
-        return keep_in_shards(work, columns, out, resume=resume, workers=workers, client=client, threads=threads)
-    for name, given in (("resume", resume), ("workers", workers > 1), ("client", client is not None)):
-        if given:
-            hint = "Give out=, a folder in which results are kept as they come."
-            raise DescriptionError("goes with a folder of results", where=name, hint=hint)
-    _check_size(count, len(work.channels), len(work.study.settings.times(trial.duration)))
-    with told(f"simulating {count:,} variants".replace(",", " ")):
-        return work.run(columns, threads=threads)
 
 
 @dataclass(frozen=True)
@@ -475,14 +367,6 @@ class _Group:
         return solution.outputs, compiled.evaluate("output", at.x, prepared.still, p, at.modes)
 
 
-def _as_controller(control: AnyControl | None) -> Controller | None:
-    if control is None:
-        return None
-    from jounce.control import as_controller
-
-    return as_controller(control)
-
-
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
     """Numbers of a trial or a controller by path, whole ones (a seed) included; or these alone."""
     found = {} if whole else parameters_of(description)
@@ -517,19 +401,3 @@ def _column(given: object, unit: str, path: str) -> Array:
     if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
         raise DescriptionError("not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60])
     return found
-
-
-def _check_threads(threads: int | None) -> None:
-    if threads is not None and (not is_whole(threads) or threads < 1):
-        raise DescriptionError("not a number of threads", where="threads", found=threads, allowed="1 or more")
-
-
-def _check_size(count: int, channels: int, samples: int) -> None:
-    if count * channels * samples > _MOST_SAMPLES:
-        raise DescriptionError(
-            "too many samples to keep",
-            where="variants, outputs, output_step",
-            found=f"{count} variants of {channels} channels with {samples} samples",
-            allowed=f"{_MOST_SAMPLES:.0e} numbers",
-            hint="Ask for metrics, for fewer outputs, or for a longer output step.",
-        )

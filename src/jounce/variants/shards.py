@@ -18,7 +18,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import AbstractContextManager, closing, contextmanager, nullcontext
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import metadata
@@ -31,13 +31,11 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
-from jounce.recordings.writers import netcdf_of
-from jounce.variants.workers import Task, here, on_cluster, on_processes
+from jounce.variants.many import Work
+from jounce.variants.workers import Task, here, on_cluster, on_processes, own_locks
 
 if TYPE_CHECKING:
     import xarray as xr
-
-    from jounce.variants.many import Work
 
 SCHEMA = "jounce.sweep-results/1"
 MANIFEST, SHARDS = "sweep.json", "shards"
@@ -258,22 +256,9 @@ def _read(kept: Kept, number: int) -> xr.Dataset | None:
     for file in kept.names()[number]:
         content = file.read_bytes()
         if _checksum(content) == file.name.split(".")[1]:
-            with _own_locks():
+            with own_locks():
                 return xr.load_dataset(io.BytesIO(content), engine="h5netcdf")
     return None
-
-
-def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
-    """Run the variants of a task; give the content of their shard."""
-    found = work.run(task.columns, first=task.first, threads=threads)
-    with _own_locks():
-        return netcdf_of(found)
-
-
-def _own_locks() -> AbstractContextManager[object]:
-    """Keep xarray from asking a cluster that this process belongs to for the lock of what is in memory."""
-    dask = sys.modules.get("dask")
-    return nullcontext() if dask is None else dask.config.set(scheduler="synchronous")
 
 
 def _checksum(content: bytes) -> str:

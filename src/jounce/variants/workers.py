@@ -14,18 +14,17 @@ import threading
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import metadata
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from jounce.core.errors import JounceError
 from jounce.core.optional import require
 from jounce.core.types import Array
-
-if TYPE_CHECKING:
-    from jounce.variants.many import Work
+from jounce.recordings.writers import netcdf_of
+from jounce.variants.many import Work
 
 Results = Generator[tuple[int, bytes], None, None]
 _WAITING = 2  # tasks each worker has before it: enough never to stand idle, few enough for memory
@@ -55,10 +54,21 @@ class Task:
     version: str
 
 
+def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
+    """Run the variants of a task; give the content of their shard."""
+    found = work.run(task.columns, first=task.first, threads=threads)
+    with own_locks():
+        return netcdf_of(found)
+
+
+def own_locks() -> AbstractContextManager[object]:
+    """Keep xarray from asking a cluster that this process belongs to for the lock of what is in memory."""
+    dask = sys.modules.get("dask")
+    return nullcontext() if dask is None else dask.config.set(scheduler="synchronous")
+
+
 def here(work: Work, tasks: Sequence[Task], threads: int | None) -> Results:
     """Give number and content of every shard, worked on in this process."""
-    from jounce.variants.shards import shard_of
-
     for task in tasks:
         yield task.number, shard_of(work, task, threads)
 
@@ -126,8 +136,6 @@ _ONE_AT_A_TIME = threading.Lock()
 
 def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
     """Work on a task in another process, on one of its threads."""
-    from jounce.variants.shards import shard_of
-
     own = metadata.version("jounce")
     if own != task.version:
         raise JounceError("a worker has another version of jounce", found=own, allowed=task.version)

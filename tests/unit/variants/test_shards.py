@@ -11,7 +11,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, OutputError
-from jounce.variants import shards
+from jounce.variants import shards, workers
 
 RIG = jn.load("audi-a6-quarter-car")
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="0.5 s")
@@ -85,9 +85,9 @@ def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(tmp_path: Path
         chosen.write_bytes(content[:-50] if damage == "cut" else content[:-50] + b"!" + content[-49:])
     assert jn.load_sweep(tmp_path).sizes["variant"] == 32  # what is damaged is not read
     worked: list[int] = []
-    run = shards.shard_of
+    run = workers.shard_of
     monkeypatch.setattr(
-        shards, "shard_of", lambda work, task, threads: worked.append(task.number) or run(work, task, threads)
+        workers, "shard_of", lambda work, task, threads: worked.append(task.number) or run(work, task, threads)
     )
     after = sweep(tmp_path, resume=True)
     assert worked == [2]
