@@ -33,7 +33,8 @@ from jounce.parts.files import rig_named_in
 
 _FIGHTS = -0.3  # cosine of two targets' slopes from which meeting one costs the other
 _STILL = 0.5e-9  # m: what moves less stays
-_PULL = 1e-4  # tolerances for a number moved as far as it may go, as in the search
+_GENTLE = 0.03  # tolerances that half a box must change before it counts as a way to have one more
+_AT_LIMIT = 1e-3  # tolerances
 _SEEN = 1.0  # tolerances by which curves change before points are told apart
 _NOISE = 1e-9  # share of the largest change below which there is none
 _LOST = 1e-6  # share of a number that curves do not see from which it is not known
@@ -618,18 +619,23 @@ def _tradeoffs(search: Search, x: Array, values: list[Array], slopes: list[Array
     """How targets answer when one more tolerance is asked of one: the compromise anew, to first order."""
     room = _room(search, x)
     moves = [slope * search.scale / item.tolerance * room for item, slope in zip(search.wanted, slopes, strict=True)]
-    # limits that are kept ask for nothing
+    # limits ask for nothing but where they are reached
     asks = [
-        item.text.weight / np.sqrt(len(item.low)) * ((item.low == item.high) | (item.off(value) != 0.0))
+        item.text.weight / np.sqrt(len(item.low)) * ((item.low == item.high) | (_room_within(item, value) < _AT_LIMIT))
         for item, value in zip(search.wanted, values, strict=True)
     ]
     rows = np.vstack([ask[:, None] * move for ask, move in zip(asks, moves, strict=True)])
-    normal = rows.T @ rows + _PULL**2 * np.eye(rows.shape[1])
+    normal = rows.T @ rows + _GENTLE**2 * np.eye(rows.shape[1])
     found = []
     for ask, move in zip(asks, moves, strict=True):
         step = np.linalg.solve(normal, (ask[:, None] ** 2 * move).sum(axis=0))
         found.append(tuple(float(_largest((other @ step)[:, None])[0]) for other in moves))
     return tuple(found)
+
+
+def _room_within(item: Wanted, value: Array) -> Array:
+    """How far values are within their limits, in tolerances."""
+    return np.asarray(np.minimum(value - item.low, item.high - value) / item.tolerance)
 
 
 def identifiability(search: Search, slopes: list[Array]) -> tuple[tuple[Identified, ...], tuple[OpenCombination, ...]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.plots.display import FAR_AWAY, PARALLEL, settled
-from jounce.plots.style import MUTED, PALETTE, new_figure, rendered, styled
+from jounce.plots.style import MUTED, PALETTE, in_legend, new_figure, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -113,16 +113,17 @@ _MOST_LINES = 5
 
 
 @styled
-def kinematic_curves(sweep: xr.Dataset, quantities: Sequence[str] | None = None) -> Figure:
-    """Draw quantities of a kinematic sweep, one set of axes each.
+def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: Sequence[str] | None = None) -> Figure:
+    """Draw quantities of a kinematic sweep, or of several over each other, one set of axes each.
 
     Left and right wheel of an axle share their axes; of pairs of travel and rack, up to five racks are drawn as lines.
     Curves that run to infinity (instant centres) are cut off.
 
     Parameters
     ----------
-    sweep : xarray.Dataset
-        As :func:`jounce.sweep_travel` and its relatives give it; SI, shown in usual units (mm, °, N/mm).
+    sweep : xarray.Dataset, or mapping of str to xarray.Dataset
+        As :func:`jounce.sweep_travel` and its relatives give it; SI, shown in usual units (mm, °, N/mm). Several by
+        name, over the same travel, rack or roll, are variants side by side.
     quantities : sequence of str, optional
         What to draw; by default camber, toe, half-track change, caster, roll-centre height and motion ratio.
 
@@ -134,7 +135,7 @@ def kinematic_curves(sweep: xr.Dataset, quantities: Sequence[str] | None = None)
     Raises
     ------
     RecordingError
-        For a quantity that the sweep does not hold, or a dataset that is no sweep.
+        For a quantity that a sweep does not hold, a dataset that is no sweep, or sweeps over different things.
 
     Examples
     --------
@@ -145,20 +146,28 @@ def kinematic_curves(sweep: xr.Dataset, quantities: Sequence[str] | None = None)
     ['camber [°]', 'toe [°]']
     """
     default = ("camber", "toe", "half_track_change", "caster", "roll_centre_height", "motion_ratio")
-    known = _quantities(sweep)
+    sweeps = dict(sweep) if isinstance(sweep, Mapping) and not hasattr(sweep, "data_vars") else {"": sweep}
+    if not sweeps:
+        raise RecordingError("no sweeps to draw", allowed="one or more")
+    known = [name for name in _quantities(next(iter(sweeps.values()))) if _all_have(sweeps, name)]
+    over = {_along(one) for one in sweeps.values()}
+    if len(over) > 1:
+        raise RecordingError("sweeps over different things", found=", ".join(sorted(over)), allowed="one of them")
     for name in quantities or ():
         if name not in known:
             raise RecordingError(f"no quantity {name!r}", allowed=", ".join(known), hint=nearest(name, known))
     names = list(quantities) if quantities else [name for name in default if name in known]
     if not names:
-        raise RecordingError("no kinematic quantities", found=", ".join(map(str, sweep.data_vars)) or "none")
+        raise RecordingError(
+            "no kinematic quantities", found=", ".join(map(str, next(iter(sweeps.values())))) or "none"
+        )
     columns = min(_COLUMNS, len(names))
     rows = -(-len(names) // columns)
     figure = new_figure(0.5 + 1.9 * rows, 3.3 * columns if columns < _COLUMNS else 9.6)
     grid = figure.subplots(rows, columns, sharex=True, squeeze=False)
     for axes, name in zip(grid.flat, names, strict=False):
-        _draw(axes, sweep, name)
-    _finish(figure, grid, sweep, len(names))
+        _draw(axes, sweeps, name)
+    _finish(figure, grid, next(iter(sweeps.values())), len(names))
     return figure
 
 
@@ -203,14 +212,23 @@ def _quantities(sweep: xr.Dataset) -> list[str]:
     return [name for name in dict.fromkeys(bare) if name[-2:] not in (".x", ".y", ".z")]
 
 
+def _all_have(sweeps: Mapping[str, xr.Dataset], name: str) -> bool:
+    return all(name in _quantities(one) for one in sweeps.values())
+
+
 def _along(sweep: xr.Dataset) -> str:
     return str(next(iter(sweep.dims)))
 
 
-def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
-    along = _along(sweep)
-    lines = _lines(sweep, name, along)
-    si = str(sweep[lines[0][2]].attrs.get("units", "1"))
+def _draw(axes: Axes, sweeps: Mapping[str, xr.Dataset], name: str) -> None:
+    first = next(iter(sweeps.values()))
+    along = _along(first)
+    lines, places = [], []
+    for label, sweep in sweeps.items():
+        own = _lines(sweep, name, along)
+        lines += [(", ".join(filter(None, (in_legend(label), one))), values, which) for one, values, which in own]
+        places += [sweep[along].to_numpy()] * len(own)
+    si = str(first[lines[0][2]].attrs.get("units", "1"))
     if si == "m" and any(word in name for word in FAR_AWAY):
         lines = [
             (label, np.where(np.abs(values) < PARALLEL, values, np.nan), variable) for label, values, variable in lines
@@ -222,9 +240,9 @@ def _draw(axes: Axes, sweep: xr.Dataset, name: str) -> None:
     finite = everything[np.isfinite(everything)]
     largest = float(np.max(np.abs(finite), initial=0.0))
     unit = display_unit(si, largest)
-    across = display_unit(str(sweep[along].attrs.get("units", "1")))
-    x = sweep[along].to_numpy() * across.factor
-    for k, (label, values, _) in enumerate(lines):
+    across = display_unit(str(first[along].attrs.get("units", "1")))
+    for k, ((label, values, _), place) in enumerate(zip(lines, places, strict=True)):
+        x = place * across.factor
         mark = "." if len(x) < 12 else None
         axes.plot(x, values * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
     axes.set_title(unit.label(name.replace("_", " ")), loc="left")

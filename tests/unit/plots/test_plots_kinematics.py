@@ -79,3 +79,20 @@ def test_jumps_of_stops_are_drawn_whole() -> None:
     found = jn.sweep_travel(rig, np.linspace(-0.08, 0.08, 41))
     drawn = kinematic_curves(found, ["wheel_rate"]).axes[0].lines[0].get_data()[1]
     assert drawn == pytest.approx(1e-3 * found["wheel_rate"].to_numpy())
+
+
+def test_variants_are_drawn_over_each_other_with_a_legend() -> None:
+    other = RIG.with_changes({"hardpoints.tie_rod_inner[2]": RIG.hardpoints.tie_rod_inner[2] + 0.003})
+    sweeps = {
+        "as it is": jn.sweep_travel(RIG, [-0.02, 0.0, 0.02]),
+        "higher": jn.sweep_travel(other, [-0.01, 0.0, 0.01]),
+    }
+    figure = kinematic_curves(sweeps, ["toe"])
+    one, two = figure.axes[0].lines[:2]
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["as it is", "higher"]
+    assert list(one.get_xdata()) == [-20.0, 0.0, 20.0]
+    assert list(two.get_xdata()) == [-10.0, 0.0, 10.0]
+    with pytest.raises(jn.RecordingError, match="different things"):
+        kinematic_curves({"one": sweeps["higher"], "other": jn.sweep_rack(RIG, [0.0, 0.01])})
+    with pytest.raises(jn.RecordingError, match="no sweeps"):
+        kinematic_curves({})
