@@ -7,7 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { before, type Mechanism, type Motion } from "./data";
-import { colour, make, toggle } from "./page";
+import { colour, isFast, make, toggle } from "./page";
 import { say } from "./words";
 
 export interface Moment { body: number; travel: number; ground: number; load: number; time: number }
@@ -102,12 +102,9 @@ export class MechanismView {
   /** Begins to draw, once: making a context takes long where there is no graphics card, so not before it is seen. */
   private begin(): boolean {
     if (this.renderer || this.isLost) return !this.isLost;
-    const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
-    const isFast = probe !== null;
-    probe?.getExtension("WEBGL_lose_context")?.loseContext();
     try {
-      this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: isFast, alpha: true });
-      this.renderer.setPixelRatio(isFast ? Math.min(devicePixelRatio, 2) : 1);
+      this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: isFast(), alpha: true });
+      this.renderer.setPixelRatio(isFast() ? Math.min(devicePixelRatio, 2) : 1);
     } catch {
       this.isLost = true;
       this.state.textContent = say("noWebGL");

@@ -51,6 +51,20 @@ export function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim() || "#888";
 }
 
+let fast: boolean | null = null;
+
+/** Whether a graphics card draws. */
+export function isFast(): boolean {
+  if (fast === null) {
+    const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+    const told = probe?.getExtension("WEBGL_debug_renderer_info"); // not every browser says that it draws in software
+    const name = told ? String(probe!.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
+    fast = probe !== null && !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+    probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  }
+  return fast;
+}
+
 const listeners = new Set<() => void>();
 
 /** Calls back when the page becomes light or dark. */

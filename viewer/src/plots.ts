@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
-import { colour, make, writtenTo } from "./page";
+import { colour, isFast, make, writtenTo } from "./page";
 import { localised } from "./words";
 
 export interface Line { label: string; role: string; y: Numbers; step: number; shown: boolean }
@@ -126,7 +126,7 @@ export class LinkedPlots {
     const ink = colour("ink"), grid = { stroke: colour("line"), width: 1 }, faint = colour("span");
     const font = "12px system-ui, sans-serif";
     const values = (_: uPlot, ticks: number[]) => alike(ticks);
-    const plot = new uPlot({
+    const plot = drawnByTheProcessor(() => new uPlot({
       width: Math.max(this.element.clientWidth, 200), height: this.height(isLast),
       padding: [6, 12, 0, 0],
       legend: { show: false },
@@ -163,7 +163,7 @@ export class LinkedPlots {
           this.moved(u.posToVal(u.cursor.left, "x"));
         }],
       },
-    } as uPlot.Options, [plotted.x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData, holder);
+    } as uPlot.Options, [plotted.x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData, holder));
     const mark = make("div", { class: "mark-line" });
     plot.over.append(mark);
     plot.over.style.touchAction = "pan-y";
@@ -191,6 +191,16 @@ export class LinkedPlots {
     if (event.shiftKey) this.pan(Math.sign(event.deltaY || event.deltaX) * 0.1);
     else this.zoomBy(event.deltaY > 0 ? 1.25 : 0.8, plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
   }
+}
+
+/** Makes plots whose canvas is drawn by the processor where there is no graphics card: a stand-in for one takes twice as long. */
+function drawnByTheProcessor<T>(make: () => T): T {
+  if (isFast()) return make();
+  const kind = HTMLCanvasElement.prototype, usual = kind.getContext; // uPlot asks for its context itself
+  kind.getContext = function (this: HTMLCanvasElement, name: string, options?: object) {
+    return usual.call(this, name, name === "2d" ? { ...options, willReadFrequently: true } : options);
+  } as typeof usual;
+  try { return make(); } finally { kind.getContext = usual; }
 }
 
 /** Labels of an axis, all with as many digits behind the point. */

@@ -13,8 +13,9 @@ from jounce.core.display import size
 from jounce.core.errors import DescriptionError
 from jounce.core.writing import Formats
 from jounce.plots.mechanisms.animation import FILMS, Motion, ffmpeg, film_poses, motion_of
+from jounce.plots.mechanisms.drawing import mechanism
 from jounce.report.live import Viewer
-from jounce.report.page import Page, Section
+from jounce.report.page import Details, Page, Picture, Section
 from jounce.report.recordings import curve_blocks
 from jounce.report.render import REPORTS
 
@@ -125,7 +126,11 @@ def _page(motion: Motion, rig: Corner, poses: xr.Dataset, trial: Trial | None) -
     slower = motion.slow if shown.in_time else None
     ends = " to ".join(shown.label(k).removeprefix(f"{shown.words} ") for k in (0, -1))
     driven = "" if trial is None or trial.speed is None else f" at {size(trial.speed, 'm/s', 'speed')}"
-    section = Section("In motion", (replace(viewer, stage=True, slower=slower), still))
+    words = "The mechanism in its design position, in three views and in space."
+    drawn = Picture(mechanism(rig), "mechanism", words, words)
+    assert isinstance(still, Details)
+    figures = replace(still, summary="The same as figures", blocks=(drawn, *still.blocks))
+    section = Section("In motion", (replace(viewer, stage=True, slower=slower), figures))
     return Page(motion.title, (section,), f"{shown.words.capitalize()} {ends}{driven}".replace("Time ", ""))
 
 

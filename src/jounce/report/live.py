@@ -143,13 +143,20 @@ def named_words(name: str, words: str) -> str:
 def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ()) -> tuple[Panel, ...]:
     """Give a scene's curves as panels of a figure that does not move: what is shown first, of some roles (or all)."""
     panes = [pane for pane in scene.panes if pane.shown] or list(scene.panes[:1])
+    is_alone = len({curve.role for pane in panes for curve in pane.curves if not roles or curve.role in roles}) < 2
     panels = []
     for k, pane in enumerate(panes):
         curves = [curve for curve in pane.curves if not roles or curve.role in roles]
         panels.append(
             Panel(
                 tuple(
-                    Series(scene.x, c.values, c.role, "dashed" if c.role == "before" else "line", c.label)
+                    Series(
+                        scene.x,
+                        c.values,
+                        c.role,
+                        "dashed" if c.role == "before" else "line",
+                        "" if is_alone else c.label,
+                    )
                     for c in curves
                 ),
                 f"{words} [{unit}]" if k == len(panes) - 1 else "",

@@ -276,11 +276,11 @@ def _posed(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
 
     drawing = scene_of(rig)
     poses = poses_of(rig, drawing, data)
-    mechanism, order = Mechanism(drawing, poses, axis == "time"), np.argsort(poses.over)
-    over = poses.over[order]
+    poses = poses.taken(np.unique(poses.over, return_index=True)[1])  # ascending, each place once
+    mechanism, over = Mechanism(drawing, poses, axis == "time"), poses.over
 
     def motion(x: Array) -> Motion:
-        ground, load = (np.interp(x, over, values[order]) for values in (poses.ground, poses.touches.astype(float)))
+        ground, load = (np.interp(x, over, values) for values in (poses.ground, poses.touches.astype(float)))
         return Motion(mechanism, np.zeros_like(x), x, ground, load, *_driven(trial, x, drawing, axis))
 
     return motion

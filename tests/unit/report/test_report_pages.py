@@ -9,7 +9,18 @@ import pytest
 import xarray as xr
 
 import jounce as jn
-from jounce.report import REPORTS, modes_page, recordings_page, ride_page, roughness_page
+from jounce.design.pareto import ParetoFront, ParetoMark
+from jounce.inspection.archive.history import Trend, WheelVisit
+from jounce.report import (
+    REPORTS,
+    animate,
+    front_page,
+    history_page,
+    modes_page,
+    recordings_page,
+    ride_page,
+    roughness_page,
+)
 from jounce.report.live import live_data
 from jounce.report.page import Page, Paragraph, Table
 from jounce.report.render import parted
@@ -94,3 +105,52 @@ def test_a_profile_is_shown_over_metres_with_its_segments() -> None:
     height, index = (pane.curves[0].values for pane in scene.panes)
     assert height == pytest.approx(1e3 * z)
     assert index[[100, 300, 500]] == pytest.approx([part.iri_m_per_km for part in found.segments])
+
+
+ROLES = ("comfort", "holding", "travel")
+
+
+def test_a_front_has_its_units_ends_and_texts_that_are_no_markup(tmp_path: Path) -> None:
+    values = {"comfort": np.array([1.0, 2.0, np.inf]), "holding": np.array([0.3, np.nan, 0.1])}
+    front = ParetoFront(
+        dict(zip(ROLES, (HOSTILE, "tyre.force", "strut.deflection"), strict=True)),
+        dict(zip(ROLES, ("m/s^2", "1", "m"), strict=True)),
+        values["comfort"], values["holding"], np.array([0.01, 0.02, 0.03]),
+        {"strut.damper.coefficient": np.array([500.0, 1000.0, 1500.0])}, {"strut.damper.coefficient": "N*s/m"},
+        (ParetoMark("best for " + "漢" * 300, "searched", {"strut.damper.coefficient": 700.0}, 1.1, 0.2, 0.015),),
+        False, "a road, G_d = 1e-6 m^3", (),
+    )  # fmt: skip
+    page = front_page(front, title=HOSTILE)
+    beside, every = (block for block in page.blocks() if isinstance(block, Table))
+    assert beside.rows[0][2:] == ("1.100", "0.2000", "15.00", "strut.damper.coefficient: 700.0 N·s/m")
+    assert [row[1] for row in every.rows] == ["1.000", "2.000", "∞"]
+    assert every.rows[1][2] == "–"
+    assert page.subtitle == "Pareto front on a road, G_d = 1e-6 m³"
+    text = REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "<img" not in text
+    assert "some designs are not optimal" in text
+
+
+def test_a_history_shows_what_is_not_known_as_such(tmp_path: Path) -> None:
+    values = {"adhesion": 0.62, "phase_angle_min_deg": None, "theta_road": float("nan")}
+    visits = [
+        WheelVisit(1, "2025-11-21", HOSTILE, "rear", "left", values, "fail", ""),
+        WheelVisit(2, "", HOSTILE, "", HOSTILE, {"adhesion": None}, "", ""),
+    ]
+    page = history_page(visits, [Trend("rear", "left", "adhesion", -0.104, 2)], title="B-AB 123 " + "漢" * 300)
+    change, every = (block for block in page.blocks() if isinstance(block, Table))
+    assert change.rows == (("rear left", "adhesion (EUSAMA)", "−10 %", "2"),)
+    first, second = every.rows
+    assert first[:5] == ("2025-11-21", "rear left", "62.0 %", "–", "–")
+    assert (first[5].text, first[5].tone) == ("fail", "bad")  # type: ignore[union-attr]
+    assert second[0] == second[2] == second[5] == "–"
+    assert "<img" not in REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
+    assert len(history_page([], [], title="nothing").sections) == 2
+
+
+def test_an_animation_takes_any_title(tmp_path: Path) -> None:
+    rig = jn.load("kart-double-wishbone")
+    poses = jn.sweep_travel(rig, [-0.01, 0.0, 0.01], points=True)
+    text = animate(rig, poses, tmp_path / "a.html", title=HOSTILE + "漢" * 300).read_text(encoding="utf-8")
+    assert "<img" not in text
+    assert "漢" * 300 in text
