@@ -168,6 +168,12 @@ def _check_control(checked: Checked) -> None:
 
     found = controller(checked.file)
     checked.what = str(getattr(found, "law", type(found).__name__))
+    if checked.what == "fmu":  # which is read, and not run
+        from jounce.control import read_fmu
+
+        component = read_fmu(str(getattr(found, "file", "")))
+        component.binary()
+        checked.what = f"{checked.what}: {component.path.name}"
     if isinstance(found, FmuControl):
         read_fmu(found.file).binary()
 

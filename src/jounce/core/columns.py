@@ -294,8 +294,15 @@ def _are_names(cells: list[str]) -> bool:
 
 
 def _are_units(cells: list[str]) -> bool:
-    """Whether cells are units only."""
-    return bool(cells) and all(cell == "-" or is_unit(cell.strip("[]()")) for cell in cells)
+    """Whether cells are units only; numbers as other languages write them (``1.5d+00``: days?) are none."""
+    bare = [cell.strip("[]()") for cell in cells]
+    return bool(bare) and all(
+        cell == "-" or (is_unit(cell) and (cell == "1" or cell.startswith("1/") or not _BEGINS_WITH_NUMBER.match(cell)))
+        for cell in bare
+    )
+
+
+_BEGINS_WITH_NUMBER = re.compile(r"[-+]?\d")
 
 
 def _separator(header: str) -> str:

@@ -360,6 +360,8 @@ def _locate_channels(
         column.label for table in signals.tables if table not in tables for column in table if column.name != "time"
     ]
     if not has_step and "time" not in located:
+        if "time" in main.names:
+            main["time"].readable()  # or why it is not
         raise RecordingError(
             "no column 'time'",
             where=main.file,

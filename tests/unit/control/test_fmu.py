@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.cli import main
 from jounce.control.fmu import FmuControl, caller
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import DescriptionError, JounceError, SimulationError
@@ -217,6 +218,20 @@ def test_a_file_says_where_the_fmu_is(tmp_path) -> None:
     file.write_text('schema = "jounce.control/1"\nlaw = "fmv"\n')
     with pytest.raises(DescriptionError, match="Did you mean 'fmu'"):
         jn.controller(file)
+
+
+def test_checking_reads_the_fmu_and_runs_nothing(tmp_path, monkeypatch, capsys) -> None:
+    file = tmp_path / "law.toml"
+    file.write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "a.fmu"\n')
+    assert main(["check", str(file)]) == 2
+    assert "a.fmu: no such file" in capsys.readouterr().err
+    monkeypatch.setattr("jounce.control.fmu.controller.unpacked", None)
+    monkeypatch.setattr("subprocess.Popen", None)
+    monkeypatch.setattr("ctypes.CDLL", None)
+    fmu_component.write(tmp_path / "a.fmu", 3, b"no library")
+    assert main(["check", str(file)]) == 0
+    (tmp_path / "a.fmu").write_bytes(b"PK")
+    assert main(["check", str(file)]) == 2
 
 
 def test_both_ways_of_output_are_refused() -> None:

@@ -292,3 +292,11 @@ def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
     for code, says in ((signal.SIGXCPU, "does not end"), (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)")):
         child.process = SimpleNamespace(wait=lambda code=code: -code)
         assert re.search(says, str(child._fate(Path("a.csv"), 9.0, late=False)))
+
+
+@pytest.mark.parametrize("cell", ["1.5d+00", "0x1.8p+0", "1\u00b75", "2026-11-23 00:00:01.5"])
+def test_times_as_other_languages_write_them_are_named(tmp_path: Path, cell: str) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text("time [s], sprung.az [m/s^2]\n" + f"{cell}, {cell}\n" * 20, encoding="utf-8")
+    with pytest.raises(RecordingError, match=r"a\.csv, line 2: column 'time \[s\]': text in a number column"):
+        read_recording(file)
