@@ -14,7 +14,7 @@ import jounce as jn
 from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.everywhere import VIEW, open_pages, word_of
-from jounce.cli.reply import Elapsed, console, table
+from jounce.cli.reply import Elapsed, _in_chosen_units, console, table
 from jounce.core.display import chosen_units, shown_in
 
 RIG = "kart-quarter-car"
@@ -112,6 +112,15 @@ def test_completion_is_installed_where_the_shell_looks(cli, tmp_path: Path, monk
     assert cli("completion", "fish", "--install").out.startswith(f"installed: {tmp_path}")
     [file] = tmp_path.rglob("*.fish")
     assert "_JOUNCE_COMPLETE" in file.read_text(encoding="utf-8")
+
+
+def test_rows_that_go_on_have_the_unit_of_the_row_above() -> None:
+    rows = [("force", "N", "left", 4.4482216), ("", "", "right", 44.482216), ("ratio", "1", "left", 2.0)]
+    with shown_in("imperial"):
+        _, found = _in_chosen_units(("force", "unit", "wheel", "static"), rows)
+    shown = [list(row) for row in found]
+    assert [row[1] for row in shown] == ["lbf", "", "1"]
+    assert [row[3] for row in shown] == pytest.approx([1.0, 10.0, 2.0])
 
 
 def test_tables_in_imperial_units_and_json_in_si(cli, bump: Path) -> None:

@@ -416,6 +416,7 @@ def _seen(value: float | None, unit: str, factor: float) -> float | None:
 
 def _draw_over_travel(console: Console, found: OverTravel, *, changed: bool) -> None:
     """Quantities over travel, each before and after."""
+    from jounce.core.display import display_unit
     from jounce.design.adjustments import OVER_TRAVEL
 
     rows = []
@@ -425,7 +426,9 @@ def _draw_over_travel(console: Console, found: OverTravel, *, changed: bool) -> 
             label = (name.replace("_", " "), people) if when == "before" else ("", "")
             cells = (_seen(value, unit, factor) for value in values[name])
             rows.append((*label, *((when,) if changed else ()), *cells))
-    header = ("quantity", "unit", *(("",) if changed else ()), *(f"{1e3 * travel:g} mm" for travel in found.travel))
+    along = display_unit("m")
+    places = (f"{travel * along.factor:.4g} {along.name}" for travel in found.travel)
+    header = ("quantity", "unit", *(("",) if changed else ()), *places)
     console.print(table("Over wheel travel, bump positive", header, rows, text=(0, 1, 2) if changed else (0, 1)))
 
 

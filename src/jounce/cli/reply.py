@@ -322,13 +322,18 @@ def _in_chosen_units(
     if "unit" in names:
         at = names.index("unit")
         free = [i for i, name in enumerate(names) if i != at and not _OWN.fullmatch(name)]
+        above = 1.0
         for row in cells:
             if any(isinstance(row[i], str) and _NUMBER_IN_WORDS.match(str(row[i])) for i in free[1:]):
                 continue  # a number with words around it
             sizes = [i for i in free if isinstance(row[i], float)]
+            if row[0] == row[at] == "":  # what the row above names goes on
+                for i in sizes:
+                    row[i] = cast("float", row[i]) * above
+                continue
             largest = max((abs(cast("float", row[i])) for i in sizes), default=0.0)
             other = shown_as(str(row[at]), str(row[0]), largest)
-            row[at] = other.name
+            row[at], above = other.name, other.factor
             for i in sizes:
                 row[i] = cast("float", row[i]) * other.factor
         return names, cells

@@ -37,6 +37,10 @@ class DisplayUnit:
         """Give an axis label such as ``displacement [mm]``; plain numbers carry ``[–]``."""
         return f"{words} [{self.name or '–'}]"
 
+    def behind(self, number: str) -> str:
+        """Give a number with its unit: ``22 N/mm``, but ``26°``."""
+        return f"{number}{'' if self.name == '°' else ' '}{self.name}".strip()
+
 
 _DEGREES = 180.0 / math.pi
 _INCH, _FOOT, _POUND, _GRAVITY = 0.0254, 0.3048, 0.45359237, 9.80665  # m, m, kg, m/s^2: exact by definition

@@ -114,7 +114,7 @@ def quantity(value: float | None, si: str, digits: int = 4) -> str:
     if value is None or math.isnan(value):
         return "–"
     unit = display_unit(si, value)
-    return f"{number(value * unit.factor, digits)} {unit.name}".strip()
+    return unit.behind(number(value * unit.factor, digits))
 
 
 def digits_for(value: float, error: float | None, most: int = 7, default: int = 4) -> int:
@@ -177,12 +177,12 @@ def given(value: float | None, si: str, words: str = "") -> str:
     Examples
     --------
     >>> given(310000.0, "Pa"), given(0.4537856, "rad"), given(1.95, "m/s"), given(None, "m")
-    ('0.31 MPa', '26 °', '1.95 m/s', '–')
+    ('0.31 MPa', '26°', '1.95 m/s', '–')
     """
     if value is None:
         return "–"
     unit = shown_as(si, words) if words else display_unit(si, value)
-    return f"{value * unit.factor:.5g} {unit.name}".strip().replace("-", "−")
+    return unit.behind(f"{value * unit.factor:.5g}".replace("-", "−"))
 
 
 def milliseconds(time: float, decimals: int = 1) -> str:

@@ -211,7 +211,7 @@ def _value(coordinate: xr.DataArray, value: Any) -> str:
         return value
     unit = display_unit(_unit(coordinate))
     words = str(coordinate.attrs.get("long_name", coordinate.name)).replace("_", " ")
-    return f"{words} {number(float(value) * unit.factor, 3)} {unit.name}".strip()
+    return f"{words} {unit.behind(number(float(value) * unit.factor, 3))}"
 
 
 _POINTS = 6000

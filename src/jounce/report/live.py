@@ -131,6 +131,16 @@ class Viewer:
     slower: float | None = None
 
 
+_LONGEST_TITLE = 62  # letters in bold across a panel
+
+
+def _fitting(title: str) -> str:
+    """A title without the last of its words where they have no room."""
+    while len(title) > _LONGEST_TITLE and ", " in title:
+        title = title.rpartition(", ")[0]
+    return title if len(title) <= _LONGEST_TITLE else f"{title[: _LONGEST_TITLE - 1]}…"
+
+
 def named_words(name: str, words: str) -> str:
     """A channel's name with what it is, which is said once: ``camber angle``, ``sprung.az, vertical acceleration``.
 
@@ -161,7 +171,7 @@ def scene_panels(scene: Scene, words: str, unit: str, roles: Sequence[str] = ())
                 ),
                 f"{words} [{unit}]" if k == len(panes) - 1 else "",
                 f"[{pane.unit or '–'}]",
-                named_words(pane.name, pane.words),
+                _fitting(named_words(pane.name, pane.words)),
                 bands=tuple((low, high, "") for low, high in scene.spans),
                 x_range=scene.window or (float(scene.x[0]), float(scene.x[-1])),
                 width=500,

@@ -21,7 +21,7 @@ from jounce.report import (
     ride_page,
     roughness_page,
 )
-from jounce.report.live import live_data
+from jounce.report.live import Curve, Pane, Scene, live_data, scene_panels
 from jounce.report.page import Page, Paragraph, Table
 from jounce.report.render import parted
 from jounce.ride.study import RideStudy, iso_trial
@@ -154,3 +154,10 @@ def test_an_animation_takes_any_title(tmp_path: Path) -> None:
     text = animate(rig, poses, tmp_path / "a.html", title=HOSTILE + "漢" * 300).read_text(encoding="utf-8")
     assert "<img" not in text
     assert "漢" * 300 in text
+
+
+def test_titles_of_panels_keep_within_them() -> None:
+    words = ("spring, stops, damper and friction, compression positive", "漢" * 300, "force")
+    panes = tuple(Pane("strut.force", f"strut.force, {one}", "N", (Curve("", "after", np.zeros(2)),)) for one in words)
+    titles = [panel.title for panel in scene_panels(Scene("a", "a", np.arange(2.0), panes), "time", "s")]
+    assert titles == ["strut.force, spring, stops, damper and friction", "strut.force", "strut.force, force"]
