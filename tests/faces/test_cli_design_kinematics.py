@@ -12,6 +12,8 @@ import jounce as jn
 from jounce.parts import library
 
 HEAD = 'schema = "jounce.design/1"\nrig = "formula-student-front"\n'
+SEVERAL = 'schema = "jounce.design/1"\n[rigs]\nfront = "formula-student-front"\n'
+CAR = '[vehicle]\naxle = "front"\nwheelbase = 1.55\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
 FREE = '[[free]]\npoint = "hardpoints.tie_rod_inner"\nwithin = "15 mm"\n'
 CURVE = '[[target]]\nquantity = "toe"\nover = "-30 mm:30 mm:5 mm"\nvalue = "0 deg"\ntolerance = "0.03 deg"\n'
 GAIN = '[[target]]\nquantity = "camber_gain"\nvalue = "-25 deg/m"\ntolerance = "0.2 deg/m"\n'
@@ -138,6 +140,30 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
             HEAD + FREE.replace('within = "15 mm"', "box = [[40, 200, 130], [90, 240, 170]]") + CURVE,
             ["240 m", "metres"],
         ),
+        (SEVERAL.replace("front =", '"../front" =') + FREE + CURVE, ["not a name of a rig", "../front"]),
+        (SEVERAL.replace("front =", '"a.b" =') + FREE + CURVE, ["not a name of a rig"]),
+        (
+            SEVERAL + FREE.replace('"hard', '"rear.hard') + CURVE + 'rig = "front"\n',
+            ["free[0].point", "'rear'", "front"],
+        ),
+        (SEVERAL + FREE.replace('"hard', '"front.hard') + CURVE, ["target[0].rig", "whose", "front"]),
+        (
+            SEVERAL
+            + '[vehicle]\naxle = "front"\nwheelbase = 1.5\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
+            + FREE
+            + CURVE,
+            ["vehicle"],
+        ),
+        (HEAD + FREE + CURVE.replace('"0.03 deg"', '"nan deg"'), ["target[0].tolerance"]),
+        (HEAD + FREE + CURVE.replace('value = "0 deg"', "value = inf"), ["target[0].value"]),
+        (HEAD + FREE + CURVE + "weight = 0\n", ["weight"]),
+        (HEAD + FREE + CURVE.replace('"toe"', '"clearance(rod, rim)"').replace("deg", "mm"), ["shape", "rod"]),
+        (HEAD + FREE + CURVE + "[spread]\ncars = 10\n", ["nothing deviates"]),
+        (HEAD + FREE + CURVE + '[spread]\npoints = "1 mm"\ncars = 1\n', ["spread.cars"]),
+        (
+            HEAD + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_inner"') + CURVE,
+            ["not a direction"],
+        ),
         (HEAD + FREE + 'tied = ["-hardpoints.tie_rod_inner"]\n' + CURVE, ["free twice"]),
         (HEAD + FREE, ["target"]),
         (HEAD + CURVE, ["free"]),
@@ -164,9 +190,8 @@ def test_a_study_is_checked_without_a_search(cli, study) -> None:
 
 
 def test_ackermann_straight_ahead_has_no_value(cli, study) -> None:
-    car = '[vehicle]\naxle = "front"\nwheelbase = 1.55\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
     target = '[[target]]\nquantity = "ackermann"\nvalue = 1.0\ntolerance = 0.1\n'
-    outcome = cli("design", "kinematics", study(HEAD + FREE + car + target))
+    outcome = cli("design", "kinematics", study(HEAD + FREE + CAR + target))
     assert outcome.exit_code == 2
     assert "no value" in outcome.err
 

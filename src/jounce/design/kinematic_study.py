@@ -12,6 +12,8 @@ from jounce.core.units import NonNegativeLength, Unit
 from jounce.kinematics.clearances import Rim, Solid
 from jounce.kinematics.sweeps import AxleLayout
 
+NAME = r"[A-Za-z][\w-]*"
+"""What a rig of a study of several may be called: a file gets the name, and paths begin with it."""
 SCHEMA: Literal["jounce.design/1"] = "jounce.design/1"
 Quantitative = Any
 """A text with a unit, or a number in SI: which unit it has is known where the quantity is."""
@@ -141,6 +143,9 @@ class KinematicStudy(Description):
     def _has_rigs(self) -> KinematicStudy:
         if (self.rig is None) == (not self.rigs):
             raise ValueError('give either rig = "front.toml", or a table [rigs] with a name for each')
+        for name in self.rigs or ():
+            if not re.fullmatch(NAME, name):
+                raise misplaced(("rigs",), f"not a name of a rig; found {name!r}; allowed: letters, digits, _ and -")
         if self.rigs is None and self.vehicles is not None:
             raise misplaced(("vehicles",), "only several rigs have several; allowed: a table [vehicle]")
         if self.rigs is not None and self.vehicle is not None:

@@ -6,6 +6,7 @@ curves tell apart.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -22,7 +23,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.free_points import FreeNumbers, Numbering, Rigs, free_numbers
 from jounce.design.hardpoint_search import Outcome, Search, places, refuse_idle, search_from
-from jounce.design.kinematic_study import SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
+from jounce.design.kinematic_study import NAME, SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
 from jounce.design.spread import KinematicSpread, Workshop, spread_of
 from jounce.kinematics.clearances import Shape
@@ -367,6 +368,12 @@ class Task:
         wanted = read_targets(self.rigs, self.targets, self.vehicles, self.shapes)
         return numbering, free_numbers(numbering, self.free), wanted
 
+    def check_spread(self, wanted: Sequence[Wanted]) -> None:
+        """Refuse a spread that these rigs cannot have."""
+        for name, rig in self.rigs.items() if self.spread is not None else ():
+            assert self.spread is not None
+            Workshop(rig, wanted_of(wanted, name), self.spread, self.vehicles.get(name))
+
     def search(self) -> Search:
         """Lay out a search."""
         numbering, numbers, wanted = self.read()
@@ -390,6 +397,11 @@ def read_task(
     for name, items in (("rig", rigs), ("free", points), ("targets", wishes)):
         if not items:
             raise DescriptionError("nothing is given", where=name, allowed="one or more")
+    for name in rigs if isinstance(rig, Mapping) else ():
+        if not re.fullmatch(NAME, str(name)):
+            raise DescriptionError(
+                "not a name of a rig", where="rig", found=str(name), allowed="letters, digits, _ and -"
+            )
     return Task(
         {name: check_corner(one) for name, one in rigs.items()},
         tuple(points),
@@ -415,7 +427,13 @@ def run_study(path: Path | str, run: Callable[[KinematicStudy, Task], Found]) ->
 
 def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
     """Read a study file without a search; give it with how many numbers are free. Errors name the file and the line."""
-    return run_study(path, lambda study, task: (study, len(task.read()[1].owners)))[0]
+
+    def read(study: KinematicStudy, task: Task) -> tuple[KinematicStudy, int]:
+        _, numbers, wanted = task.read()
+        task.check_spread(wanted)
+        return study, len(numbers.owners)
+
+    return run_study(path, read)[0]
 
 
 def _placed(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:
@@ -432,9 +450,7 @@ def design(task: Task, starts: int, seed: int) -> KinematicDesign:
     """Search for the hardpoints that a task asks for."""
     search = task.search()
     before = values_before(search)
-    for name in task.rigs if task.spread is not None else ():
-        assert task.spread is not None
-        Workshop(task.rigs[name], wanted_of(search, name), task.spread, task.vehicles.get(name))
+    task.check_spread(search.wanted)
     refuse_idle(search, task.free, seed)
     outcomes = [search_from(search, x) for x in places(search, starts, seed)]
     reached = [outcome for outcome in outcomes if np.isfinite(outcome.cost)]
@@ -454,9 +470,9 @@ def design(task: Task, starts: int, seed: int) -> KinematicDesign:
     raise DescriptionError("no design found is a rig", where="free", hint="Narrow the boxes.")
 
 
-def wanted_of(search: Search, name: str) -> list[Wanted]:
+def wanted_of(wanted: Sequence[Wanted], name: str) -> list[Wanted]:
     """Targets of one rig."""
-    return [item for item in search.wanted if item.rig == name]
+    return [item for item in wanted if item.rig == name]
 
 
 def values_before(search: Search) -> list[Array]:
@@ -538,7 +554,7 @@ def _result(
         identified=identified,
         open=still_open,
         spread={
-            name: spread_of(rig, wanted_of(search, name), task.spread, task.vehicles.get(name))
+            name: spread_of(rig, wanted_of(search.wanted, name), task.spread, task.vehicles.get(name))
             for name, rig in moved.items()
             if task.spread is not None
         },

@@ -146,7 +146,9 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
     ['camber [°]', 'toe [°]']
     """
     default = ("camber", "toe", "half_track_change", "caster", "roll_centre_height", "motion_ratio")
-    sweeps = dict(sweep) if isinstance(sweep, Mapping) and not hasattr(sweep, "data_vars") else {"": sweep}
+    import xarray as xr
+
+    sweeps: dict[str, xr.Dataset] = {"": sweep} if isinstance(sweep, xr.Dataset) else dict(sweep)
     if not sweeps:
         raise RecordingError("no sweeps to draw", allowed="one or more")
     known = [name for name in _quantities(next(iter(sweeps.values()))) if _all_have(sweeps, name)]
