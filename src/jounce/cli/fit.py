@@ -33,6 +33,7 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import Reply, estimates, progress, show_findings, show_written, table
+from jounce.core.display import shown_as
 from jounce.core.errors import OutputError, RecordingError, nearest, unknown
 
 if TYPE_CHECKING:
@@ -272,13 +273,14 @@ def _decay_plain(
 def _draw_stiffness(
     out: Console, result: StiffnessResult, findings: tuple[Finding, ...], plain: dict[str, Any]
 ) -> None:
-    low, high = (1e3 * end for end in result.fitted_range)
+    unit = shown_as("mm")
+    low, high = (1e3 * unit.factor * end for end in result.fitted_range)
     rows = [("stiffness", result.stiffness, "N/m"), (f"intercept ({result.intercept_choice})", result.intercept, "N")]
     if result.tangent_stiffness is not None:
         rows.append(("local stiffness at the static load", result.tangent_stiffness, "N/m"))
     if result.law != "linear":
         rows += [(f"coefficient {i}", item, "SI") for i, item in enumerate(result.coefficients, 1)]
-    out.print(estimates(f"{result.law} law, {low:.4g} to {high:.4g} mm, R2 = {result.r2:.6f}", rows))
+    out.print(estimates(f"{result.law} law, {low:.4g} to {high:.4g} {unit.name}, R2 = {result.r2:.6f}", rows))
     header = ("trial", "stiffness N/m", "intercept N", "loss factor", "rms residual N", "points")
     trials: list[tuple[object, ...]] = [
         (
@@ -421,13 +423,15 @@ def _written(
 
 
 def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ...], plain: dict[str, Any]) -> None:
+    from jounce.plots.display import quantity as shown
+
     rows = [(name.replace("_", " "), found, result.units[name]) for name, found in result.parameters.items()]
     out.print(
         estimates(f"{result.law} law, {result.samples} samples of {result.cycles:g} cycles, R2 = {result.r2:.4f}", rows)
     )
     out.print(
-        f"NRMSE {100.0 * result.nrmse:.3g} % of the force range, {result.rms_residual:.4g} N r.m.s.; "
-        f"energy per cycle {result.energy_per_cycle:.4g} J, fitted {result.fitted_energy_per_cycle:.4g} J"
+        f"NRMSE {100.0 * result.nrmse:.3g} % of the force range, {shown(result.rms_residual, 'N')} r.m.s.; "
+        f"energy per cycle {shown(result.energy_per_cycle, 'J')}, fitted {shown(result.fitted_energy_per_cycle, 'J')}"
     )
     out.print(f"the record: stroke positive in {result.stroke_positive}, force positive in {result.force_positive}")
     out.print(
