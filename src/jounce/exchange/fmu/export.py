@@ -25,6 +25,7 @@ from jounce.core.writing import check_writable, working_folder, write_atomically
 from jounce.exchange.fmu import build as native
 from jounce.exchange.fmu.description import FILE, Head, build_description, description, page, terminals
 from jounce.exchange.fmu.graphs import graphs_of, header, source
+from jounce.exchange.fmu.reference import NOTE, reference
 from jounce.exchange.fmu.variables import Variables, list_variables
 from jounce.parts import Rig
 from jounce.parts.rig import quantity_at
@@ -37,6 +38,7 @@ _MOTION = 0.01  # m, the motion whose size of each state is its nominal value
 _BAND = 10.0  # how many times the band of our own events an importer is given: it locates events less sharply
 _OLDEST = (1980, 1, 1, 0, 0, 0)  # the first day that archives know: the same file for the same rig
 _NAME = "jounce"
+_ICON = Path(__file__).parent / "icon" / "icon.png"
 
 
 @dataclass(frozen=True)
@@ -174,7 +176,16 @@ def export_fmu(
     if version == 3:
         files["sources/buildDescription.xml"] = build_description()
         files["terminalsAndIcons/terminalsAndIcons.xml"] = terminals(variables)
+        files["terminalsAndIcons/icon.png"] = _ICON.read_bytes()
+    else:
+        files["model.png"] = _ICON.read_bytes()
     notes = _NOTES if not model.command_names else _NOTES + _CONTROL_NOTE.format(1.0 / model.period)
+    try:
+        files["extra/jounce/reference.csv"] = reference(rig, model.compiled.facts, control)
+        notes += NOTE
+    except SimulationError as error:  # it has an equilibrium, and is a model for whoever can run it
+        text = f"no reference run is in the FMU: {error}"
+        findings.append(Finding(str(file), "warning", text))
     files["documentation/index.html"] = page(variables, head, notes)
     write_atomically(file, _zipped(files), force=force)
     return FmuExport(
