@@ -199,6 +199,11 @@ def test_a_z_bar_works_in_heave_and_not_in_roll(plain) -> None:
     assert rolled["roll_stiffness"].to_numpy() == pytest.approx(without["roll_stiffness"].to_numpy(), rel=2e-2)
     share = float(rolled["roll_stiffness_bar"][1] / rolled["roll_stiffness"][1])
     assert abs(share) < 1e-6  # a difference inside, and both ends turn alike to first order only
+
+
+@pytest.mark.slow
+def test_a_z_bar_carries_a_corner_at_rest(plain) -> None:
+    rig = plain.with_changes(U_BAR).with_changes({"anti_roll_bar.kind": "z"})
     rest = equilibrium(rig.with_changes({"strut.spring.preload": 900.0}))
     travel = float(rest["unsprung.z"] - rest["sprung.z"])
     turned = float(jn.sweep_travel(rig, travel)["anti_roll_bar_angle"][0])
