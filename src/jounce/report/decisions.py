@@ -34,7 +34,8 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     Examples
     --------
     >>> import jounce as jn
-    >>> found = jn.optimise(jn.load("kart-quarter-car"), {"strut.damper.coefficient": (50.0, 500.0)}, ["sprung.az"])
+    >>> rig, free = jn.load("audi-a6-quarter-car"), {"strut.damper.coefficient": (500, 5000)}
+    >>> found = jn.optimise(rig, free, {"sprung.az": 1.0}, road="C", speed=20.0, band="iso")
     >>> [section.title for section in optimisation_page(found, title="A kart").sections]
     ['Answer', 'Metrics']
     """
