@@ -135,11 +135,14 @@ def keep_in_shards(
     if workers is None:
         lasts = pace.seconds * len(next(iter(columns.values())))
         workers = _processors() if pace.is_alone and lasts > _LONG else 1
+    begins = kept is None
     if kept is None:
-        kept = _begun(
-            folder, work, columns, study, _size(work, columns, workers if client is None else 64, pace), command
-        )
+        size = _size(work, columns, workers if client is None else 64, pace)
+        kept = _planned(folder, work, columns, study, size, command)
+    folder.mkdir(parents=True, exist_ok=True)
     with _alone(folder):
+        if begins:
+            _begin(kept)
         done = kept.whole()
         _check_disk(kept, work, [kept.spans[number] for number in range(len(kept.spans)) if number not in done])
         version, finished = _version(), sum(kept.spans[number][1] - kept.spans[number][0] for number in done)
@@ -357,10 +360,10 @@ def _short(value: Any) -> str:
 # the folder -----------------------------------------------------------------------------------------------------------
 
 
-def _begun(
+def _planned(
     folder: Path, work: Work, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
 ) -> Kept:
-    """Make the folder of a new sweep: how large shards are, and all that the results follow from."""
+    """A sweep that is still to be begun, for which there is room on the disk."""
     about = {
         "schema": SCHEMA,
         "count": len(next(iter(columns.values()))),
@@ -371,12 +374,15 @@ def _begun(
     }
     kept = Kept(folder, about)
     _check_disk(kept, work, kept.spans)
-    folder.mkdir(parents=True, exist_ok=True)
-    for files in Kept(folder, {"count": 10**9, "shard": 1}).names().values() if (folder / SHARDS).is_dir() else ():
-        for file in files:
-            file.unlink()
-    write_atomically(folder / MANIFEST, f"{to_json(about)}\n", force=True)
     return kept
+
+
+def _begin(kept: Kept) -> None:
+    """Write what the results follow from; shards of an earlier sweep in the folder go."""
+    for file in (kept.folder / SHARDS).glob("*.nc"):
+        if _NAME.fullmatch(file.name):
+            file.unlink()
+    write_atomically(kept.folder / MANIFEST, f"{to_json(kept.about)}\n", force=True)
 
 
 @dataclass(frozen=True)

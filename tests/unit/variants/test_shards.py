@@ -202,3 +202,20 @@ def test_two_at_once_on_one_folder(tmp_path: Path, small) -> None:
     sweep(tmp_path)
     with shards._alone(tmp_path), pytest.raises(OutputError, match="another process works"):
         sweep(tmp_path, resume=True)
+
+
+def test_a_sweep_that_begins_anew_leaves_nothing_of_the_earlier_one(tmp_path: Path, small) -> None:
+    from jounce.simulation.settings import RunSettings
+    from jounce.variants.designs import sobol
+    from jounce.variants.many import prepared
+    from jounce.variants.shards import keep_in_shards
+
+    sweep(tmp_path, design(40))
+    (tmp_path / "shards" / "notes.nc").write_text("mine", encoding="utf-8")
+    work, columns = prepared(RIG, TRIAL, sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None)
+    with shards._alone(tmp_path), pytest.raises(OutputError, match="another process works"):
+        keep_in_shards(work, columns, tmp_path, force=True)
+    assert len(files(tmp_path)) == 6
+    found = keep_in_shards(work, columns, tmp_path, force=True)
+    assert found.sizes["variant"] == found.attrs["variants"] == 10
+    assert [name[:6] for name in files(tmp_path)] == ["000000", "000001", "notes."]
