@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from exchange_rows import exchange_rows
 from inspection_rows import inspection_rows
 from kinematic_design import kinematic_design_rows
 from mechanism_rows import mechanism_rows
@@ -115,6 +116,7 @@ PARTS = (
     kinematic_design_rows,
     vehicle_rows,
     ride_rows,
+    exchange_rows,
     inspection_rows,
     variant_rows,
     update_rows,

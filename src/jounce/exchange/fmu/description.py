@@ -169,8 +169,8 @@ def terminals(variables: Variables) -> bytes:
     root = ET.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     picture = ET.SubElement(root, "GraphicalRepresentation")
     corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
-    ET.SubElement(picture, "CoordinateSystem", **corners, suggestedScalingFactorTo_mm="0.1")
-    ET.SubElement(picture, "Icon", **corners)
+    ET.SubElement(picture, "CoordinateSystem", {**corners, "suggestedScalingFactorTo_mm": "0.1"})
+    ET.SubElement(picture, "Icon", corners)
     table = ET.SubElement(root, "Terminals")
     for name, members in variables.terminals.items():
         terminal = ET.SubElement(table, "Terminal", name=name, matchingRule="bus")
