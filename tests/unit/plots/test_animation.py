@@ -36,6 +36,12 @@ def sweep(kart) -> xr.Dataset:
 
 
 @pytest.fixture(scope="module")
+def page(kart, sweep, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of the sweep."""
+    return animate(kart, sweep, tmp_path_factory.mktemp("motion") / "motion.html")
+
+
+@pytest.fixture(scope="module")
 def trial() -> jn.Trial:
     return jn.Trial(road=jn.HalfSine(height="20 mm", length="100 mm", start="0.2 m"), **TRIAL)
 
@@ -81,8 +87,8 @@ def array(data: dict[str, Any], index: int) -> np.ndarray:
     return np.where(whole == 65535, np.nan, packed["low"] + packed["step"] * whole)
 
 
-def test_page_holds_every_pose_to_a_thousandth_of_a_millimetre(kart, sweep, tmp_path: Path) -> None:
-    data = data_of(animate(kart, sweep, tmp_path / "motion.html"))
+def test_page_holds_every_pose_to_a_thousandth_of_a_millimetre(kart, sweep, page: Path) -> None:
+    data = data_of(page)
     scene, (mechanism,) = scene_in(data), data["mechanisms"]
     assert array(data, scene["x"]) == pytest.approx(np.linspace(-20.0, 20.0, 9))
     assert data["viewers"][0]["x"] == {"words": "wheel travel", "unit": "mm"}
@@ -117,8 +123,8 @@ def test_page_of_a_rack_sweep_turns_its_wheel(kart, tmp_path: Path) -> None:
     assert np.ptp(turned) > 5.0
 
 
-def test_page_shows_quantities_in_usual_units(kart, sweep, tmp_path: Path) -> None:
-    data = data_of(animate(kart, sweep, tmp_path / "motion.html"))
+def test_page_shows_quantities_in_usual_units(sweep, page: Path) -> None:
+    data = data_of(page)
     panes = {pane["name"]: pane for pane in scene_in(data)["panes"]}
     caster = panes["caster"]
     assert (caster["unit"], caster["words"]) == ("°", "caster angle")
@@ -131,8 +137,8 @@ def test_page_shows_quantities_in_usual_units(kart, sweep, tmp_path: Path) -> No
     assert "wheel_travel" not in panes
 
 
-def test_page_needs_nothing_else_and_is_always_the_same(kart, sweep, tmp_path: Path) -> None:
-    first = animate(kart, sweep, tmp_path / "a.html").read_bytes()
+def test_page_needs_nothing_else_and_is_always_the_same(kart, sweep, page: Path, tmp_path: Path) -> None:
+    first = page.read_bytes()
     assert animate(kart, sweep, tmp_path / "b.html").read_bytes() == first
     text = re.sub(r"<script>.*?</script>", "", first.decode(), flags=re.DOTALL)  # the viewer is tested in a browser
     text = re.sub(r' xmlns(:\w+)?="[^"]+"', "", text)  # names of namespaces are no addresses
@@ -142,10 +148,11 @@ def test_page_needs_nothing_else_and_is_always_the_same(kart, sweep, tmp_path: P
 
 
 def test_title_is_text(kart, sweep, tmp_path: Path) -> None:
-    wicked = "</title><script>alert(1)</script>"
+    wicked = "</title><script>alert(1)</script>" + "漢" * 300
     text = animate(kart, sweep, tmp_path / "a.html", title=wicked).read_text(encoding="utf-8")
     assert "alert(1)</script>" not in text
     assert "&lt;script&gt;alert(1)" in text
+    assert "漢" * 300 in text
 
 
 def test_long_names_of_signals_cannot_leave_their_place(kart, sweep, tmp_path: Path) -> None:
@@ -193,9 +200,9 @@ def test_part_of_a_run_and_fewer_poses(kart, run, trial, tmp_path: Path) -> None
         animate(kart, run, tmp_path / "b.html", between=(0.1, 0.5))
 
 
-def test_slow_motion_sets_the_speed(kart, run, sweep, tmp_path: Path) -> None:
+def test_slow_motion_sets_the_speed(kart, run, page: Path, tmp_path: Path) -> None:
     assert data_of(animate(kart, run, tmp_path / "a.html", slow=7.0))["viewers"][0]["slower"] == 7.0
-    assert data_of(animate(kart, sweep, tmp_path / "b.html"))["viewers"][0]["slower"] is None
+    assert data_of(page)["viewers"][0]["slower"] is None  # of a sweep
 
 
 def test_another_trial_is_refused(kart, run, sweep, trial, tmp_path: Path) -> None:

@@ -13,7 +13,6 @@ from jounce.design.pareto import ParetoFront, ParetoMark
 from jounce.inspection.archive.history import Trend, WheelVisit
 from jounce.report import (
     REPORTS,
-    animate,
     front_page,
     history_page,
     modes_page,
@@ -146,14 +145,6 @@ def test_a_history_shows_what_is_not_known_as_such(tmp_path: Path) -> None:
     assert second[0] == second[2] == second[5] == "–"
     assert "<img" not in REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
     assert len(history_page([], [], title="nothing").sections) == 2
-
-
-def test_an_animation_takes_any_title(tmp_path: Path) -> None:
-    rig = jn.load("kart-double-wishbone")
-    poses = jn.sweep_travel(rig, [-0.01, 0.0, 0.01], points=True)
-    text = animate(rig, poses, tmp_path / "a.html", title=HOSTILE + "漢" * 300).read_text(encoding="utf-8")
-    assert "<img" not in text
-    assert "漢" * 300 in text
 
 
 def test_titles_of_panels_keep_within_them() -> None:
