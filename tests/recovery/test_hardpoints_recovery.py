@@ -298,7 +298,8 @@ def test_trade_offs_say_what_is_shared() -> None:
 
 def test_what_curves_tell_of_points_and_what_they_leave_open() -> None:
     rig = jn.load("formula-student-front")
-    free = {"hardpoints.tie_rod_inner": "15 mm", "hardpoints.strut_top[0]": "5 mm"}
+    free = dict.fromkeys(("hardpoints.tie_rod_inner[1]", "hardpoints.tie_rod_inner[2]"), "15 mm")
+    free["hardpoints.strut_top[0]"] = "5 mm"
     curve = {"quantity": "toe", "over": "-30 mm:30 mm:5 mm", "value": 0.0, "tolerance": "0.01 deg"}
     lengths = {"quantity": "spring_length", "at_least": "10 mm", "tolerance": "1 mm"}
     found = jn.design_kinematics(rig, free, [curve, lengths], starts=1)

@@ -129,8 +129,8 @@ class Fight(Plain):
 class Identified(Plain):
     """How well curves that are known to their tolerances tell a free number, as standard deviations in its SI ``unit``.
 
-    ``alone`` is that of the number where all others are known (None where the curves do not feel it); ``together`` that
-    where all are sought at once, None where others can make up for it.
+    ``alone`` is that of the number where all others are known, ``together`` that where all are sought at once. None
+    where it is more than half the box: the curves do not feel the number, or others can make up for it.
     """
 
     number: str
@@ -668,12 +668,12 @@ def identifiability(search: Search, slopes: list[Array]) -> tuple[tuple[Identifi
     told_apart = seen > _NOISE * max(float(seen[0]), _SEEN)
     alone = np.linalg.norm(rows, axis=0)
     spread = np.sqrt(((directions[told_apart] / seen[told_apart, None]) ** 2).sum(axis=0))
-    lost = (directions[~told_apart] ** 2).sum(axis=0) > _LOST
+    lost = ((directions[~told_apart] ** 2).sum(axis=0) > _LOST) | (spread > 1.0)
     numbers = tuple(
         Identified(
             label,
             unit,
-            float(search.scale[j] / alone[j]) if alone[j] > 0.0 else None,
+            float(search.scale[j] / alone[j]) if alone[j] > 1.0 else None,
             None if lost[j] else float(search.scale[j] * spread[j]),
         )
         for j, (label, unit) in enumerate(zip(labels, units, strict=True))

@@ -10,7 +10,7 @@ from jounce.core.display import display_unit
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import number
 from jounce.plots.kinematic_design import design_pictures
-from jounce.report.page import Block, Bullets, Cell, Fact, Facts, Findings, Page, Picture, Section, Table
+from jounce.report.page import Block, Bullets, Cell, Fact, Facts, Findings, Page, Picture, Section, Subsection, Table
 from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
@@ -84,9 +84,10 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
     if found.spread:
         blocks: list[Block] = []
         for name, spread in found.spread.items():
-            blocks += [_spread(name, spread), drawn[f"spread-{name}" if name else "spread"]]
+            own: list[Block] = [_spread(name, spread), drawn[f"spread-{name}" if name else "spread"]]
             if spread.findings:
-                blocks.append(Findings(spread.findings))
+                own.append(Findings(spread.findings))
+            blocks += [Subsection(name.capitalize(), tuple(own))] if name else own
         sections.append(Section("Tolerances", tuple(blocks)))
     return Page(title, tuple(sections), "Hardpoints from kinematic targets")
 
@@ -183,5 +184,6 @@ def _curves(found: KinematicDesign, title: str) -> tuple[Block, ...]:
         label = f"{name} over travel".strip()
         shown = f"{title}, {name}" if name else title
         file = f"curves-{name}" if name else "curves"
-        blocks += curve_blocks({label: swept}, first or None, title=shown, name=file, rig=rig)
+        curves = curve_blocks({label: swept}, first or None, title=shown, name=file, rig=rig)
+        blocks += [Subsection(name.capitalize(), curves)] if name else curves
     return tuple(blocks)
