@@ -149,6 +149,25 @@ def test_results_do_not_depend_on_threads():
     assert all(run.identical(runs[0]) for run in runs)
 
 
+def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
+    rig = jn.load("kart-double-wishbone")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.2 s"
+    )
+    z = rig.parameters()["hardpoints.upper_ball_joint[2]"]
+    changes = {
+        "strut.spring.rate": [20e3, 22e3, 1.0, 26e3, 28e3, 0.9],
+        "hardpoints.upper_ball_joint[2]": [z, z + 2e-3, z, z - 1e-3, z, z],
+    }
+    arguments = (rig, trial, changes)
+    runs = [jn.simulate_many(*arguments, metrics="max tyre.force", threads=count) for count in (1, 3)]
+    assert runs[0].identical(runs[1])
+    assert [bool(reason) for reason in runs[0]["reason"].values] == [False, False, True, False, False, True]
+    for i in (0, 1, 3):
+        run = jn.simulate(rig.with_changes({path: values[i] for path, values in changes.items()}), trial)
+        assert float(runs[0]["max tyre.force"][i]) == pytest.approx(float(run["tyre.force"].max()), rel=1e-12)
+
+
 def test_circles_run_one_by_one():
     rig = jn.load("audi-a6-quarter-car")
     road = jn.HalfCylinder(radius="20 mm", start="1 m")

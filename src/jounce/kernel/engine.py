@@ -272,7 +272,7 @@ _PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
 class Callback:
     """A Python function at an address; what it raises is kept, since nothing may pass through compiled code.
 
-    The loop holds the interpreter's lock (it never lets go of it), and the call takes it again, which is free.
+    The loop has let go of the interpreter's lock, and the call takes it for as long as the function runs.
     ``address`` is that of ``void f(void*, void*, void*, void*, void*)``, which lives as long as this object; ``raised``
     is what the function raised, or None.
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -109,6 +111,10 @@ class _Results:
     @cached_property
     def courses(self) -> list[Array | None]:
         return [None] * self.count
+
+    def make_room(self) -> None:
+        """Make all arrays before threads fill them in."""
+        _ = self.numbers, self.reasons, self.courses
 
     @cached_property
     def tally(self) -> dict[str, int]:
@@ -276,12 +282,35 @@ class _Group:
             for row in rows:
                 results.reasons[row] = self.reason
             return
+        if self.control is not None or any(path in MOVES_TRACKS for path in own) or not self._is_sound(own):
+            for i, row in enumerate(rows):
+                changes = {path: float(column[i]) for path, column in own.items()}
+                self._alone(results, int(row), partial(self._run, changes))
+            return
+        parameters = self._parameters(own, len(rows))
         careful = np.ones(len(rows), dtype=bool)
         summed = not results.channels and not any(metric.needs_course for metric in results.metrics)
-        if summed and self.control is None and self.study.settings.method == "auto" and self._is_sound(own):
-            careful = self._side_by_side(results, own, rows, threads)
-        for i in np.flatnonzero(careful):
-            self._alone(results, {path: float(column[i]) for path, column in own.items()}, int(rows[i]))
+        if summed and self.study.settings.method == "auto":
+            careful = self._side_by_side(results, parameters, rows, threads)
+
+        def alone(i: int) -> None:
+            self._alone(results, int(rows[i]), lambda: self._solve(parameters[i], self._signals))
+
+        left = np.flatnonzero(careful).tolist()
+        workers = min(threads or os.cpu_count() or 1, len(left))
+        for i in left if workers == 1 else left[:1]:  # what all of them share is made by the first
+            alone(i)
+        if workers > 1:
+            results.make_room()
+            with ThreadPoolExecutor(workers) as pool:
+                list(pool.map(alone, left[1:]))
+
+    def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
+        """Values (SI) of all parameters of the model, one row a variant."""
+        found = np.tile(self.study.base, (count, 1))
+        for path, column in own.items():
+            found[:, self.study.compiled.facts.parameters.index(path)] = column
+        return found
 
     def _is_sound(self, own: Mapping[str, Array]) -> bool:
         """Whether the description allows all variants: the corners of what they span, or each where these are more.
@@ -303,15 +332,10 @@ class _Group:
         return excitation(self.study.compiled.facts, self.study.rig, self.trial)
 
     def _side_by_side(
-        self, results: _Results, own: Mapping[str, Array], rows: NDArray[np.int64], threads: int | None
+        self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
         """Fill in what can run side by side; tell which variants are left."""
         study, names = self.study, list(dict.fromkeys(metric.channel for metric in results.metrics))
-        if any(path in MOVES_TRACKS for path in own):
-            return np.ones(len(rows), dtype=bool)
-        parameters = np.tile(study.base, (len(rows), 1))
-        for path, column in own.items():
-            parameters[:, study.compiled.facts.parameters.index(path)] = column
         limits = branch_limits(study.compiled.output_names)
         kept = [study.compiled.output_names.index(name) for name in names]
         channels = list(dict.fromkeys([*kept, *limits]))
@@ -334,9 +358,10 @@ class _Group:
         results.tally["side_by_side"] += int(np.sum(~careful))
         return careful
 
-    def _alone(self, results: _Results, changes: dict[str, float], row: int) -> None:
+    def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array]]) -> None:
+        """Fill in what a run gives: samples of all outputs, and their values at rest; or why there is none."""
         try:
-            outputs, rest = self._run(self.study.rig.with_changes(changes))
+            outputs, rest = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
             results.reasons[row] = str(unforeseen(error))
             return
@@ -347,17 +372,22 @@ class _Group:
         if results.channels:
             results.courses[row] = outputs[[names.index(name) for name in results.channels]]
 
-    def _run(self, rig: Rig) -> tuple[Array, Array]:
-        """Samples of all outputs, and their values at rest."""
-        settings, compiled = self.study.settings, self.study.compiled
+    def _run(self, changes: Mapping[str, float]) -> tuple[Array, Array]:
+        """Run the rig with some of its numbers changed."""
+        settings, compiled, rig = self.study.settings, self.study.compiled, self.study.rig.with_changes(dict(changes))
         if self.control is not None:
             from jounce.simulation.run import solved
 
             run = solved(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])
             return outputs, outputs[:, 0]
-        p, times = compiled.parameter_values(rig.parameters()), settings.times(self.trial.duration)
         signals = excitation(compiled.facts, rig, self.trial)
+        return self._solve(compiled.parameter_values(rig.parameters()), signals)
+
+    def _solve(self, p: Array, signals: list[Segments]) -> tuple[Array, Array]:
+        """Run the model with values (SI) of all its parameters."""
+        settings, compiled = self.study.settings, self.study.compiled
+        times = settings.times(self.trial.duration)
         prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
         solution = held_to_its_branch(compiled, prepared.run())
         samples_reached(solution, compiled.facts, check=True)

@@ -159,11 +159,12 @@ def _prepared(
     )
     functions = compiled.functions
     code = lanes.code(compiled.identity, made, lambda: (functions["switch"], functions["rate"]))
+    look, glance = code.address[:2]
     variants = len(parameters)
     return lanes.Work(
         run,
         lanes.Addresses(
-            address["derived"], address["output"], *code.address[:2], np.array(code.address[2:], dtype=np.int64)
+            address["derived"], address["output"], look, glance, np.array(code.address[2:], dtype=np.int64)
         ),
         course,
         lanes.room(code.sizes, run, compiled.scalars, len(facts.outputs)),
@@ -191,7 +192,7 @@ def _apart(work: lanes.Work, span: NDArray[np.int64]) -> lanes.Work:
     problem = run.problem._replace(piece=run.problem.piece.copy(), m=run.problem.m.copy())
     props = run.props._replace(scratch=type(run.props.scratch)(*(array.copy() for array in run.props.scratch)))
     own = {name: getattr(run, name).copy() for name in ("x", "trial", "time", "u", "part", "orders", "counts", "marks")}
-    room = lanes.Room(*(array.copy() for array in work.room))
+    room = work.room._replace(**{name: array.copy() for name, array in work.room._asdict().items()})
     return work._replace(run=run._replace(problem=problem, props=props, **own), room=room, span=span)
 
 

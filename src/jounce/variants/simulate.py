@@ -69,7 +69,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     control : Controller, str, Path or callable, optional
         As for :func:`simulate`.
     threads : int, optional
-        Threads that share variants which run side by side; as many as there are processors by default.
+        Threads that share the variants; as many as there are processors by default.
     out : path, optional
         Folder in which results are kept by shards (netCDF) as they come, so that long sweeps survive what stops them;
         :func:`load_sweep` reads it.

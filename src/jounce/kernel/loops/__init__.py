@@ -31,8 +31,8 @@ LOOPS = {
 }
 """Loops that are called from Python: module and function."""
 
-UNLOCKED = ("lanes",)
-"""Loops that let go of the interpreter's lock while they run: nothing in them calls Python."""
+UNLOCKED = ("lanes", "exact", "explicit", "implicit")
+"""Loops that let go of the interpreter's lock while they run; a Python function that they call takes it by itself."""
 
 ENTRY = "entry"
 """Name of the function that a loop's code is called by."""

@@ -312,7 +312,7 @@ def _lowest(row: Any) -> float:
     found = row[0]
     for lane in range(1, len(row)):
         found = min(found, row[lane])
-    return found
+    return float(found)
 
 
 @part()

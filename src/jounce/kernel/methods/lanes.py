@@ -339,12 +339,12 @@ def course(
     edges[over] = np.arange(len(over))
     together, kinds = np.unique(jumped[1:][over], axis=0, return_inverse=True)
     if len(together) > _TOGETHER:
-        together, kinds = np.ones((1, len(jumping)), dtype=bool), np.zeros(len(over))
+        together, kinds = np.ones((1, len(jumping)), dtype=bool), np.zeros(len(over), dtype=np.int64)
     still = np.where(np.arange(inputs) % max(order, 1) == 0, nodes[0, held], 0.0)
     alike = np.zeros((2, rows.shape[1]))
     for row, at in enumerate((np.append(still, np.zeros(count)), nodes[0, ends])):
         alike[row, -2 * len(ends) :] = np.tile(at, 2)
-    found = Course(
+    laid = Course(
         np.ascontiguousarray(times, dtype=float),
         np.ascontiguousarray(rows),
         np.ascontiguousarray(np.hstack([rows[over], thrown[1:][over]])),
@@ -354,7 +354,7 @@ def course(
         still,
         alike,
     )
-    return found, tuple(tuple(np.flatnonzero(row).tolist()) for row in together)
+    return laid, tuple(tuple(np.flatnonzero(row).tolist()) for row in together)
 
 
 def frequencies(tracks: Tracks) -> Array:
