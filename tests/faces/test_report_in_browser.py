@@ -156,6 +156,16 @@ over = "-30 mm:30 mm:15 mm"
 value = "0 deg"
 tolerance = "0.03 deg"
 """
+SWEEP = """schema = "jounce.sweep/1"
+rig = "kart-double-wishbone"
+metrics = ["max sprung.az"]
+outputs = ["sprung.z"]
+trial = {speed = "2 m/s", duration = "0.5 s", road = "bump.toml"}
+design = {kind = "sobol", count = 16}
+[vary]
+"strut.spring.rate" = "20 %"
+"hardpoints.upper_ball_joint[2]" = {sd = "1 mm"}
+"""
 KART = "kart-double-wishbone"
 QUARTER = ("audi-a6-quarter-car", "--road", "iso:C", "--speed", "20 m/s", "--duration", "5 s")
 COMMANDS: dict[str, tuple[str, ...]] = {
@@ -169,13 +179,14 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "roughness": ("iri", "profile.csv", "--segment", "20 m"),
     "models": ("study", "lumped-vs-spatial", KART, "--speed", "2 m/s", "--duration", "0.3 s"),
     "design": ("design", "kinematics", "study.toml", "--starts", "1", "--out", "design"),
+    "sweep": ("sweep", "sweep.toml", "--out", "swept"),
     "record": ("inspect", "simulate", "audi-a6-quarter-car", "--method", "egea", "--out", "lane.csv"),
     "protocol": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018"),
     "german": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--language", "de"),
     "equivalence": ("study", "inspection-equivalence", "audi-a6-quarter-car", "--points", "2"),
     "animation": ("animate", KART, "--travel", "-10 mm:10 mm:2 mm"),
 }
-MOVING = ("simulate", "kinematics", "models", "design", "animation")
+MOVING = ("simulate", "kinematics", "models", "design", "sweep", "animation")
 """Pages whose mechanism moves with the curves."""
 PAGES = [name for name in COMMANDS if name not in ("faster", "record")] + ["study"]
 KEPT = Path(__file__).parent / "pages"
@@ -190,6 +201,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("pages")
     (folder / "bump.toml").write_text(BUMP, encoding="utf-8")
     (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    (folder / "sweep.toml").write_text(SWEEP, encoding="utf-8")
     x = np.arange(0.0, 60.0, 0.1)
     rows = "".join(f"{a:.1f},{0.01 * np.sin(a):.5f}\n" for a in x)
     (folder / "profile.csv").write_text(f"x [m],z [m]\n{rows}", encoding="utf-8")
@@ -202,7 +214,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
             )
             report = [word for one in wanted for word in ("--report", f"{one}.html")]
             assert main([*words, *report]) == 0, name
-            found[name] = folder / (f"{name}.html" if report else "design/report.html")
+            found[name] = folder / (f"{name}.html" if report else f"{words[-1]}/report.html")
     study = audi_case_page(run_audi_a6("case-a"))
     found["study"] = REPORTS.write(study, folder / "study.html")
     return found

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from jounce.core.types import Array
 
 _MOST_BARS, _MOST_AXES, _MOST_POINTS, _MOST_LINES = 15, 7, 4000, 1500
+_FEW_VALUES = 16  # of a number, as on a grid or on the levels of Morris
 _LOWER, _HIGHER = PALETTE[0], PALETTE[1]
 _INDICES = {  # of each design: what is drawn beside the swings, with its words
     "saltelli": (("first", "alone"), ("total", "with others")),
@@ -152,11 +153,14 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
 
 
 def _course(x: Array, y: Array) -> tuple[Array, Array]:
-    """Mean place and metric of each tenth of the variants that ran, in the order of x."""
+    """Mean place and metric of each tenth of the variants that ran in the order of x, or at each of few values of x."""
     good = np.flatnonzero(np.isfinite(y))
-    parts = np.array_split(good[np.argsort(x[good], kind="stable")], min(10, max(len(good) // 3, 1)))
-    whole = [part for part in parts if len(part)]
-    return np.array([x[part].mean() for part in whole]), np.array([y[part].mean() for part in whole])
+    few = np.unique(x[good])
+    if len(few) <= _FEW_VALUES:
+        parts = [good[x[good] == value] for value in few]
+    else:
+        parts = np.array_split(good[np.argsort(x[good], kind="stable")], min(10, max(len(good) // 3, 1)))
+    return np.array([x[part].mean() for part in parts]), np.array([y[part].mean() for part in parts])
 
 
 @styled

@@ -115,7 +115,10 @@ def summarise(many: xr.Dataset) -> Summary:
         numbers[path] = {**ends, "unit": str(many[path].attrs["units"])}
     has_metrics = any(one.dims == ("variant",) and one.dtype.kind in "fi" for one in many.data_vars.values())
     names = metrics_of(many) if has_metrics and ran else []
-    influences, findings = _influences(many, names) if numbers and names else ((), [])
+    influences, findings = _influences(many, names) if numbers and names else ((), list[Finding]())
+    if names and many.attrs.get("design") == "morris":
+        text = "mean, deviation and percentiles are those of points on trajectories, not of the spreads"
+        findings.append(Finding("statistics", "note", text))
     if failed:
         text = f"{len(reasons) - ran} of {len(reasons)} variants have no run; statistics are of the others"
         findings.insert(0, Finding("variants", "warning", text, float(len(reasons) - ran)))

@@ -203,7 +203,8 @@ def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
     distributed = require("distributed", "cluster")
     check_cluster(client)
     packed, pending = pickle.dumps(work), iter(tasks)
-    following, waiting = distributed.as_completed(loop=client.loop, with_results=True), set()
+    following = distributed.as_completed(loop=client.loop, with_results=True)
+    waiting: set[Any] = set()
 
     def submit() -> None:
         """Give every worker there is now enough to do."""
