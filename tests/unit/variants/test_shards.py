@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 from collections import namedtuple
 from pathlib import Path
@@ -219,3 +220,27 @@ def test_a_sweep_that_begins_anew_leaves_nothing_of_the_earlier_one(tmp_path: Pa
     found = keep_in_shards(work, columns, tmp_path, force=True)
     assert found.sizes["variant"] == found.attrs["variants"] == 10
     assert [name[:6] for name in files(tmp_path)] == ["000000", "000001", "notes."]
+
+
+MEMORY = """
+import resource, sys, tempfile
+import jounce as jn
+rig = jn.load("audi-a6-quarter-car")
+trial = jn.Trial(road=jn.Iso8608(**{"class": "B"}, length="60 m", seed=1), speed="20 m/s", duration="0.2 s")
+spreads = {"strut.damper.coefficient": "40 %", "sprung.mass": ["400 kg", "520 kg"]}
+with tempfile.TemporaryDirectory() as out:
+    many = jn.simulate_many(rig, trial, jn.sobol(spreads, int(sys.argv[1])), metrics=["rms sprung.az"], out=out)
+assert many.attrs["side_by_side"] == int(sys.argv[1])
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="sizes of processes in kB")
+def test_memory_hardly_grows_with_variants() -> None:
+    """Four numbers of each variant are kept, twice while they are read; what a shard works with is that of any."""
+    few, many = (
+        int(subprocess.run([sys.executable, "-c", MEMORY, str(count)], capture_output=True, check=True).stdout)
+        for count in (65_536, 524_288)
+    )
+    assert 1024 * (many - few) < 200 * (524_288 - 65_536)
