@@ -96,3 +96,15 @@ def test_mistakes(cli, bump: Path, words: tuple[str, ...], message: str, tmp_pat
     assert outcome.exit_code == 2
     assert message in outcome.err
     assert [file.name for file in tmp_path.iterdir()] == ["bump.toml"]
+
+
+def test_centres_are_drawn_at_design(cli, tmp_path: Path) -> None:
+    outcome = cli("draw", "formula-student-front", "--centres", "--figure", "centres.svg")
+    assert outcome.exit_code == 0, outcome.err
+    text = (tmp_path / "centres.svg").read_text(encoding="utf-8")
+    for words in ("instant centre", "roll centre height", "front view", "29.13"):
+        assert words in text
+    outcome = cli("draw", "formula-student-front", "--centres", "--travel", "10 mm", "--figure", "other.svg")
+    assert outcome.exit_code == 2
+    assert "--centres" in outcome.err
+    assert not (tmp_path / "other.svg").exists()

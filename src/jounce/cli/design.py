@@ -33,6 +33,7 @@ from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.core.findings import Finding
@@ -294,10 +295,10 @@ def _title(sources: Mapping[str, Path], name: str) -> str:
     return f"Kinematics of {one if len(sources) == 1 else name}"
 
 
-def _kinematic_page(found: KinematicDesign, title: str) -> Page:
+def _kinematic_page(found: KinematicDesign, title: str, pictures: Mapping[str, Figure] | None = None) -> Page:
     from jounce.report import kinematic_design_page
 
-    return kinematic_design_page(found, title=title)
+    return kinematic_design_page(found, title=title, pictures=pictures)
 
 
 def _write_kinematics(
@@ -324,8 +325,9 @@ def _write_kinematics(
     computed |= {f"spread-{name}.csv" if name else "spread.csv": one.table() for name, one in found.spread.items()}
 
     def page() -> Page:
-        whole = _kinematic_page(found, _title(sources, name))
-        drawn = {f"{name}.png": rendered(draw(), [".png"])[".png"] for name, draw in design_pictures(found).items()}
+        pictures = {label: draw() for label, draw in design_pictures(found).items()}
+        whole = _kinematic_page(found, _title(sources, name), pictures)
+        drawn = {f"{label}.png": rendered(picture, [".png"])[".png"] for label, picture in pictures.items()}
         return replace(whole, files=tuple(drawn.items()))
 
     with drawing() as missing:

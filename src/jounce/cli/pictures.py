@@ -149,6 +149,9 @@ def draw(
     travel: Travel = None,
     rack: Rack = None,
     names: Annotated[bool, typer.Option("--names/--no-names", help="Label the hardpoints.")] = True,
+    centres: Annotated[
+        bool, typer.Option("--centres", help="Draw instant centres, roll centre and steering axis at design instead.")
+    ] = False,
     set_: Changes = None,
     force: Force = False,
     as_json: AsJson = False,
@@ -166,8 +169,17 @@ def draw(
         from jounce.plots.mechanisms.drawing import mechanism
 
         title = Path(rig).stem
-        if travel is None and rack is None:
+        if centres and (travel is not None or rack is not None):
+            raise DescriptionError(
+                "centres are drawn at design", where="--centres", hint="Leave out --travel and --rack."
+            )
+        if centres:
+            from jounce.plots.mechanisms.geometry import suspension_geometry
+
+            FIGURES.write(suspension_geometry(chosen, title=title), file, force=force)
+        elif travel is None and rack is None:
             FIGURES.write(mechanism(chosen, names=names, title=title), file, force=force)
+        if travel is None and rack is None:
             plain = {"rig": rig, "changes": wanted, "poses": [], "out": str(file)}
             return Reply(plain, lambda console: show_written(console, plain), as_json)
         say("sweeping")

@@ -14,6 +14,10 @@ from jounce.report.page import Block, Bullets, Cell, Fact, Facts, Findings, Page
 from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from matplotlib.figure import Figure
+
     from jounce.design.kinematics import KinematicDesign, TargetResult
     from jounce.design.spread import KinematicSpread
 
@@ -21,7 +25,7 @@ _POINTS = 41
 _SMALLEST = 0.02  # m of travel that is shown at least
 
 
-def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
+def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None) -> Page:
     """Put a kinematic design on a page.
 
     Parameters
@@ -30,6 +34,9 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
         What :func:`jounce.design_kinematics` found.
     title : str
         Name of the study.
+
+    pictures : mapping of str to Figure, optional
+        As :func:`jounce.plots.kinematic_design.design_pictures` draws them, where they have been drawn already.
 
     Returns
     -------
@@ -68,8 +75,8 @@ def kinematic_design_page(found: KinematicDesign, *, title: str) -> Page:
         "geometry": "Instant centres, roll centre and steering axis of the rig before and after.",
     }
     drawn = {
-        name: Picture(draw(), name, words[name.partition("-")[0]], words[name.partition("-")[0]])
-        for name, draw in design_pictures(found).items()
+        name: Picture(picture, name, words[name.partition("-")[0]], words[name.partition("-")[0]])
+        for name, picture in (pictures or {name: draw() for name, draw in design_pictures(found).items()}).items()
     }
     sections = [
         Section("Answer", tuple(answer)),

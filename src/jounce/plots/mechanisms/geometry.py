@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -28,6 +29,7 @@ _ROOM = 0.04  # m around what is drawn
 _NEAR = 1.2  # m: instant centres up to here beside the wheel are drawn where they are
 _CENTRE, _ROLL, _AXIS = PALETTE[1], PALETTE[3], PALETTE[0]
 _OTHER = "#a3aab1"
+_AXIS_ROWS = ("caster", "kingpin_inclination", "caster_trail", "scrub_radius")
 _NUMBERS = (
     "roll_centre_height",
     "instant_centre_y",
@@ -67,6 +69,17 @@ class _Centres:
     def side(self) -> Array:
         """Place (x, z) of the side-view instant centre."""
         return np.array([self.rows["side_instant_centre_x"], self.rows["side_instant_centre_z"]])
+
+    @property
+    def axis(self) -> tuple[Array, Array] | None:
+        """Where the steering axis meets the ground, and its place above the wheel; None where nothing steers."""
+        if not all(math.isfinite(self.rows.get(name, math.nan)) for name in _AXIS_ROWS):
+            return None
+        caster, inclination, trail, scrub = (self.rows[name] for name in _AXIS_ROWS)
+        side = self.scene.side
+        ground = self.pose.contact + np.array([trail, -side * scrub, 0.0])
+        along = np.array([-math.tan(caster), -side * math.tan(inclination), 1.0])
+        return ground, ground + 1.8 * self.scene.radius * along
 
     @property
     def roll(self) -> Array:
@@ -137,7 +150,7 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
             _construction(axes[name], name, view, one, strong=last)
     _labels(axes)
     _numbers(axes["numbers"], centres)
-    _legend(figure, list(centres))
+    _legend(figure, list(centres), steers=any(one.axis is not None for one in centres.values()))
     return figure
 
 
@@ -210,14 +223,11 @@ def _construction(axes: Axes, name: str, view: View, one: _Centres, *, strong: b
         roll = MM * view.flat(np.array([0.0, *one.roll]))
         _segment(axes, MM * view.flat(pose.contact), roll, color=colours[1], linestyle=(0, (4, 2)), **style)
         _mark(axes, roll, colours[1], "D", strong=strong)
-    if ends:
-        lower, upper = (pose.points[end] for end in ends)
-        along = upper - lower
-        if abs(along[2]) > 1e-6 * float(np.linalg.norm(along)):
-            ground = lower + along * (pose.ground - lower[2]) / along[2]
-            _segment(axes, MM * view.flat(ground), MM * view.flat(upper + 0.3 * along), color=colours[2],
-                     linestyle=(0, (5, 2, 1, 2)), **style)  # fmt: skip
-            _mark(axes, MM * view.flat(ground), colours[2], "x", strong=strong)
+    if one.axis is not None:
+        ground, upper = one.axis
+        ends_on_paper = MM * view.flat(ground), MM * view.flat(upper)
+        _segment(axes, *ends_on_paper, color=colours[2], linestyle=(0, (5, 2, 1, 2)), **style)
+        _mark(axes, ends_on_paper[0], colours[2], "x", strong=strong)
 
 
 def _segment(axes: Axes, start: Array, end: Array, **style: Any) -> None:
@@ -270,14 +280,16 @@ def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
     axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
 
 
-def _legend(figure: Figure, names: list[str]) -> None:
+def _legend(figure: Figure, names: list[str], *, steers: bool) -> None:
     from matplotlib.lines import Line2D
 
     marks = [
         Line2D([], [], color=_CENTRE, marker="o", linewidth=1.1, label="instant centre"),
         Line2D([], [], color=_ROLL, marker="D", linewidth=1.1, linestyle=(0, (4, 2)), label="roll centre"),
-        Line2D([], [], color=_AXIS, marker="x", linewidth=1.1, linestyle=(0, (5, 2, 1, 2)), label="steering axis"),
     ]
+    if steers:
+        dashes = (0, (5, 2, 1, 2))
+        marks.append(Line2D([], [], color=_AXIS, marker="x", linewidth=1.1, linestyle=dashes, label="steering axis"))
     if len(names) > 1:
         marks += [
             Line2D([], [], color=_OTHER, linewidth=1.6, label=" and ".join(names[:-1])),
