@@ -269,6 +269,7 @@ def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
         ({"sprung.mass": [float("nan")]}, {}, "finite"),
         ({}, {}, "nothing to vary"),
         (5, {}, "nothing to vary"),
+        ({1: [100.0]}, {}, "nothing to vary"),
         ({"sprung.mass": [400.0]}, {"metrics": []}, "nothing to keep"),
         ({"sprung.mass": [400.0]}, {"metrics": "rms sprung.az", "threads": -1}, "not a number of threads"),
         ({"trial.duration": [1.0, 2.0]}, {}, "differ in length"),

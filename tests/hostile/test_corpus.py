@@ -23,6 +23,12 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="limits of memor
 FAST = {"files": 3, "descriptions": 40, "commands": 12, "outputs": 23}
 """Every so many-th case is tried by the fast tests; of files, so many of each."""
 
+FOUND = {
+    "files": [("mat73", 24, 16180), ("mat73", 86, 16180), ("parquet", 928, 16180)],
+    "descriptions": [("limits", 4, "left out"), ("campaign", 54, "truth"), ("sweep", 12, "long integer")],
+}
+"""What was bad when a seed was fresh, one of each kind."""
+
 
 def judged(part: str, cases: list[Any]) -> None:
     found = list(judge(f"corpus.{part}", cases))
@@ -52,13 +58,8 @@ def test_right_uses_are_right(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
 
 def test_a_part_of_the_files() -> None:
     names = recordings.names()
-    judged("files", [(name, 7 * k + i, files.SEED) for i, name in enumerate(names) for k in range(FAST["files"])])
-
-
-def test_what_fresh_seeds_found() -> None:
-    """Cases that were bad when a seed was new, one of each kind."""
-    judged("files", [("mat73", 24, 16180), ("mat73", 86, 16180), ("parquet", 928, 16180)])
-    judged("descriptions", [("limits", 4, "left out"), ("campaign", 54, "truth")])
+    cases = [(name, 7 * k + i, files.SEED) for i, name in enumerate(names) for k in range(FAST["files"])]
+    judged("files", [*cases, *FOUND["files"]])
 
 
 def test_a_part_of_the_models() -> None:
@@ -67,7 +68,7 @@ def test_a_part_of_the_models() -> None:
 
 
 def test_a_part_of_the_descriptions() -> None:
-    judged("descriptions", descriptions.cases()[:: FAST["descriptions"]])
+    judged("descriptions", [*descriptions.cases()[:: FAST["descriptions"]], *FOUND["descriptions"]])
 
 
 def test_a_part_of_the_commands() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from copy import deepcopy
 from typing import Any, ClassVar, Self
 
@@ -59,6 +59,9 @@ def split_path(path: str) -> list[str | int]:
 
 def change_table(description: BaseModel, changes: dict[str, Any]) -> dict[str, Any]:
     """Give the description as a table with the values at some paths replaced."""
+    if not isinstance(changes, Mapping) or not all(isinstance(path, str) for path in changes):
+        allowed = 'values by path, e.g. {"strut.spring.rate": "25 N/mm"}'
+        raise DescriptionError("no changes", where="changes", found=changes, allowed=allowed)
     table: dict[str, Any] = description.model_dump(by_alias=True, exclude_none=True)
     known = parameters_of(description)
     for path, value in changes.items():

@@ -220,7 +220,7 @@ class Study:
         """Values of every variant, SI."""
         if isinstance(variants, Design):
             found = variants.values(self.number)
-        elif not variants or not hasattr(variants, "items"):
+        elif not variants or not hasattr(variants, "items") or not all(isinstance(path, str) for path in variants):
             allowed = "path of a number to its values, or a design such as jn.sobol(...)"
             raise DescriptionError("nothing to vary", where="variants", found=variants, allowed=allowed)
         else:

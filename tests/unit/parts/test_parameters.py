@@ -246,3 +246,9 @@ def test_unknown_rig():
         parts.load("kart-quarter-cat")
     with pytest.raises(DescriptionError, match="no such file"):
         parts.load("missing.toml")
+
+
+@pytest.mark.parametrize("changes", [{1: 2.0}, {None: 2.0}, [("strut.spring.rate", 2.0)], "strut.spring.rate", None])
+def test_what_is_no_change_is_told(changes: object) -> None:
+    with pytest.raises(DescriptionError, match=r"changes: no changes; .*values by path"):
+        parts.load("kart-quarter-car").with_changes(changes)
