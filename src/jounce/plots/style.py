@@ -103,7 +103,8 @@ def style() -> AbstractContextManager[None]:
     mpl = library()
     settings: dict[Any, Any] = {**mpl.rcParamsDefault, **_SETTINGS}
     del settings["backend"]  # the user's, which a context would not give back; figures are drawn without one
-    return mpl.rc_context(settings)
+    drawn: AbstractContextManager[None] = mpl.rc_context(settings)
+    return drawn
 
 
 def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
