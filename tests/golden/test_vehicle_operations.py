@@ -2,6 +2,7 @@
 
 2026-11-21, first version: a half car with 50 operations a right-hand side, a full car of 7 degrees of freedom with 207,
 a little more than four quarter cars of 41.
+2026-11-23, CasADi below 3.8 writes twice a number as a constant and a product: up to three instructions more.
 """
 
 from __future__ import annotations
@@ -13,16 +14,16 @@ from jounce.simulation.compiled import compile_rig
 
 HALF = "audi-a6-half-car"
 PINNED = {
-    HALF: {"rate": 50, "output": 71, "switch": 0, "slopes": 73},
-    "audi-a6-half-car-4dof": {"rate": 92, "output": 119, "switch": 26, "slopes": 157},
-    "audi-a6-full-car": {"rate": 207, "output": 264, "switch": 48, "slopes": 342},
+    HALF: {"rate": 51, "output": 72, "switch": 0, "slopes": 74},
+    "audi-a6-half-car-4dof": {"rate": 93, "output": 120, "switch": 26, "slopes": 158},
+    "audi-a6-full-car": {"rate": 209, "output": 266, "switch": 48, "slopes": 344},
 }
 SENSITIVE = {
-    HALF: {"rate_s": 91, "output_s": 138},
-    "audi-a6-half-car-4dof": {"rate_s": 164, "output_s": 221},
-    "audi-a6-full-car": {"rate_s": 368, "output_s": 491},
+    HALF: {"rate_s": 92, "output_s": 139},
+    "audi-a6-half-car-4dof": {"rate_s": 165, "output_s": 224},
+    "audi-a6-full-car": {"rate_s": 370, "output_s": 493},
 }
-FORMS = {"simulink": {"rate": 48, "output": 73}, "sign-corrected": {"rate": 46, "output": 69}}
+FORMS = {"simulink": {"rate": 48, "output": 76}, "sign-corrected": {"rate": 47, "output": 70}}
 FREE = ("body.mass", "front.spring_rate", "rear.damping_coefficient")
 
 

@@ -369,9 +369,9 @@ def test_a_listing_holds_switches_states_and_moving_axes():
         {"name": "up", "above_zero": {"expression": "(slide.distance-0.1)", "parameters": {}}}
     ]
     (state,) = listed["internal_states"]
-    assert (state["name"], state["rate"]["expression"]) == ("lag", "(2.*(slide.distance-lag))")
+    assert (state["name"], state["rate"]["expression"]) == ("lag", "(2*(slide.distance-lag))")
     assert listed["bodies"][-1] == {"name": "block axes", "axes_of": "block"}
-    assert "  lag: rate (2.*(slide.distance-lag))" in str(mechanism)
+    assert "  lag: rate (2*(slide.distance-lag))" in str(mechanism)
 
 
 def test_every_joint_is_exported():
