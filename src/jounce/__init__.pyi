@@ -48,6 +48,8 @@ from .exchange.equations import equations as equations
 from .exchange.fmu.export import FmuExport as FmuExport
 from .exchange.fmu.export import export_fmu as export_fmu
 from .exchange.points import write_hardpoints as write_hardpoints
+from .exchange.roads import RoadExport as RoadExport
+from .exchange.roads import write_road as write_road
 from .identify.damper import DamperCurve as DamperCurve
 from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import jounce as jn
@@ -61,3 +62,34 @@ def test_a_drawing_for_cad(cli, tmp_path: Path) -> None:
 def test_a_lumped_rig_has_no_hardpoints(cli) -> None:
     refused = cli("export", "hardpoints", "kart-quarter-car", "--out", "points.csv")
     assert (refused.exit_code, "the rig has no hardpoints" in refused.err) == (2, True)
+
+
+@pytest.mark.parametrize("suffix", [".crg", ".csv"])
+def test_roads_come_back(cli, tmp_path: Path, suffix: str) -> None:
+    outcome = cli("export", "road", "iso:C", "--length", "20 m", "--step", "0.05 m", "--out", f"road{suffix}")
+    assert outcome.exit_code == 0, outcome.err
+    assert "401 points over 20 m" in outcome.out
+    own, found = jn.load_road("iso:C", length=20.0), jn.load_road(tmp_path / f"road{suffix}")
+    at = np.arange(401) * 0.05
+    np.testing.assert_allclose(found.height_at(at[:-1]), own.height_at(at[:-1]), rtol=0.0, atol=1e-9)
+
+
+def test_what_is_lost_between_points_is_said(tmp_path: Path) -> None:
+    """Half a sine of 10 mm and 0.2 m: half way between points 0.1 m apart it is sin 45 degrees high, the line 5 mm."""
+    made = jn.write_road(jn.HalfSine(height=0.01, length=0.2), tmp_path / "bump.crg", step=0.1)
+    assert made.findings[0].value == pytest.approx(0.01 * (np.sin(np.pi / 4) - 0.5))
+    assert not jn.write_road(jn.Flat(), tmp_path / "flat.crg", length=5.0).findings
+
+
+def test_roads_that_cannot_be_written(cli) -> None:
+    for words, message in (
+        (("iso:C", "--out", "road.toml"), ".crg, .csv"),
+        (("iso:C", "--out", "road.crg", "--step", "0 m"), "above 0"),
+        (("iso:C", "--out", "road.crg", "--step", "1 um"), "not a number of points"),
+        (("nothing.toml", "--out", "road.crg"), "no such file"),
+    ):
+        refused = cli("export", "road", *words)
+        assert (refused.exit_code, message in refused.err) == (2, True), refused.err
+    rough = jn.Iso8608(class_="C", length="10 m")
+    with pytest.raises(jn.JounceError, match="the road is not known so far"):
+        jn.write_road(rough, "road.crg", length=20.0)

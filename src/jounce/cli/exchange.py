@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, cast
 
 import typer
 
-from jounce.cli.options import AsJson, Changes, Force, RigName, changes, chosen_rig
+from jounce.cli.options import LENGTH, AsJson, Changes, Force, RigName, changes, chosen_rig, optional_positive
 from jounce.cli.reply import Reply, progress, show_findings, show_written
 from jounce.core.errors import DescriptionError
 
@@ -118,6 +118,37 @@ def hardpoints(
 
     def draw(console: Console) -> None:
         console.print(f"{len(points)} hardpoints in mm: x forward, y left, z up from the road")
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json)
+
+
+@export_app.command("road")
+def road_(
+    road: Annotated[str, typer.Argument(metavar="ROAD", help="A road file, a shipped road, or iso:A to iso:H.")],
+    out: Annotated[Path, typer.Option(metavar="FILE", help="File to write: .crg or .csv.")],
+    length: Annotated[str | None, typer.Option(help="Length of the course. Default: to the road's end.")] = None,
+    step: Annotated[str | None, typer.Option(help="Between points. Default: 10 mm.")] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write any road as OpenCRG, or as a table of distance and height.
+
+    Example: jounce export road iso:C --length "100 m" --out class-c.crg
+    """
+    from jounce.exchange.roads import ROAD_FORMATS, STEP, write_road
+    from jounce.roads import load_road
+
+    ROAD_FORMATS.check(out, force=force)
+    wanted = optional_positive(length, "m", "--length")
+    spacing = optional_positive(step, "m", "--step", most=LENGTH)
+    chosen = load_road(road) if wanted is None else load_road(road, length=wanted)
+    made = write_road(chosen, out, length=wanted, step=STEP if spacing is None else spacing, force=force)
+    plain = {"road": road, **made.to_dict(), "out": str(out)}
+
+    def draw(console: Console) -> None:
+        console.print(f"{made.points} points over {made.length:g} m")
+        show_findings(console, list(made.findings))
         show_written(console, plain)
 
     return Reply(plain, draw, as_json)

@@ -81,6 +81,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
     """Suffixes that an output may have, from the tables of formats."""
     from jounce.exchange.equations import EQUATION_FORMATS
     from jounce.exchange.points import POINT_FORMATS
+    from jounce.exchange.roads import ROAD_FORMATS
     from jounce.inspection.archive.exporting import TABLES
     from jounce.kinematics.sweeps import SWEEP_FILES
     from jounce.plots.style import FIGURES
@@ -99,6 +100,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("export fmu", "--out"): (".fmu",),
         ("export equations", "--out"): tuple(EQUATION_FORMATS.writers),
         ("export hardpoints", "--out"): tuple(POINT_FORMATS.writers),
+        ("export road", "--out"): tuple(ROAD_FORMATS.writers),
         **dict.fromkeys(
             ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)
         ),

@@ -1,0 +1,127 @@
+"""Roads for other programs: OpenCRG, or a table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.core.writing import Formats
+from jounce.roads.road import Road
+
+STEP, WIDTH = 0.01, 4.0  # m
+_MOST = 2_000_000  # points
+
+
+@dataclass(frozen=True)
+class RoadExport(Plain):
+    """What was written of a road.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    points : int
+        Cross sections.
+    length, step : float
+        Of the course, and between its points, m.
+    findings : tuple of Finding
+        What a course of points cannot say.
+    """
+
+    path: Path
+    points: int
+    length: float
+    step: float
+    findings: tuple[Finding, ...]
+
+
+def write_road(
+    road: Road, path: Path | str, *, length: float | None = None, step: float = STEP, force: bool = False
+) -> RoadExport:
+    """Write any road as an OpenCRG file (``.crg``), straight and alike across 4 m, or as a table (``.csv``: x, z).
+
+    Parameters
+    ----------
+    road : Road
+        Obstacle, waves, random or measured road.
+    path : Path or str
+        File to write.
+    length : float, optional
+        From distance 0 on, m; by default to the road's end, and half a metre behind an obstacle.
+    step : float
+        Between points, m; between them the road is a line.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    RoadExport
+        What was written, with the largest height that is lost between the points as a finding.
+
+    Raises
+    ------
+    DescriptionError
+        For a length or step that is not above 0, a course beyond the road's end, and too many points.
+    OutputError
+        For another suffix, and an existing file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> road = jn.HalfSine(height="10 mm", length="0.5 m", start="1 m")
+    >>> made = write_road(road, tempfile.mkdtemp() + "/bump.crg")
+    >>> again = jn.load_road(made.path)
+    >>> round(float(again.height_at(1.25)), 9)   # m
+    0.01
+    """
+    known = road.known_length()
+    if length is None:
+        length = known if np.isfinite(known) else road.end() + 0.5
+    for name, value in (("length", length), ("step", step)):
+        if not (np.isfinite(value) and value > 0.0):
+            raise DescriptionError("out of range", where=name, found=f"{value} m", allowed="above 0 m")
+    if length > known * (1.0 + 1e-9):
+        raise DescriptionError(
+            "the road is not known so far", where="length", found=f"{length:g} m", allowed=f"up to {known:g} m"
+        )
+    count = round(length / step) + 1
+    if not 2 <= count <= _MOST:
+        raise DescriptionError(
+            "not a number of points", where="step", found=f"{count} points", allowed=f"2 to {_MOST}",
+            hint="Give another step or length.",
+        )  # fmt: skip
+    x = step * np.arange(count)
+    height = road.height_at(np.minimum(x, known))
+    fine = step * (np.arange(0, count - 1, max(1, count // 50_000)) + 0.5)
+    lost = float(np.abs(road.height_at(np.minimum(fine, known)) - np.interp(fine, x, height)).max())
+    findings: tuple[Finding, ...] = ()
+    if lost > 1e-6:
+        text = f"up to {1e3 * lost:.3g} mm of height are lost between points {1e3 * step:g} mm apart"
+        findings = (Finding(str(path), "note", f"{text}; a smaller step keeps more.", lost),)
+    file = ROAD_FORMATS.write((x, height), path, force=force)
+    return RoadExport(file, count, float(x[-1]), step, findings)
+
+
+def _crg(course: tuple[Array, Array], file: Path) -> None:
+    import pyopencrg
+
+    x, height = course
+    edges = 0.5 * WIDTH * np.array([-1.0, 1.0])
+    road = pyopencrg.CrgRoad(np.column_stack([height, height]), u_inc=float(x[1]), v=edges, comments=["jounce"])
+    road.save(str(file), "KDBI")
+
+
+def _table(course: tuple[Array, Array], file: Path) -> None:
+    rows = "".join(f"{x:.9g},{height + 0.0:.9g}\n" for x, height in zip(*course, strict=True))
+    file.write_text(f"x [m],z [m]\n{rows}", encoding="utf-8")
+
+
+ROAD_FORMATS = Formats("roads", {".crg": _crg, ".csv": _table})
+"""What roads are written as."""
