@@ -23,6 +23,7 @@ LONG = (
     *SLOW,
     "load-cases",
     "campaign run",
+    "design kinematics",
     "design optimise",
     "design pareto",
     "campaign synthesise",
