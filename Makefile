@@ -94,7 +94,8 @@ check-viewer:
 	elif ! $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json; then \
 	  echo "The bundle of the viewer is not checked: its packages could not be fetched"; \
 	else cd viewer && npm run --silent types && \
-	  made=$$(mktemp -d) && node build.mjs "$$made" && diff -rq "$$made" ../src/jounce/report/viewer && rm -r "$$made"; fi
+	  made=$$(mktemp -d) && node build.mjs "$$made" && diff -rq "$$made/viewer" ../src/jounce/report/viewer && \
+	  diff -rq "$$made/static" ../src/jounce/web/static && rm -r "$$made"; fi
 
 viewer/node_modules/.package-lock.json: viewer/package-lock.json
 	cd viewer && npm ci --silent --no-fund --no-audit

@@ -1,17 +1,19 @@
-// Bundles src/main.ts with what it uses into one script and one style sheet: node build.mjs [FOLDER]
+// Bundles the viewer of reports and the page of the workbench, each into one script and one style sheet.
+// node build.mjs [FOLDER]: into FOLDER/viewer and FOLDER/static, or where the package has them.
 import { createHash } from "node:crypto";
-import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
-import { dirname, join, resolve } from "node:path";
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = resolve(process.argv[2] ?? join(here, "../src/jounce/report/viewer"));
-mkdirSync(out, { recursive: true });
+const out = process.argv[2] ? resolve(process.argv[2], "viewer") : join(here, "../src/jounce/report/viewer");
+const page = process.argv[2] ? resolve(process.argv[2], "static") : join(here, "../src/jounce/web/static");
+for (const folder of [out, page]) mkdirSync(folder, { recursive: true });
 
-const result = await build({
+const bundled = (entryPoints, outdir) => build({
   absWorkingDir: here,
-  entryPoints: { viewer: "src/main.ts", page: "src/plain.ts" },
+  entryPoints,
   bundle: true,
   minify: true,
   format: "iife",
@@ -19,12 +21,16 @@ const result = await build({
   target: ["es2022"],
   charset: "utf8",
   legalComments: "none", // licences.txt has them whole
-  outdir: out,
+  outdir,
   write: false,
   metafile: true,
   define: { "process.env.NODE_ENV": '"production"' },
 });
 
+const result = await bundled({ viewer: "src/main.ts", page: "src/plain.ts" }, out);
+const app = await bundled({ app: "src/workbench/main.ts" }, page);
+for (const name of ["index.html", "icon.svg"]) copyFileSync(join(here, "src/workbench", name), join(page, name));
+for (const file of app.outputFiles) writeFileSync(file.path, file.text);
 for (const file of result.outputFiles) {
   if (/<\/(script|style)/i.test(file.text)) throw new Error(`${file.path} would end the element that it stands in`);
   writeFileSync(file.path, file.text);
@@ -42,11 +48,12 @@ writeFileSync(join(out, "licences.txt"), licences.join(`\n${"-".repeat(80)}\n\n`
 
 // What the bundle was made of: without node, too, a test sees an edit that was not bundled.
 const sources = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json",
-  ...readdirSync(join(here, "src")).sort().map((name) => `src/${name}`)];
+  ...readdirSync(join(here, "src"), { recursive: true, withFileTypes: true }).filter((one) => one.isFile())
+    .map((one) => relative(here, join(one.parentPath, one.name)).replaceAll("\\", "/")).sort()];
 const sum = createHash("sha256");
 for (const name of sources) {
   sum.update(`${name}\0`);
   sum.update(readFileSync(join(here, name), "utf8").replaceAll("\r\n", "\n"));
 }
 writeFileSync(join(out, "sources.sha256"), `${sum.digest("hex")}\n`);
-console.log(result.outputFiles.map((file) => `${file.path.split("/").pop()} ${file.contents.length}`).join(", "));
+console.log([...result.outputFiles, ...app.outputFiles].map((file) => `${file.path.split("/").pop()} ${file.contents.length}`).join(", "));

@@ -17,6 +17,7 @@ export class Player {
   private readonly view: MechanismView | null;
   private readonly choice = make("select", { "aria-label": say("choice") });
   private readonly note = make("span", { class: "mark" });
+  private readonly overlays = make("div", { class: "group overlays", role: "group", "aria-label": say("curves") });
   private readonly channels = make("div", { class: "group channels", role: "group", "aria-label": say("channels") });
   private readonly play = make("button", { type: "button", class: "play" }, say("play"));
   private readonly slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", "aria-label": "" });
@@ -33,10 +34,9 @@ export class Player {
   /** Milliseconds between the pictures shown while playing, the last of them last. */
   readonly frames: number[] = [];
 
-  constructor(private readonly model: Model, private readonly store: Store) {
+  constructor(private model: Model, private store: Store) {
     this.scene = model.scenes[0]!;
     this.view = model.scenes.some((scene) => scene.motion) ? new MechanismView(model.stage) : null;
-    for (const { role, shown } of model.roles) this.roles.set(role, shown);
     model.scenes.forEach((scene, i) => this.choice.append(make("option", { value: String(i) }, scene.label)));
     this.build();
     this.show(this.scene);
@@ -51,6 +51,22 @@ export class Player {
     this.choice.value = String(found);
     this.show(this.model.scenes[found]!);
     return true;
+  }
+
+  /** Takes content of the same kind in place of what it has: what is chosen, and the part that is looked at, stay. */
+  replace(model: Model, store: Store): void {
+    const index = Math.max(this.model.scenes.indexOf(this.scene), 0), before = this.plots.window, [first, last] = this.plots.whole;
+    const scene = model.scenes[Math.min(index, model.scenes.length - 1)]!;
+    const all = before[0] <= first && before[1] >= last;
+    if (model.roles.length !== this.model.roles.length) this.offerRoles(model);
+    this.model = model;
+    this.store = store;
+    this.scene = scene;
+    const x = store.get(scene.x);
+    this.slider.min = String(x[0]); this.slider.max = String(x[x.length - 1]);
+    this.plot(all ? null : before);
+    if (scene.motion && this.view) this.view.show(store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
+    this.goTo(this.now);
   }
 
   zoom(low: number, high: number): void { this.plots.zoom(low, high); }
@@ -70,13 +86,7 @@ export class Player {
 
   private build(): void {
     const { model } = this;
-    const overlays = make("div", { class: "group overlays", role: "group", "aria-label": say("curves") });
-    for (const { role, label, shown } of model.roles) {
-      const button = toggle(label, shown, (on) => { this.roles.set(role, on); this.plots.setShown(role, on); });
-      button.prepend(make("i", { class: `swatch ${role}` }));
-      overlays.append(button);
-    }
-    overlays.hidden = model.roles.length < 2;
+    this.offerRoles(model);
     const step = (by: number) => () => this.stepScene(by);
     const scenes = make("div", { class: "group" }, make("button", { type: "button", title: say("previous"), click: step(-1) }, "‹"),
       this.choice, make("button", { type: "button", title: say("next"), click: step(1) }, "›"), this.note);
@@ -98,13 +108,25 @@ export class Player {
     const main = make("div", { class: !this.view ? "plots-only" : model.stage ? "stage-and-plots stage-first" : "stage-and-plots" }, this.plots.element);
     if (this.view) main.append(this.view.element);
     this.element.append(
-      make("div", { class: "bar" }, scenes, overlays, make("span", { class: "grow" }), zooms, wide),
+      make("div", { class: "bar" }, scenes, this.overlays, make("span", { class: "grow" }), zooms, wide),
       make("div", { class: "bar" }, this.channels),
       main,
       make("div", { class: "bar transport" }, this.play, this.slider, this.clock, make("label", {}, `${say("speed")} `, this.speed)),
       make("p", { class: "hint" }, say("hint")),
     );
     this.element.addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** A button for each curve of a channel. */
+  private offerRoles(model: Model): void {
+    const buttons = model.roles.map(({ role, label, shown }) => {
+      if (!this.roles.has(role)) this.roles.set(role, shown);
+      const button = toggle(label, this.roles.get(role)!, (on) => { this.roles.set(role, on); this.plots.setShown(role, on); });
+      button.prepend(make("i", { class: `swatch ${role}` }));
+      return button;
+    });
+    this.overlays.replaceChildren(...buttons);
+    this.overlays.hidden = buttons.length < 2;
   }
 
   private show(scene: Scene): void {

@@ -27,6 +27,7 @@ from jounce.cli import (
     load_cases,
     pictures,
     ride,
+    serve,
     simulate,
     steering_effort,
     study,
@@ -83,6 +84,7 @@ def application() -> typer.Typer:
     app.command("plot")(pictures.plot)
     app.command("draw")(pictures.draw)
     app.command("animate")(pictures.animate)
+    app.command("serve")(serve.serve)
     app.command("check")(files.check)
     app.command("library")(files.library)
     app.add_typer(files.import_app, name="import")

@@ -7,6 +7,7 @@ import os
 import stat
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from importlib import resources
 from pathlib import Path
 
@@ -16,9 +17,33 @@ from jounce.core.errors import DescriptionError, JounceError, nearest
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
     """Give the path of a file; where there is none, the error says so."""
     file = Path(path)
+    root = _ROOT.get()
+    if root is not None and not _lies_in(file, root):
+        raise error("outside of the folder that may be read", where=str(file), allowed=f"files below {root.name}")
     if not _is_file(file):
         raise error(_instead(file), where=str(file), hint="Check the path and the name.")
     return file
+
+
+_ROOT: ContextVar[Path | None] = ContextVar("root", default=None)
+
+
+@contextmanager
+def only_below(folder: Path) -> Iterator[None]:
+    """Let what is read in a block lie below a folder only, also where links lead to it, or in the package."""
+    before = _ROOT.set(folder.resolve())
+    try:
+        yield
+    finally:
+        _ROOT.reset(before)
+
+
+def _lies_in(file: Path, root: Path) -> bool:
+    try:
+        place = file.resolve()
+    except (OSError, ValueError, RuntimeError):  # no name, or links in a circle
+        return False
+    return place.is_relative_to(root) or place.is_relative_to(Path(str(resources.files("jounce"))))
 
 
 def _is_file(file: Path) -> bool:

@@ -180,7 +180,7 @@ def test_the_bundle_is_made_from_the_sources_that_stand_here() -> None:
     if not folder.is_dir():
         pytest.skip("the sources of the viewer are not here")
     sources = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json"]
-    sources += sorted(f"src/{file.name}" for file in (folder / "src").iterdir())
+    sources += sorted(file.relative_to(folder).as_posix() for file in (folder / "src").rglob("*") if file.is_file())
     total = sha256()
     for name in sources:
         total.update(f"{name}\0".encode())

@@ -1,0 +1,41 @@
+"""``jounce serve``: the workbench in the browser."""
+
+from __future__ import annotations
+
+import json
+import sys
+from importlib import import_module
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from jounce.cli.reply import Reply
+
+
+def serve(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="The project: a folder of rigs, roads and records.")],
+    port: Annotated[int, typer.Option(help="Port on 127.0.0.1; 0 takes a free one.")] = 0,
+    no_open: Annotated[bool, typer.Option("--no-open", help="Open no browser.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help='Print one line {"url": ..., "token": ...} when it answers, and no text.')
+    ] = False,
+) -> Reply:
+    """Open the workbench of a folder in the browser, until Ctrl-C. Only this machine reaches it.
+
+    Example: jounce serve my-car --port 8123 --no-open
+    """
+
+    def ready(url: str, token: str) -> None:
+        text = json.dumps({"url": url, "token": token}) if as_json else f"The workbench of {folder} is open: {url}"
+        print(text, file=sys.__stdout__, flush=True)  # where answers go, which come at the end of other commands
+        if not as_json:
+            print("Ctrl-C ends it.", file=sys.stderr, flush=True)
+        if not no_open:
+            import webbrowser
+
+            webbrowser.open(url)
+
+    # By its name: the workbench stands above the commands, which it runs for the page.
+    import_module("jounce.web").serve(folder, port=port, ready=ready)
+    return Reply({}, lambda _: None)

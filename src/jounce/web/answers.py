@@ -1,0 +1,151 @@
+"""What the page asks for: runs and sweeps as curves of the viewer, with the Python and the command for the same."""
+
+from __future__ import annotations
+
+import shlex
+import threading
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import tomlkit
+
+from jounce.core.errors import DescriptionError
+from jounce.web.project import Project
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.parts import Rig
+    from jounce.roads import Trial
+
+Changes = Mapping[str, float | str]
+_ONE = threading.Lock()  # a run takes milliseconds: the next request waits, and nothing is compiled twice
+_STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that somebody waits for
+
+
+def rig_of(project: Project, name: str) -> Rig:
+    """Load a rig of the project by its path, or one of the library by its name."""
+    from jounce.core.errors import unknown
+    from jounce.core.files import only_below
+    from jounce.parts import load
+    from jounce.parts.files import library
+
+    if not name.endswith(".toml"):
+        if name not in library():
+            raise unknown(name, library(), what="rig", where="rig")
+        return load(name)
+    file = project.inside(name)
+    with only_below(project.root):
+        return load(file)
+
+
+def described(project: Project, name: str) -> dict[str, Any]:
+    """Numbers of a rig by path: value (SI), unit, and the unit and factor that it is shown in."""
+    from jounce.core.display import display_unit
+    from jounce.parts import rig_findings
+    from jounce.parts.rig import unit_of
+
+    rig = rig_of(project, name)
+    numbers = []
+    for path, value in rig.parameters().items():
+        si = unit_of(rig, path)
+        unit = display_unit(si, abs(value))
+        numbers.append({"path": path, "value": value, "si": si, "unit": unit.name, "factor": unit.factor})
+    return {
+        "name": name,
+        "model": getattr(rig, "model", type(rig).__name__),
+        "spatial": _is_spatial(rig),
+        "numbers": numbers,
+        "findings": [finding.message for finding in rig_findings(rig)],
+    }
+
+
+def simulated(
+    project: Project, name: str, changes: Changes, trial: Mapping[str, Any], channels: Sequence[str] | None
+) -> dict[str, Any]:
+    """Run a rig over an obstacle, as it is and as it is changed: content of a viewer, and how to get the same."""
+    import jounce as jn
+
+    on = _trial(project, trial)
+    with _ONE:
+        runs = {}
+        for label, rig in _variants(rig_of(project, name), changes).items():
+            runs[label] = jn.simulate(rig, on, detail=_is_spatial(rig))
+    road = dict(trial["road"])
+    kind = road.pop("kind")
+    python = (
+        f"import jounce as jn\n\nrig = jn.load({name!r}){_with(changes)}\n"
+        f"road = jn.{type(on.road).__name__}({_arguments(road)})\n"
+        f"run = jn.simulate(rig, jn.Trial(road=road, speed={trial['speed']!r}, duration={trial['duration']!r}))\n"
+    )
+    command = ["jounce", "simulate", name, *_set(changes), "--road", "road.toml"]
+    command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
+    table = tomlkit.dumps({"kind": kind, **road})
+    answer = {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
+    return {**_shown(runs, channels, rig, on), **answer}
+
+
+def swept(project: Project, name: str, changes: Changes, travel: str, channels: Sequence[str] | None) -> dict[str, Any]:
+    """Sweep a 3-D corner over its travel, as it is and as it is changed: as :func:`simulated`."""
+    import jounce as jn
+
+    with _ONE:
+        runs = {}
+        for label, rig in _variants(rig_of(project, name), changes).items():
+            runs[label] = jn.sweep_travel(rig, travel, points=True)
+    python = (
+        f"import jounce as jn\n\nrig = jn.load({name!r}){_with(changes)}\ncurves = jn.sweep_travel(rig, {travel!r})\n"
+    )
+    command = ["jounce", "kinematics", name, *_set(changes), f"--travel={travel}", "--out", "curves.csv"]
+    return {**_shown(runs, channels, rig, None), "python": python, "command": shlex.join(command), "files": {}}
+
+
+def _variants(rig: Rig, changes: Changes) -> dict[str, Rig]:
+    """The rig as the sliders have it, first, and as it is."""
+    return {"changed": rig.with_changes(dict(changes)), "as it is": rig} if changes else {"as it is": rig}
+
+
+def _shown(
+    runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, rig: Rig, trial: Trial | None
+) -> dict[str, Any]:
+    from jounce.plots.comparison import common_channels
+    from jounce.report.live import Viewer, live_data
+    from jounce.report.recordings import curve_blocks
+
+    wanted = common_channels(runs, channels or None)
+    blocks = curve_blocks({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial)
+    return live_data([block for block in blocks if isinstance(block, Viewer)])
+
+
+def _trial(project: Project, table: Mapping[str, Any]) -> Trial:
+    """A trial over one obstacle, or over a road file's table."""
+    from jounce.core.errors import unknown
+    from jounce.core.files import only_below
+    from jounce.roads import ROADS, Trial
+
+    road = dict(table["road"])
+    kind = str(road.pop("kind", ""))
+    if kind not in ROADS:
+        raise unknown(kind, ROADS, what="kind of road", where="road.kind")
+    with only_below(project.root):
+        trial = Trial(road=ROADS[kind](**road), speed=table["speed"], duration=table["duration"])
+    if trial.duration / _STEP > _MOST_STEPS:
+        most = f"up to {_MOST_STEPS * _STEP:g} s"
+        raise DescriptionError("too long to be waited for", where="duration", found=table["duration"], allowed=most)
+    return trial
+
+
+def _with(changes: Changes) -> str:
+    return f".with_changes({dict(changes)!r})" if changes else ""
+
+
+def _set(changes: Changes) -> list[str]:
+    return [part for path, value in changes.items() for part in ("--set", f"{path}={value}")]
+
+
+def _arguments(given: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name}={value!r}" for name, value in given.items())
+
+
+def _is_spatial(rig: Rig) -> bool:
+    return hasattr(rig, "hardpoints")

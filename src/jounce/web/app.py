@@ -1,0 +1,164 @@
+"""The interface underneath the page: one function a question, each a call of what scripts and commands call, too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import metadata, resources
+from pathlib import Path
+from typing import Any
+
+from fastapi import FastAPI, Request
+from fastapi.responses import JSONResponse, Response
+from pydantic import BaseModel, ConfigDict, Field
+
+from jounce.core.errors import JounceError, OutputError, unforeseen
+from jounce.web import answers
+from jounce.web.project import Project, Text
+from jounce.web.safety import Guard
+
+_STATIC = {"/": ("index.html", "text/html"), "/app.js": ("app.js", "text/javascript"),
+           "/app.css": ("app.css", "text/css"), "/icon.svg": ("icon.svg", "image/svg+xml")}  # fmt: skip
+
+
+class _Asked(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+
+
+class Saved(_Asked):
+    """A description to be written; ``was`` is the digest of what it replaces, empty for a new file."""
+
+    path: str
+    text: str
+    was: str = ""
+
+
+class Started(_Asked):
+    """A copy of a shipped file under a name of one's own."""
+
+    name: str
+    path: str
+
+
+class Changed(_Asked):
+    """A rig (path in the project, or name in the library) with changed numbers (SI or with units, by path)."""
+
+    rig: str
+    changes: dict[str, float | str] = Field(default_factory=dict, max_length=200)
+    channels: list[str] = Field(default_factory=list, max_length=60)
+
+
+class Run(Changed):
+    """A run over an obstacle: the table of a road file, a speed and a duration with their units."""
+
+    road: dict[str, Any]
+    speed: float | str
+    duration: float | str
+
+
+class Sweep(Changed):
+    """A sweep over wheel travel: first:last:step, each with its unit."""
+
+    travel: str
+
+
+def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None) -> Guard:
+    """Put the interface over a folder; ``ready`` is called when it answers."""
+    from contextlib import asynccontextmanager
+
+    project = Project(folder)
+    version = metadata.version("jounce")
+
+    @asynccontextmanager
+    async def living(_: FastAPI) -> Any:
+        ready()
+        yield
+
+    app = FastAPI(title="jounce workbench", version=version, docs_url=None, redoc_url=None, lifespan=living)
+
+    @app.exception_handler(JounceError)
+    def refused(_: Request, error: JounceError) -> JSONResponse:
+        found = None if error.found is None else str(error.found)
+        plain = {"what": error.what, "where": error.where, "found": found, "allowed": error.allowed, "hint": error.hint}
+        return JSONResponse({"error": plain | {"text": str(error)}}, 409 if isinstance(error, OutputError) else 422)
+
+    @app.exception_handler(OSError)
+    def unwritten(_: Request, error: OSError) -> JSONResponse:
+        what = error.strerror or str(error)  # a full disk, a name that is too long, no permission
+        return JSONResponse({"error": {"what": what, "text": f"{Path(str(error.filename or '')).name}: {what}."}}, 422)
+
+    @app.exception_handler(Exception)
+    def crashed(_: Request, error: Exception) -> JSONResponse:
+        return JSONResponse({"error": {"what": str(unforeseen(error)), "text": str(unforeseen(error))}}, 500)
+
+    @app.get("/api/health")
+    def health() -> dict[str, str]:
+        """Whether it answers, and its version."""
+        return {"status": "ok", "version": version}
+
+    @app.get("/api/project")
+    def whole() -> dict[str, Any]:
+        """What lies in the folder."""
+        return {"name": project.root.name, "folder": str(project.root), "entries": project.entries()}
+
+    @app.get("/api/library")
+    def library() -> list[dict[str, str]]:
+        """Rigs and vehicles that come with jounce."""
+        from jounce.parts.files import library as shipped
+
+        return [{"name": name} for name in shipped()]
+
+    @app.post("/api/library")
+    def start(asked: Started) -> Text:
+        """Copy a shipped rig into the project."""
+        from jounce.core.errors import unknown
+        from jounce.parts.files import library as shipped
+
+        files = shipped()
+        if asked.name not in files:
+            raise unknown(asked.name, files, what="rig", where="name")
+        return project.write(asked.path, files[asked.name].read_text(encoding="utf-8"))
+
+    @app.get("/api/file")
+    def read(path: str) -> Text:
+        """A description and its digest."""
+        return project.read(path)
+
+    @app.put("/api/file")
+    def save(asked: Saved) -> Text:
+        """Write a description, unless somebody else has changed it meanwhile."""
+        return project.write(asked.path, asked.text, asked.was)
+
+    @app.get("/api/check")
+    def check(path: str) -> dict[str, Any]:
+        """What is wrong with a file of the project, as ``jounce check`` says it."""
+        from jounce.cli.files import check_file
+        from jounce.core.files import only_below
+
+        with only_below(project.root):
+            found = check_file(project.inside(path))
+        return {"kind": found.kind, "what": found.what, "problems": found.problems, "notes": found.notes}
+
+    @app.get("/api/rig")
+    def rig(name: str) -> dict[str, Any]:
+        """Numbers of a rig with their units."""
+        return answers.described(project, name)
+
+    @app.post("/api/simulate")
+    def simulate(asked: Run) -> dict[str, Any]:
+        """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
+        trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
+        return answers.simulated(project, asked.rig, asked.changes, trial, asked.channels)
+
+    @app.post("/api/kinematics")
+    def kinematics(asked: Sweep) -> dict[str, Any]:
+        """A sweep over wheel travel as curves of the viewer, as for a run."""
+        return answers.swept(project, asked.rig, asked.changes, asked.travel, asked.channels)
+
+    for path, (name, kind) in _STATIC.items():
+        app.add_api_route(path, _static(name, kind), include_in_schema=False)
+    return Guard(app, token=token, port=port)
+
+
+def _static(name: str, kind: str) -> Callable[[], Response]:
+    content = resources.files("jounce.web").joinpath("static", name).read_bytes()
+    return lambda: Response(content, media_type=kind)

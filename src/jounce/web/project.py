@@ -1,0 +1,132 @@
+"""The folder that a workbench is opened on: what lies in it, and files read and written without ever leaving it."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.files import content_of
+from jounce.core.writing import write_atomically
+
+_DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are listed
+_HEAD = 4096  # bytes in which a description says what it is
+_SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
+_ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
+_RECORDS = (".nc", ".csv", ".mat", ".mf4", ".parquet", ".tdms", ".uff", ".unv", ".txt", ".dat")
+_PAGES, _RESULTS = (".html", ".pdf"), ("results.json",)
+_LONGEST = 2_000_000  # bytes of a description
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One file of a project: its place in the folder, what it is, and when it was written (s since 1970)."""
+
+    path: str
+    kind: str
+    size: int
+    modified: float
+
+
+@dataclass(frozen=True)
+class Text:
+    """Content of a description, and its digest, by which a later change by somebody else is noticed."""
+
+    path: str
+    text: str
+    digest: str
+
+
+class Project:
+    """A folder and what is below it; nothing else can be reached, also through links."""
+
+    def __init__(self, folder: Path | str) -> None:
+        self.root = Path(folder).resolve(strict=True)
+
+    def inside(self, path: str) -> Path:
+        """Give the file of a path with slashes, relative to the folder; refuse what lies, or leads, elsewhere."""
+        allowed = "a file below the project's folder, by its path relative to it"
+        try:
+            file = (self.root / path).resolve()
+            plain = not path.startswith(("/", "\\")) and file.is_relative_to(self.root) and file != self.root
+        except (OSError, ValueError, RuntimeError):  # a name that is none, links in a circle
+            plain = False
+        if not plain:
+            raise DescriptionError("not a place in this project", where="path", found=path, allowed=allowed)
+        return file
+
+    def entries(self) -> list[Entry]:
+        """List what is here, folder by folder."""
+        found = []
+        for file in self._files():
+            kind = _kind(file)
+            if kind:
+                state = file.stat()
+                path = file.relative_to(self.root).as_posix()
+                found.append(Entry(path, kind, state.st_size, state.st_mtime))
+            if len(found) == _MOST:
+                break
+        return found
+
+    def read(self, path: str) -> Text:
+        """Read a description."""
+        file = self.inside(path)
+        content = content_of(file)
+        if len(content) > _LONGEST:
+            raise DescriptionError("too long for a description", where=path, found=f"{len(content)} bytes")
+        try:
+            return Text(path, content.decode(), _digest(content))
+        except UnicodeDecodeError:
+            raise DescriptionError("not a text", where=path, allowed="a description in UTF-8") from None
+
+    def write(self, path: str, text: str, was: str = "") -> Text:
+        """Write a description; ``was`` is the digest of what it replaces, and nothing for a new file."""
+        file = self.inside(path)
+        if file.suffix.lower() != ".toml":
+            raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
+        if file.exists() and _digest(content_of(file)) != was:
+            hint = "Load it again, and make your change there." if was else "Choose another name."
+            what = "the file was changed meanwhile" if was else "the file exists"
+            raise OutputError(what, where=path, hint=hint)
+        content = text.encode()
+        if len(content) > _LONGEST:
+            raise OutputError("too long for a description", where=path, found=f"{len(content)} bytes")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(file, content, force=bool(was))
+        return Text(path, text, _digest(content))
+
+    def _files(self) -> Iterator[Path]:
+        """Regular files, without hidden ones and without following links, in the order of their names."""
+        for folder, folders, files in os.walk(self.root):
+            here = Path(folder)
+            depth = len(here.relative_to(self.root).parts)
+            folders[:] = sorted(name for name in folders if not name.startswith((".", "__")) and depth < _DEEPEST)
+            for name in sorted(files):
+                file = here / name
+                if not name.startswith(".") and file.is_file() and not file.is_symlink():
+                    yield file
+
+
+def _digest(content: bytes) -> str:
+    return sha256(content).hexdigest()
+
+
+def _kind(file: Path) -> str:
+    suffix = file.suffix.lower()
+    if suffix == ".toml":
+        try:
+            with file.open("rb") as stream:
+                head = stream.read(_HEAD)
+        except OSError:
+            return ""
+        schema = _SCHEMA.search(head)
+        return schema[1].decode() if schema else "road" if _ROAD.search(head) else ""
+    if suffix == ".crg":
+        return "road"
+    if suffix in _PAGES:
+        return "page"
+    return "results" if file.name in _RESULTS else "record" if suffix in _RECORDS else ""

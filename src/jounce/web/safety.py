@@ -1,0 +1,112 @@
+"""Who may ask: this machine only, by its own name, from the page that was opened here or with the printed token.
+
+A page of somebody else's that is open in the same browser can send requests here. It cannot choose the ``Host`` and
+``Origin`` that they carry, it does not know the token, and the cookie of the opened page is not sent along (strict).
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import parse_qs
+
+_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; "
+    "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
+)
+HEADERS = {
+    "Content-Security-Policy": _POLICY,
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cache-Control": "no-store",
+}
+_OPEN = ("/", "/app.js", "/app.css", "/icon.svg")
+"""The page itself, which holds nothing of anybody's."""
+_LARGEST = 4_000_000  # bytes of a request
+
+
+class Guard:
+    """ASGI: lets through what the rules above allow, and says on every answer what its page may do."""
+
+    def __init__(self, app: Any, *, token: str, port: int) -> None:
+        self.app, self.token, self.port = app, token, port
+        self.cookie = f"jounce-{port}"  # the cookies of all ports of a machine are one
+        names = ("127.0.0.1", "localhost")
+        self.hosts = {f"{name}:{port}" for name in names} | (set(names) if port == 80 else set())
+        self.origins = {f"http://{host}" for host in self.hosts}
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        """Answer what is refused, and hand on everything else."""
+        if scope["type"] not in ("http", "websocket"):
+            await self.app(scope, receive, send)
+            return
+        headers = {name.decode("latin-1").lower(): value.decode("latin-1") for name, value in scope["headers"]}
+        problem = self._problem(scope, headers)
+        if problem is not None:
+            await self._refuse(scope, send, *problem)
+        elif scope["type"] == "http" and scope["path"] == "/" and scope["query_string"]:
+            await self._enter(send)
+        else:
+            await self.app(scope, receive, _with_headers(send))
+
+    def _problem(self, scope: Mapping[str, Any], headers: Mapping[str, str]) -> tuple[int, str] | None:
+        if headers.get("host", "").lower() not in self.hosts:
+            return 403, "This workbench answers by its own address only."
+        if headers.get("origin", "").lower() not in self.origins | {""}:
+            return 403, "Pages of other origins may not ask here."
+        if headers.get("content-length", "0").strip() > "" and not headers.get("content-length", "0").isdigit():
+            return 400, "The length of the request is no number."
+        if int(headers.get("content-length", "0")) > _LARGEST or "transfer-encoding" in headers:
+            return 413, f"A request has {_LARGEST} bytes at most, and says how many."
+        if scope["path"] == "/" and scope["query_string"]:
+            given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
+            return None if self._is_token(given) else (401, "This address is not the one that was printed.")
+        if scope["path"] in _OPEN or self._is_known(headers):
+            return None
+        return 401, "The token is missing: open the address that `jounce serve` printed, or send it as a bearer."
+
+    def _is_known(self, headers: Mapping[str, str]) -> bool:
+        scheme, _, given = headers.get("authorization", "").partition(" ")
+        if scheme.lower() == "bearer":
+            return self._is_token(given.strip())
+        for one in headers.get("cookie", "").split(";"):
+            name, _, value = one.strip().partition("=")
+            if name == self.cookie and self._is_token(value):
+                return True
+        return False
+
+    def _is_token(self, given: str) -> bool:
+        return secrets.compare_digest(given.encode(), self.token.encode())
+
+    async def _enter(self, send: Any) -> None:
+        """The address that was printed: its token goes into a cookie, and out of the address."""
+        cookie = f"{self.cookie}={self.token}; Path=/; HttpOnly; SameSite=Strict"
+        await _answer(send, 303, b"", {"Location": "/", "Set-Cookie": cookie})
+
+    async def _refuse(self, scope: Mapping[str, Any], send: Any, status: int, what: str) -> None:
+        if scope["type"] == "websocket":
+            await send({"type": "websocket.close", "code": 1008, "reason": what})
+            return
+        await _answer(send, status, what.encode(), {"Content-Type": "text/plain; charset=utf-8"})
+
+
+async def _answer(send: Any, status: int, body: bytes, headers: Mapping[str, str]) -> None:
+    every = [(name.encode(), value.encode()) for name, value in {**HEADERS, **headers}.items()]
+    every.append((b"Content-Length", str(len(body)).encode()))
+    await send({"type": "http.response.start", "status": status, "headers": every})
+    await send({"type": "http.response.body", "body": body})
+
+
+def _with_headers(send: Any) -> Any:
+    async def sending(message: Any) -> None:
+        if message["type"] == "http.response.start":
+            message["headers"] = [
+                *message.get("headers", []),
+                *((name.encode(), value.encode()) for name, value in HEADERS.items()),
+            ]
+        await send(message)
+
+    return sending

@@ -1,0 +1,69 @@
+"""A server for one folder, on this machine only."""
+
+from __future__ import annotations
+
+import secrets
+import socket
+from collections.abc import Callable
+from pathlib import Path
+
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.optional import require
+
+
+def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None] | None = None) -> None:
+    """Serve the workbench of a folder until the process is told to end (Ctrl-C, SIGTERM).
+
+    Parameters
+    ----------
+    folder : path
+        The project: nothing outside it can be read or written from the page.
+    port : int
+        On 127.0.0.1; 0 takes a free one.
+    ready : callable
+        Hears the address to open, with its token, and the token for scripts, once questions are answered.
+
+    Raises
+    ------
+    DescriptionError
+        Where the folder is none.
+    OutputError
+        Where the port is taken.
+    MissingPackageError
+        Without FastAPI and uvicorn (extra ``web``).
+
+    Examples
+    --------
+    >>> serve("my-car", port=8123)  # doctest: +SKIP
+    """
+    if not Path(folder).is_dir():
+        raise DescriptionError("not a folder", where=str(folder), hint="Create it, or give the one with your files.")
+    uvicorn = require("uvicorn", "web")
+    require("fastapi", "web")
+    from jounce.web.app import create_app
+
+    listening = _listening(port)
+    number = listening.getsockname()[1]
+    token = secrets.token_urlsafe(32)
+    address = f"http://127.0.0.1:{number}/?token={token}"
+    app = create_app(folder, token=token, port=number, ready=lambda: ready(address, token) if ready else None)
+    config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="none")
+    try:
+        uvicorn.Server(config).run(sockets=[listening])
+    except KeyboardInterrupt:
+        pass  # its ordinary end
+    finally:
+        listening.close()
+
+
+def _listening(port: int) -> socket.socket:
+    found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    try:
+        found.bind(("127.0.0.1", port))
+    except (OSError, OverflowError) as error:
+        found.close()
+        what = "no such port" if isinstance(error, OverflowError) else "the port cannot be had"
+        hint = "Choose another port, or none: a free one is taken then."
+        raise OutputError(what, where="--port", found=port, allowed="0 to 65535", hint=hint) from None
+    found.listen(64)
+    return found

@@ -1,0 +1,285 @@
+"""The workbench's server: it answers its own page and scripts with the token, and keeps to its folder."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import shlex
+import socket
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+import pytest
+
+import jounce as jn
+from jounce.cli import main
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.web import serve
+from jounce.web.project import Project
+from jounce.web.safety import HEADERS
+from jounce.web.serving import _listening
+
+uvicorn = pytest.importorskip("uvicorn")
+TOKEN = "a-token-of-these-tests"
+BUMP = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2 m"}
+RUN = {"rig": "kart-quarter-car", "road": BUMP, "speed": "2 m/s", "duration": "0.4 s"}
+
+
+class Asked:
+    """Asks a server, as a script does."""
+
+    def __init__(self, port: int, folder: Path) -> None:
+        self.port, self.folder = port, folder
+
+    def __call__(self, method: str, path: str, body: Any = None, **headers: str | None) -> tuple[int, Any]:
+        given = {"Authorization": f"Bearer {TOKEN}"} | {name.replace("_", "-"): text for name, text in headers.items()}
+        if body is not None:
+            given["Content-Type"] = "application/json"
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        text = None if body is None else json.dumps(body)
+        connection.request(method, path, text, {name: value for name, value in given.items() if value is not None})
+        answer = connection.getresponse()
+        content = answer.read()
+        self.headers = {name.lower(): text for name, text in answer.getheaders()}
+        connection.close()
+        is_json = self.headers.get("content-type", "").startswith("application/json")
+        return answer.status, json.loads(content) if is_json else content.decode()
+
+
+@pytest.fixture(scope="module")
+def ask(tmp_path_factory):
+    from jounce.web.app import create_app
+
+    folder = tmp_path_factory.mktemp("project")
+    listening = _listening(0)
+    port = listening.getsockname()[1]
+    ready = threading.Event()
+    app = create_app(folder, token=TOKEN, port=port, ready=ready.set)
+    server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws="none"))
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
+    thread.start()
+    assert ready.wait(30)
+    yield Asked(port, folder)
+    server.should_exit = True
+    thread.join(10)
+    listening.close()
+
+
+def test_it_says_that_it_is_well_and_what_it_can(ask):
+    status, answer = ask("GET", "/api/health")
+    assert (status, answer["status"], answer["version"]) == (200, "ok", jn.__version__)
+    assert set(ask("GET", "/openapi.json")[1]["paths"]) >= {"/api/health", "/api/project", "/api/simulate", "/api/file"}
+
+
+@pytest.mark.parametrize(
+    "path", ["/api/health", "/api/project", "/openapi.json", "/api/file?path=rig.toml", "/nowhere"]
+)
+def test_nobody_is_answered_without_the_token(ask, path):
+    for wrong in (None, "Bearer ", "Bearer another", "Basic YTpi", f"Bearer {TOKEN}x", TOKEN):
+        assert ask("GET", path, Authorization=wrong)[0] == 401
+    assert ask("GET", path, Authorization=None, Cookie=f"jounce-{ask.port}=another")[0] == 401
+    assert ask("GET", path, Authorization=None, Cookie=f"jounce-{ask.port + 1}={TOKEN}")[0] == 401
+    assert ask("GET", path, Authorization=None, Cookie=f"x=1; jounce-{ask.port}={TOKEN}")[0] != 401
+
+
+def test_the_printed_address_sets_the_cookie_and_loses_the_token(ask):
+    assert ask("GET", f"/?token={TOKEN}", Authorization=None)[0] == 303
+    cookie = ask.headers["set-cookie"]
+    assert cookie.startswith(f"jounce-{ask.port}={TOKEN};")
+    assert {"HttpOnly", "SameSite=Strict"} <= {part.strip() for part in cookie.split(";")}
+    assert ask.headers["location"] == "/"
+    assert ask("GET", "/?token=another", Authorization=None)[0] == 401
+
+
+@pytest.mark.parametrize(
+    "headers",
+    [
+        {"Host": "evil.example"},
+        {"Host": "evil.example:80"},
+        {"Host": "127.0.0.1.evil.example"},
+        {"Host": "127.0.0.1:1"},
+        {"Host": ""},
+        {"Origin": "http://evil.example"},
+        {"Origin": "null"},
+        {"Origin": "https://127.0.0.1"},
+    ],
+    ids=str,
+)
+def test_other_hosts_and_origins_are_refused_with_the_token_too(ask, headers):
+    assert ask("GET", "/api/health", **headers)[0] == 403
+    assert ask("GET", "/", **headers)[0] == 403
+
+
+def test_its_own_origin_is_none_of_them(ask):
+    for name in ("127.0.0.1", "localhost"):
+        assert ask("GET", "/api/health", Host=f"{name}:{ask.port}", Origin=f"http://{name}:{ask.port}")[0] == 200
+
+
+def test_the_page_may_run_its_own_scripts_only_and_fetches_nothing_else(ask):
+    for path in ("/", "/app.js", "/app.css", "/icon.svg", "/api/health"):
+        assert ask("GET", path, Authorization=None if "api" not in path else f"Bearer {TOKEN}")[0] == 200
+        assert {name.lower(): text for name, text in HEADERS.items()}.items() <= ask.headers.items()
+    policy = HEADERS["Content-Security-Policy"]
+    assert "unsafe" not in policy
+    assert "default-src 'none'" in policy
+    page = ask("GET", "/")[1]
+    assert "<script src=" in page
+    assert "style=" not in page
+    assert "://" not in page
+
+
+OUTSIDE = ["../secret.toml", "/etc/hostname", "a/../../secret.toml", "link.toml", "linked/secret.toml", "..", "", ".",
+           "a\x00.toml", "\\\\server\\share"]  # fmt: skip
+
+
+@pytest.mark.parametrize("path", OUTSIDE, ids=lambda text: text[:12].encode("unicode_escape").decode())
+def test_nothing_outside_of_the_folder_is_read_written_or_checked(ask, path):
+    secret = ask.folder.parent / "secret.toml"
+    secret.write_text('schema = "jounce.rig/1"\n# secret\n')
+    for name, target in (("link.toml", secret), ("linked", ask.folder.parent)):
+        if not (ask.folder / name).is_symlink():
+            (ask.folder / name).symlink_to(target)
+
+    for status, answer in (
+        ask("GET", f"/api/file?path={quote(path)}"),
+        ask("GET", f"/api/check?path={quote(path)}"),
+        ask("GET", f"/api/rig?name={quote(path)}"),
+        ask("PUT", "/api/file", {"path": path, "text": "x = 1", "was": ""}),
+        ask("POST", "/api/library", {"name": "kart-quarter-car", "path": path}),
+    ):
+        assert status in (409, 422)
+        assert "secret" not in str(answer).replace("secret.toml", "")
+    assert secret.read_text() == 'schema = "jounce.rig/1"\n# secret\n'
+
+
+def test_names_that_no_system_takes_are_refused(ask):
+    name = f"{'x' * 5000}.toml"
+    assert ask("GET", f"/api/file?path={name}")[0] == 422
+    assert ask("PUT", "/api/file", {"path": name, "text": "x = 1", "was": ""})[0] in (409, 422)
+    assert "no such file" in str(ask("GET", f"/api/check?path={name}")[1]["problems"])
+
+
+def test_descriptions_lead_to_no_file_outside_either(ask):
+    corner = ask.folder.parent / "corner.toml"
+    corner.write_text("a secret")
+    car = (Path(jn.__file__).parent / "parts" / "library" / "audi-a6-full-car.toml").read_text()
+    spatial = 'schema = "jounce.rig/1"\nmodel = "full-car-3d"\nfront = "../corner.toml"\nrear = "../corner.toml"\n'
+    for name, text in (("car.toml", spatial), ("plain.toml", car)):
+        (ask.folder / name).write_text(text)
+    status, answer = ask("GET", "/api/rig?name=car.toml")
+    assert status == 422
+    assert "a secret" not in str(answer)
+    assert ask("GET", "/api/rig?name=plain.toml")[0] == 200
+    road = {"kind": "table", "file": str(corner)}
+    asked = {"rig": "kart-quarter-car", "road": road, "speed": "2 m/s", "duration": "0.2 s"}
+    status, answer = ask("POST", "/api/simulate", asked)
+    assert status == 422
+    assert "a secret" not in str(answer)
+
+
+def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
+    status, made = ask("POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"})
+    assert status == 200
+    assert ask("POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"})[0] == 409
+    text = made["text"].replace("16", "17", 1)
+    status, saved = ask("PUT", "/api/file", {"path": "karts/mine.toml", "text": text, "was": made["digest"]})
+    assert status == 200
+    assert (ask.folder / "karts" / "mine.toml").read_text() == text
+    status, answer = ask("PUT", "/api/file", {"path": "karts/mine.toml", "text": "lost", "was": made["digest"]})
+    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
+    assert ask("GET", "/api/file?path=karts/mine.toml")[1] == saved
+    assert ("karts/mine.toml", "rig") in {
+        (one["path"], one["kind"]) for one in ask("GET", "/api/project")[1]["entries"]
+    }
+    assert ask("GET", "/api/check?path=karts/mine.toml")[1]["problems"] == []
+
+
+def test_the_same_run_in_python_and_on_the_command_line(ask, tmp_path, monkeypatch):
+    """What the page offers to copy gives what the page shows."""
+    asked = {"rig": "kart-quarter-car", "changes": {"strut.spring.rate": "30 N/mm"}, "road": BUMP,
+             "speed": "1.95 m/s", "duration": "0.4 s", "channels": ["sprung.az"]}  # fmt: skip
+    status, answer = ask("POST", "/api/simulate", asked)
+    assert status == 200
+    assert [role["label"] for role in answer["viewers"][0]["roles"]] == ["changed", "as it is"]
+    names: dict[str, Any] = {}
+    exec(answer["python"], names)  # noqa: S102 - that is what it is for
+    by_python = float(abs(names["run"]["sprung.az"]).max())
+    monkeypatch.chdir(tmp_path)
+    for name, text in answer["files"].items():
+        Path(name).write_text(text)
+    assert main(shlex.split(answer["command"])[1:]) == 0
+    by_command = float(abs(jn.read_recording("run.nc")[0]["sprung.az"]).max())
+    assert by_command == pytest.approx(by_python, rel=1e-9)
+    pane = next(pane for pane in answer["viewers"][0]["scenes"][0]["panes"] if pane["name"] == "sprung.az")
+    assert len(pane["curves"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("question", "body", "told"),
+    [
+        ("simulate", RUN | {"rig": "kart-quarter"}, "kart-quarter-car"),
+        ("simulate", RUN | {"road": {"kind": "wave"}}, "kind of road"),
+        ("simulate", RUN | {"road": BUMP | {"height": "10 kg"}}, "height"),
+        ("simulate", RUN | {"speed": "2 kg"}, "speed"),
+        ("simulate", RUN | {"duration": "3 days"}, "too long"),
+        ("simulate", RUN | {"changes": {"strut.spring": 1}}, "strut.spring"),
+        ("kinematics", {"rig": "kart-quarter-car", "travel": "-20 mm:20 mm:2 mm"}, "no kinematics"),
+        ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20:20:2"}, "m"),
+        ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20 mm:20 mm:2 mm", "more": 1}, "more"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_bad_questions_get_one_clear_message(ask, question, body, told):
+    status, answer = ask("POST", f"/api/{question}", body)
+    assert status == 422
+    assert told in str(answer)
+    assert "Traceback" not in str(answer)
+
+
+def test_long_requests_are_refused_before_they_are_read(ask):
+    assert ask("PUT", "/api/file", None, Content_Length="4000001")[0] == 413
+    assert ask("PUT", "/api/file", {"path": "long.toml", "text": "#" * 2_100_000, "was": ""})[0] == 409
+    assert not (ask.folder / "long.toml").exists()
+    with socket.create_connection(("127.0.0.1", ask.port), timeout=10) as plain:
+        plain.sendall(f"GET /api/health HTTP/1.1\r\nHost: 127.0.0.1:{ask.port}\r\nContent-Length: x\r\n\r\n".encode())
+        assert plain.recv(100).split()[1] == b"400"
+
+
+def test_no_folder_no_port(tmp_path):
+    with pytest.raises(DescriptionError, match="not a folder"):
+        serve(tmp_path / "nowhere")
+    with pytest.raises(OutputError, match="no such port"):
+        serve(tmp_path, port=70000)
+    taken = _listening(0)
+    try:
+        with pytest.raises(OutputError, match="cannot be had"):
+            serve(tmp_path, port=taken.getsockname()[1])
+    finally:
+        taken.close()
+
+
+def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):
+    rig = 'schema = "jounce.rig/1"'
+    for name, text in {
+        "rig.toml": rig, "road.toml": 'kind = "half-sine"', "x.toml": "a = 1", "run.csv": "t,x",
+        "notes.txt~": "", ".hidden/rig.toml": rig, "out/results.json": "{}", "out/report.html": "",
+    }.items():  # fmt: skip
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = {entry.path: entry.kind for entry in Project(tmp_path).entries()}
+    described = {"rig.toml": "rig", "road.toml": "road", "run.csv": "record"}
+    assert found == {**described, "out/results.json": "results", "out/report.html": "page"}
+
+
+def test_the_command_prints_one_line_and_ends_when_it_is_told(tmp_path):
+    command = [sys.executable, "-m", "jounce", "serve", str(tmp_path), "--no-open", "--json"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as started:
+        assert started.stdout is not None
+        line = json.loads(started.stdout.readline())
+        assert line["url"].startswith("http://127.0.0.1:")
+        assert line["token"] in line["url"]
+        started.terminate()

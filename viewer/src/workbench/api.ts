@@ -1,0 +1,36 @@
+/** Questions to the server; each answer is plain data, each refusal an error with the server's words. */
+
+export interface Entry { path: string; kind: string; size: number; modified: number }
+export interface Project { name: string; folder: string; entries: Entry[] }
+export interface Text { path: string; text: string; digest: string }
+export interface Checked { kind: string; what: string; problems: string[]; notes: string[] }
+export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
+export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: string[] }
+/** Content of a viewer (see ../data), and how to get the same by other ways. */
+export interface Answer { python: string; command: string; files: Record<string, string> }
+
+async function asked(method: string, path: string, body?: unknown): Promise<Response> {
+  const given = body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json" } };
+  let answer: Response;
+  try {
+    answer = await fetch(path, { method, ...given });
+  } catch {
+    throw new Error("The server does not answer: start it again with jounce serve.");
+  }
+  if (answer.ok) return answer;
+  if (answer.status === 401) throw new Error("This page is not known here any more: open the address that jounce serve printed.");
+  const told = await answer.json().catch(() => null) as { error?: { text: string }; detail?: { msg: string; loc: string[] }[] } | null;
+  throw new Error(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
+}
+
+const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
+const get = async <T>(path: string): Promise<T> => (await asked("GET", path)).json() as Promise<T>;
+
+export const project = () => get<Project>("/api/project");
+export const library = () => get<{ name: string }[]>("/api/library");
+export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
+export const check = (path: string) => get<Checked>(`/api/check?${query({ path })}`);
+export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
+export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
+export const save = async (path: string, text: string, was: string) => (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
+export const curves = async (question: "simulate" | "kinematics", body: unknown) => (await asked("POST", `/api/${question}`, body)).text();

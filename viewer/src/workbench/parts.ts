@@ -1,0 +1,111 @@
+/** Pieces of which the pages are made. */
+
+import { Store } from "../data";
+import { make, written } from "../page";
+import { Player } from "../player";
+import { type Answer, type Rig, type RigNumber } from "./api";
+
+export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
+  return make("label", { class: "field" }, make("span", {}, label), control, ...(note ? [make("small", {}, note)] : []));
+}
+
+export function problem(error: unknown): HTMLElement {
+  return make("p", { class: "problem", role: "alert" }, error instanceof Error ? error.message : String(error));
+}
+
+/** A text that can be copied. */
+export function copied(title: string, text: string): HTMLElement {
+  const button = make("button", { type: "button" }, "Copy");
+  button.addEventListener("click", () => {
+    void navigator.clipboard.writeText(text).then(() => { button.textContent = "Copied"; }, () => { button.textContent = "Select and copy"; });
+  });
+  return make("section", { class: "code" }, make("div", { class: "bar" }, make("h3", {}, title), button), make("pre", { tabindex: "0", "aria-label": title }, text));
+}
+
+/** Numbers of a rig as sliders from half to one and a half of what they are; what is not moved is not sent. */
+export class Sliders {
+  readonly element = make("div", { class: "sliders" });
+  readonly changes: Record<string, number> = {};
+  private readonly rows = make("div", {});
+
+  constructor(rig: Rig, first: string[], private readonly moved: () => void) {
+    const known = new Map(rig.numbers.map((one) => [one.path, one]));
+    const choice = make("select", { "aria-label": "another number" }, make("option", { value: "" }, "another number …"));
+    for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
+    choice.addEventListener("change", () => { const one = known.get(choice.value); if (one) this.add(one); choice.value = ""; });
+    for (const path of first) { const one = known.get(path); if (one) this.add(one); }
+    const back = make("button", { type: "button" }, "All as they were");
+    back.addEventListener("click", () => {
+      for (const path of Object.keys(this.changes)) delete this.changes[path];
+      this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => { one.value = one.defaultValue; });
+      this.moved();
+    });
+    this.element.append(this.rows, make("div", { class: "bar" }, choice, back));
+  }
+
+  private add(one: RigNumber): void {
+    if (this.rows.querySelector(`[data-path="${CSS.escape(one.path)}"]`)) return;
+    const shown = one.value * one.factor, reach = 0.5 * Math.abs(shown) || 1;
+    const text = String(Number(shown.toPrecision(6)));
+    const name = `${one.path} [${one.unit || "–"}]`;
+    const slider = make("input", { type: "range", min: String(shown - reach), max: String(shown + reach), step: String(reach / 100), value: text, "aria-label": name });
+    const number = make("input", { type: "number", step: "any", value: text, "aria-label": `${name}, typed` });
+    const take = (value: string) => {
+      const wanted = Number(value);
+      if (value === "" || !Number.isFinite(wanted)) return;
+      if (value === text) delete this.changes[one.path]; else this.changes[one.path] = wanted / one.factor;
+      this.moved();
+    };
+    slider.addEventListener("input", () => { number.value = String(Number(Number(slider.value).toPrecision(5))); take(number.value); });
+    number.addEventListener("input", () => { slider.value = number.value; take(number.value); });
+    this.rows.append(make("div", { class: "slider", "data-path": one.path }, make("span", { class: "name" }, one.path), slider, number, make("span", { class: "unit" }, one.unit || "–")));
+  }
+}
+
+/** Curves that follow what is asked: one question at a time, the newest next, and the last answer stays until another comes. */
+export class Live {
+  readonly element = make("div", { class: "live" });
+  private readonly state = make("p", { class: "state", role: "status" });
+  private readonly place = make("div", {});
+  private readonly ways = make("div", { class: "ways" });
+  private player: Player | null = null;
+  private busy = false;
+  private again = false;
+  /** Milliseconds from a question to its curves. */
+  readonly times: number[] = [];
+
+  constructor(private readonly question: () => Promise<string>) {
+    this.element.append(this.state, this.place, this.ways);
+  }
+
+  async ask(): Promise<void> {
+    this.again = this.busy;
+    if (this.busy) return;
+    this.busy = true;
+    const began = performance.now();
+    const waiting = setTimeout(() => { this.state.textContent = "computing; the first time a model is compiled once, which takes some seconds"; }, 500);
+    try {
+      const text = await this.question();
+      const store = await Store.open(text);
+      const model = store.content.viewers[0]!;
+      if (this.player) this.player.replace(model, store);
+      else {
+        this.player = new Player(model, store);
+        this.place.replaceChildren(this.player.element);
+      }
+      const { python, command, files } = store.content as unknown as Answer;
+      this.ways.replaceChildren(copied("The same in Python", python), copied("The same on the command line", command),
+        ...Object.entries(files).map(([name, content]) => copied(name, content)));
+      this.times.push(performance.now() - began);
+      this.state.textContent = `computed and drawn in ${written(this.times[this.times.length - 1]!, 2)} ms`;
+      this.state.classList.remove("problem");
+    } catch (error) {
+      this.state.textContent = error instanceof Error ? error.message : String(error);
+      this.state.classList.add("problem");
+    } finally {
+      clearTimeout(waiting);
+      this.busy = false;
+      if (this.again) void this.ask();
+    }
+  }
+}
