@@ -7,14 +7,17 @@ from importlib import metadata, resources
 from pathlib import Path
 from typing import Any
 
-from fastapi import FastAPI, Request
-from fastapi.responses import JSONResponse, Response
 from pydantic import BaseModel, ConfigDict, Field
 
 from jounce.core.errors import JounceError, OutputError, unforeseen
+from jounce.core.optional import require
 from jounce.web import answers
 from jounce.web.project import Project, Text
 from jounce.web.safety import Guard
+
+require("fastapi", "web")  # ruff: isort: split
+from fastapi import FastAPI, Request  # noqa: E402
+from fastapi.responses import JSONResponse, Response  # noqa: E402
 
 _STATIC = {"/": ("index.html", "text/html"), "/app.js": ("app.js", "text/javascript"),
            "/app.css": ("app.css", "text/css"), "/icon.svg": ("icon.svg", "image/svg+xml")}  # fmt: skip
@@ -43,7 +46,7 @@ class Changed(_Asked):
     """A rig (path in the project, or name in the library) with changed numbers (SI or with units, by path)."""
 
     rig: str
-    changes: dict[str, float | str] = Field(default_factory=dict, max_length=200)
+    changes: dict[str, Any] = Field(default_factory=dict, max_length=200)
     channels: list[str] = Field(default_factory=list, max_length=60)
 
 
@@ -51,8 +54,8 @@ class Run(Changed):
     """A run over an obstacle: the table of a road file, a speed and a duration with their units."""
 
     road: dict[str, Any]
-    speed: float | str
-    duration: float | str
+    speed: str
+    duration: str
 
 
 class Sweep(Changed):

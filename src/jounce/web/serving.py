@@ -39,7 +39,6 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     if not Path(folder).is_dir():
         raise DescriptionError("not a folder", where=str(folder), hint="Create it, or give the one with your files.")
     uvicorn = require("uvicorn", "web")
-    require("fastapi", "web")
     from jounce.web.app import create_app
 
     listening = _listening(port)

@@ -34,6 +34,7 @@ BASES = {
     "animate": 'animate kart-double-wishbone --travel "-4 mm:4 mm:4 mm" --report kart.html',
     "check": "check base.csv",
     "library": "library kart-quarter-car",
+    "serve": "serve none --no-open",
     "version": "version",
     "completion": "completion bash",
     "load-cases": "load-cases formula-student-front --car axle=front --car mass=280 --car wheelbase=1.55 "
