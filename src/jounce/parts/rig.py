@@ -57,7 +57,7 @@ def split_path(path: str) -> list[str | int]:
     return parts
 
 
-def change_table(description: BaseModel, changes: dict[str, Any]) -> dict[str, Any]:
+def change_table(description: BaseModel, changes: object) -> dict[str, Any]:
     """Give the description as a table with the values at some paths replaced."""
     if not isinstance(changes, Mapping) or not all(isinstance(path, str) for path in changes):
         allowed = 'values by path, e.g. {"strut.spring.rate": "25 N/mm"}'
