@@ -15,7 +15,15 @@ from corpus.commands import OUTPUTS, SLOW, commands, folder_of_files, said_by, w
 from corpus.descriptions import _DESIGN, _SWEEP
 from corpus.judging import is_clear
 
-READ = ("inspect reevaluate", "inspect history", "inspect search", "inspect export", "inspect verify", "inspect watch")
+READ = (
+    "serve",
+    "inspect reevaluate",
+    "inspect history",
+    "inspect search",
+    "inspect export",
+    "inspect verify",
+    "inspect watch",
+)
 """Commands whose store is there already, or whose folder is looked into."""
 NO_OUTPUTS = [(name, option) for name in ("demo", "campaign run") for option in ("--report", "--figure")]
 """Options that choose among what is written into the folder."""
