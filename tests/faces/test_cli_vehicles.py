@@ -205,7 +205,7 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
         (("animate", FULL, "--report", "a.html", *DRIVE), "has no hardpoints"),
         (("kinematics", HALF, "--travel", "0"), "a lumped rig has no kinematics"),
         (("kinematics", "formula-student-car", "--travel", "0"), "one corner at a time"),
-        (("adjust", HALF, "--set", "spring_preload=1 N"), "are for a double wishbone"),
+        (("adjust", HALF, "--set", "spring_preload=1 N"), "only a rig with hardpoints is adjusted"),
     ],
 )
 def test_commands_for_corners_refuse_vehicles(cli, words: tuple[str, ...], message: str) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import casadi as ca
 from llvmlite import binding as llvm
@@ -99,7 +99,7 @@ class Lanes:
 
 WIDTH = 4
 """Samples that one vector holds in functions that are written for vectors."""
-AnyFunction = ca.Function | Lanes | Packed
+AnyFunction: TypeAlias = ca.Function | Lanes | Packed
 
 
 class Lowering:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
-from typing import Any, ClassVar, Protocol, Self
+from typing import Any, ClassVar, Protocol, Self, TypeAlias
 
 import casadi as ca
 import numpy as np
@@ -21,9 +21,9 @@ from jounce.mechanics.bodies import Body, BodyPoint
 from jounce.mechanics.equations import Track
 from jounce.mechanics.frames import Moving
 
-Number = float | str | ca.SX
+Number: TypeAlias = float | str | ca.SX
 """A number in SI, text with a unit, or an expression of parameters."""
-Vector = Sequence[float | str] | ca.SX
+Vector: TypeAlias = Sequence[float | str] | ca.SX
 """Three numbers in SI or texts with a unit, or three expressions of parameters."""
 Given = Any
 """A field of a description: numbers as they are written, symbols (casadi.SX) once a mechanism has taken it."""

@@ -175,7 +175,7 @@ class _Hoisted:
     @property
     def scalars(self) -> int:
         """Number of extended parameters without lanes."""
-        return self._numbers.shape[0] + len(self._copies)
+        return int(self._numbers.shape[0]) + len(self._copies)
 
     def labels(self, parts: Parts, paths: tuple[str, ...]) -> tuple[tuple[str, int], ...]:
         """Name and parts of every extended parameter."""
