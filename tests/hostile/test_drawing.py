@@ -109,9 +109,9 @@ def test_a_page_that_fails_leaves_results_and_says_so_in_its_place(tmp_path: Pat
     with pytest.raises(DrawingError, match="could not be drawn: MemoryError"):
         write_page(page, tmp_path / "out", files={"results.json": "{}"})
     assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["report.html", "results.json"]
-    assert "could not be drawn" in (tmp_path / "out" / "report.html").read_text()
+    assert "Not drawn yet" in (tmp_path / "out" / "report.html").read_text()
     write_page(lambda: Page("done", ()), tmp_path / "out", files={"results.json": "[]"}, force=True)
-    assert "could not be drawn" not in (tmp_path / "out" / "report.html").read_text()
+    assert "Not drawn yet" not in (tmp_path / "out" / "report.html").read_text()
     with pytest.raises(OutputError, match="not empty") as caught:
         write_page(page, tmp_path / "out", files={"results.json": "{}"})
     assert not isinstance(caught.value, DrawingError)
