@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import json
 import shlex
+import shutil
 import socket
 import subprocess
 import sys
@@ -24,6 +25,7 @@ from jounce.web.safety import HEADERS
 from jounce.web.serving import _listening
 
 uvicorn = pytest.importorskip("uvicorn")
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 TOKEN = "a-token-of-these-tests"
 BUMP = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2 m"}
 RUN = {"rig": "kart-quarter-car", "road": BUMP, "speed": "2 m/s", "duration": "0.4 s"}
@@ -283,3 +285,76 @@ def test_the_command_prints_one_line_and_ends_when_it_is_told(tmp_path):
         assert line["url"].startswith("http://127.0.0.1:")
         assert line["token"] in line["url"]
         started.terminate()
+
+
+@pytest.fixture(scope="module")
+def browser():
+    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    if CHROMIUM is None:
+        pytest.skip("Chromium is not installed")
+    with sync_api.sync_playwright() as playwright:
+        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
+        yield made
+        made.close()
+
+
+@pytest.mark.pages
+@pytest.mark.parametrize(("width", "scheme"), [(1280, "light"), (390, "dark")])
+def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, scheme):
+    context = browser.new_context(viewport={"width": width, "height": 720}, color_scheme=scheme)
+    page = context.new_page()
+    troubles: list[str] = []
+    asked: list[str] = []
+    page.on("console", lambda message: troubles.append(message.text) if message.type != "log" else None)
+    page.on("pageerror", lambda error: troubles.append(str(error)))
+    page.on("request", lambda request: asked.append(request.url))
+
+    def ready(name: str) -> None:
+        page.wait_for_selector(f"html[data-ready={name}]", timeout=60_000)
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+    page.goto(f"http://127.0.0.1:{ask.port}/?token={TOKEN}")
+    ready("project")
+    assert TOKEN not in page.url
+    name = f"kart-{width}.toml"
+    page.get_by_label("Shipped rig").select_option("kart-double-wishbone")
+    page.get_by_label("Name of your file").fill(name)
+    page.get_by_role("button", name="Copy it here").click()
+    ready("rig")
+    assert (ask.folder / name).is_file()
+
+    text = page.get_by_label(f"text of {name}")
+    assert page.get_by_role("button", name="Save").is_disabled()
+    right = text.input_value()
+    text.fill(right.replace('side = "left"', 'side = "lefft"'))
+    page.get_by_role("button", name="Save").click()
+    page.get_by_role("alert").wait_for()
+    assert "lefft" in page.get_by_role("alert").first.inner_text()
+    text.fill(right)
+    page.get_by_role("button", name="Save").click()
+    page.get_by_text("nothing is wrong with it").wait_for()
+
+    page.get_by_role("link", name="Drive it over an obstacle").click()
+    ready("trial")
+    page.wait_for_selector(".player .u-over", timeout=60_000)
+    page.get_by_label("strut.spring.rate [N/mm]", exact=True).press("ArrowRight")
+    page.get_by_role("button", name="as it is").wait_for()
+    assert "strut.spring.rate=" in page.get_by_label("The same on the command line").inner_text()
+    page.get_by_label("Speed", exact=True).fill("2 kg")
+    page.get_by_label("Speed", exact=True).press("Tab")
+    page.get_by_text("wrong unit").wait_for()
+    page.get_by_label("Speed", exact=True).fill("3 m/s")
+    page.get_by_label("Speed", exact=True).press("Tab")
+    page.get_by_text("computed and drawn").wait_for()
+
+    page.get_by_role("link", name="Kinematics").first.click()
+    ready("kinematics")
+    page.get_by_role("link", name=name).click()
+    page.get_by_label("hardpoints.upper_ball_joint[2] [mm]", exact=True).press("ArrowRight")
+    page.get_by_role("button", name="as it is").wait_for(timeout=60_000)
+    dark = page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(21, 25, 29)"
+    assert dark == (scheme == "dark")
+    context.close()
+    assert [one for one in troubles if "422" not in one] == []  # the browser tells refusals, too
+    assert [url for url in asked if not url.startswith((f"http://127.0.0.1:{ask.port}/", "data:", "blob:"))] == []
