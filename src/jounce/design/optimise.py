@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -74,7 +75,7 @@ class Scale:
     def scaled(self, values: Array) -> Array:
         """Give scaled values for those in SI."""
         safe = np.where(self.is_log, self.lower, 1.0)
-        ratio = np.where(self.is_log, self.upper / safe, np.e)
+        ratio = np.where(self.is_log, self.upper / safe, math.e)
         logarithmic = np.log(np.where(self.is_log, values, 1.0) / safe) / np.log(ratio)
         return np.asarray(np.where(self.is_log, logarithmic, (values - self.lower) / (self.upper - self.lower)))
 
