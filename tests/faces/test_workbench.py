@@ -217,7 +217,18 @@ def test_the_same_run_in_python_and_on_the_command_line(ask, tmp_path, monkeypat
     by_command = float(abs(jn.read_recording("run.nc")[0]["sprung.az"]).max())
     assert by_command == pytest.approx(by_python, rel=1e-9)
     pane = next(pane for pane in answer["viewers"][0]["scenes"][0]["panes"] if pane["name"] == "sprung.az")
-    assert len(pane["curves"]) == 2
+    changed, as_it_is = (answer["arrays"][curve["y"]] for curve in pane["curves"])
+    assert changed["low"] == pytest.approx(float(names["run"]["sprung.az"].min()), abs=changed["step"])
+    assert changed["low"] != pytest.approx(as_it_is["low"], rel=1e-3)
+
+
+def test_the_mechanism_that_moves_is_the_changed_one(ask):
+    asked = {"rig": "kart-double-wishbone", "travel": "-10 mm:10 mm:10 mm"}
+    as_it_is = ask("POST", "/api/kinematics", asked)[1]["mechanisms"][0]
+    moved = {"hardpoints.upper_ball_joint[2]": "250 mm"}
+    changed = ask("POST", "/api/kinematics", asked | {"changes": moved})[1]["mechanisms"][0]
+    heights = [one["points"][one["names"].index("upper_ball_joint")][1][2] for one in (as_it_is, changed)]
+    assert heights == pytest.approx([270.83, 250.0], abs=0.01)
 
 
 @pytest.mark.parametrize(
@@ -230,7 +241,7 @@ def test_the_same_run_in_python_and_on_the_command_line(ask, tmp_path, monkeypat
         ("simulate", RUN | {"duration": "3 days"}, "too long"),
         ("simulate", RUN | {"changes": {"strut.spring": 1}}, "strut.spring"),
         ("kinematics", {"rig": "kart-quarter-car", "travel": "-20 mm:20 mm:2 mm"}, "no kinematics"),
-        ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20:20:2"}, "m"),
+        ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20:20:2"}, "20 m"),
         ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20 mm:20 mm:2 mm", "more": 1}, "more"),
     ],
     ids=str,

@@ -67,10 +67,9 @@ def simulated(
     import jounce as jn
 
     on = _trial(project, trial)
+    rigs = _variants(rig_of(project, name), changes)
     with _ONE:
-        runs = {}
-        for label, rig in _variants(rig_of(project, name), changes).items():
-            runs[label] = jn.simulate(rig, on, detail=_is_spatial(rig))
+        runs = {label: jn.simulate(rig, on, detail=_is_spatial(rig)) for label, rig in rigs.items()}
     road = dict(trial["road"])
     kind = road.pop("kind")
     python = (
@@ -82,22 +81,21 @@ def simulated(
     command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
     table = tomlkit.dumps({"kind": kind, **road})
     answer = {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
-    return {**_shown(runs, channels, rig, on), **answer}
+    return {**_shown(runs, channels, rigs, on), **answer}
 
 
 def swept(project: Project, name: str, changes: Changes, travel: str, channels: Sequence[str] | None) -> dict[str, Any]:
     """Sweep a 3-D corner over its travel, as it is and as it is changed: as :func:`simulated`."""
     import jounce as jn
 
+    rigs = _variants(rig_of(project, name), changes)
     with _ONE:
-        runs = {}
-        for label, rig in _variants(rig_of(project, name), changes).items():
-            runs[label] = jn.sweep_travel(rig, travel, points=True)
+        runs = {label: jn.sweep_travel(rig, travel, points=True) for label, rig in rigs.items()}
     python = (
         f"import jounce as jn\n\nrig = jn.load({name!r}){_with(changes)}\ncurves = jn.sweep_travel(rig, {travel!r})\n"
     )
     command = ["jounce", "kinematics", name, *_set(changes), f"--travel={travel}", "--out", "curves.csv"]
-    return {**_shown(runs, channels, rig, None), "python": python, "command": shlex.join(command), "files": {}}
+    return {**_shown(runs, channels, rigs, None), "python": python, "command": shlex.join(command), "files": {}}
 
 
 def _variants(rig: Rig, changes: Changes) -> dict[str, Rig]:
@@ -106,12 +104,14 @@ def _variants(rig: Rig, changes: Changes) -> dict[str, Rig]:
 
 
 def _shown(
-    runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, rig: Rig, trial: Trial | None
+    runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, rigs: Mapping[str, Rig], trial: Trial | None
 ) -> dict[str, Any]:
+    """Curves of all runs; the mechanism is the rig of the first one, which is what moves."""
     from jounce.plots.comparison import common_channels
     from jounce.report.live import Viewer, live_data
     from jounce.report.recordings import curve_blocks
 
+    rig = next(iter(rigs.values()))
     wanted = common_channels(runs, channels or None)
     blocks = curve_blocks({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial)
     return live_data([block for block in blocks if isinstance(block, Viewer)])

@@ -57,9 +57,10 @@ class Guard:
             return 403, "This workbench answers by its own address only."
         if headers.get("origin", "").lower() not in self.origins | {""}:
             return 403, "Pages of other origins may not ask here."
-        if headers.get("content-length", "0").strip() > "" and not headers.get("content-length", "0").isdigit():
+        length = headers.get("content-length", "0").strip()
+        if not length.isdecimal() or not length.isascii():
             return 400, "The length of the request is no number."
-        if int(headers.get("content-length", "0")) > _LARGEST or "transfer-encoding" in headers:
+        if int(length[:20]) > _LARGEST or "transfer-encoding" in headers:
             return 413, f"A request has {_LARGEST} bytes at most, and says how many."
         if scope["path"] == "/" and scope["query_string"]:
             given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
