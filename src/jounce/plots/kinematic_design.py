@@ -10,6 +10,7 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots.display import settled
+from jounce.plots.parallel import between_ends, draw_uprights
 from jounce.plots.style import INK, MUTED, PALETTE, new_figure, styled
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 _COLUMNS = 3
 _MOST_BARS, _MOST_TORNADOES = 8, 9
 _SMALLEST_BAR = 1e-3  # of the largest
-_MOST_NUMBERS, _NOUGHT = 10, 1e-3
+_MOST_NUMBERS = 10
 _SAID, _DARK = 0.05, 0.6
 _AROUND_NAMES = 0.14  # inches: names of points are long, and measured at another resolution than they are drawn
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
@@ -294,21 +295,12 @@ def front_lines(front: KinematicFront) -> Figure:
 
 def _parallel(axes: Axes, table: np.ndarray, names: list[str], units: list[str], colours: np.ndarray) -> None:
     """Draw rows as lines over upright axes, each from its least to its greatest value."""
-    low, high = table.min(axis=0), table.max(axis=0)
-    span = np.where(high > low, high - low, 1.0)
-    shares = np.where(high > low, (table - low) / span, 0.5)
-    for row, colour in zip(shares, colours, strict=True):
+    shares, ends = zip(*map(between_ends, table.T), strict=True)
+    for row, colour in zip(np.array(shares).T, colours, strict=True):
         axes.plot(range(len(names)), row, color=colour, lw=1.2, alpha=0.9, zorder=2.0)
-    for k, (bottom, top) in enumerate(zip(low, high, strict=True)):
-        axes.axvline(k, color=INK, lw=0.8, zorder=1.0)
-        for place, value in ((-0.03, bottom), (1.03, top)):
-            text = f"{0.0 if abs(value) < _NOUGHT else value:.3g}".replace("-", "−")
-            axes.text(k, place, text, ha="center", va="top" if place < 0.0 else "bottom", fontsize=7.5, color=INK)
+    draw_uprights(axes, ends)
     labels = [f"{name} [{unit}]" for name, unit in zip(names, units, strict=True)]
     axes.set_xticks(range(len(names)), labels, rotation=35, ha="right", rotation_mode="anchor", fontsize=8)
-    axes.set(ylim=(-0.12, 1.12), xlim=(-0.4, len(names) - 0.6), yticks=[])
-    axes.grid(visible=False)
-    axes.spines[:].set_visible(False)
     axes.set_title("designs of the front" if len(table) > 1 else "the design", loc="left")
 
 

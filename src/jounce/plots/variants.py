@@ -9,7 +9,8 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError
-from jounce.plots.style import INK, MUTED, PALETTE, at_tick, limits, new_figure, styled
+from jounce.plots.parallel import between_ends, draw_uprights
+from jounce.plots.style import INK, MUTED, PALETTE, at_tick, new_figure, styled
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 from jounce.variants.summary import bands
 
@@ -189,37 +190,30 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     chosen = _chosen(many, _MOST_LINES)
     chosen = chosen[np.isfinite(first[chosen])]
     chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # what is least lies on top
-    shares, ends = [], []
+    shares, ends, units = [], [], []
     for name in columns:
         unit = _unit(many[name])
         values = many[name].to_numpy() * unit.factor
-        low, high = float(np.nanmin(values)), float(np.nanmax(values))
-        shares.append((values[chosen] - low) / (high - low) if high > low else np.full(len(chosen), 0.5))
-        ends.append((low, high, unit))
+        share, end = between_ends(values)
+        shares.append(share[chosen])
+        ends.append(end)
+        units.append(unit)
     lines = np.stack(
         [np.broadcast_to(np.arange(len(columns)), (len(chosen), len(columns))), np.array(shares).T], axis=2
     )
     alpha = float(np.clip(60.0 / max(len(chosen), 1), 0.12, 0.8))
     drawn = LineCollection(list(lines), cmap="viridis", linewidths=0.9, alpha=alpha, rasterized=True)
-    drawn.set_array(first[chosen] * ends[len(columns) - len(names)][2].factor)
+    drawn.set_array(first[chosen] * units[len(columns) - len(names)].factor)
     axes.add_collection(drawn)
-    for k, (low, high, _) in enumerate(ends):
-        axes.plot([k, k], [0.0, 1.0], color=INK, linewidth=0.7)
-        for place, value, align in ((-0.02, low, "top"), (1.02, high, "bottom")):
-            axes.annotate(f"{value:.4g}".replace("-", "−"), (k, place), ha="center", va=align, fontsize=7.5)
-    limits(axes, -0.3, len(columns) - 0.7)
-    axes.set_ylim(-0.12, 1.12)
+    draw_uprights(axes, ends)
     names_at = [
         f"{_broken(name)}\n[{unit.name}]" if unit.name else _broken(name)
-        for name, (_, _, unit) in zip(columns, ends, strict=True)
+        for name, unit in zip(columns, units, strict=True)
     ]
     axes.set_xticks(range(len(columns)), names_at, fontsize=7.5)
-    axes.set_yticks([])
-    axes.spines["left"].set_visible(False)
-    axes.grid(visible=False)
     bar = figure.colorbar(drawn, ax=axes, pad=0.01, aspect=30)
     bar.solids.set_alpha(1.0)  # type: ignore[union-attr]
-    bar.set_label(ends[len(columns) - len(names)][2].label(names[0]), fontsize=8.5)
+    bar.set_label(units[len(columns) - len(names)].label(names[0]), fontsize=8.5)
     bar.outline.set_visible(False)
     return figure
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from jounce.design.spread import KinematicSpread
 
 _POINTS = 41
+_FINE = 1e-6  # of a tolerance: what rounding leaves of nothing
 _SMALLEST = 0.02  # m of travel that is shown at least
 
 
@@ -112,7 +113,7 @@ def _targets(found: KinematicDesign) -> Table:
             (
                 target.label + (", must hold" if target.must else ""),
                 unit.name or "–",
-                *(_span(value, unit.factor) for value in (target.before, target.after)),
+                *(_span(value, unit.factor, _FINE * target.tolerance) for value in (target.before, target.after)),
                 _wanted(target, unit.factor),
                 f"± {number(target.tolerance * unit.factor, 2)}",
                 Cell("met", "good") if target.met else Cell("missed", "bad"),
@@ -122,9 +123,10 @@ def _targets(found: KinematicDesign) -> Table:
     return Table("Targets", header, tuple(rows), "llrrrrl", "Curves are given by their least and greatest value.")
 
 
-def _span(value: float | list[float], factor: float) -> str:
+def _span(value: float | list[float], factor: float, least: float = 0.0) -> str:
+    """Write a value, or the ends of a curve; what is less than ``least`` is nothing."""
     ends = [value, value] if isinstance(value, float) else [min(value), max(value)]
-    return " to ".join(dict.fromkeys(number(end * factor) for end in ends))
+    return " to ".join(dict.fromkeys(number(0.0 if abs(end) < least else end * factor) for end in ends))
 
 
 def _wanted(target: TargetResult, factor: float) -> str:

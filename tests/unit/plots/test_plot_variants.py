@@ -87,3 +87,14 @@ def test_what_cannot_be_drawn_is_said():
     with pytest.raises(DescriptionError, match="no number varies"):
         scatter_matrix(runs().isel(variant=[0]))
     assert jn.plots.figure_of(runs()).axes[0].get_title("left") == "max x.z"
+
+
+def test_upright_axes_are_drawn_as_their_ends_are_written():
+    """A difference that nobody can read is no line across the picture, and rounding is nothing."""
+    from jounce.plots.parallel import between_ends
+
+    shares, ends = between_ends(np.array([2.0, 4.0, 3.0]))
+    assert (shares.tolist(), ends) == ([0.0, 1.0, 0.5], ("2.000", "4.000"))
+    shares, ends = between_ends(np.array([-15.0, -15.0 + 1e-6]))
+    assert (shares.tolist(), ends) == ([0.5, 0.5], ("−15.00", "−15.00"))
+    assert between_ends(np.array([5.6e-6, 2.957]))[1] == ("0", "2.957")
