@@ -1,0 +1,25 @@
+/** What a page of the workbench is, and what pages share: addresses, rigs to choose from, and the live curves that are open. */
+
+import { make } from "../page";
+import * as api from "./api";
+import type { Live } from "./parts";
+
+export type Values = URLSearchParams;
+/** A page has a word in the head and fills its place; an error that it throws is shown there with the way back. */
+export interface Page { label: string; show: (place: HTMLElement, values: Values) => Promise<void> }
+
+export const RIGS = ["rig"];
+export const address = (page: string, values: Record<string, string> = {}) => `#/${page}?${new URLSearchParams(values)}`;
+
+/** The live curves of the open page, for whoever measures them. */
+export let live: Live | null = null;
+export function setLive(curves: Live | null): void { live = curves; }
+
+/** Rigs to choose from, where none was. */
+export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false): Promise<void> {
+  const { entries } = await api.project();
+  const names = [...entries.filter((entry) => RIGS.includes(entry.kind)).map((entry) => entry.path), ...(shipped ? (await api.library()).map((one) => one.name) : [])];
+  place.replaceChildren(make("h1", {}, label), names.length
+    ? make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name }) }, name))))
+    : make("p", { class: "empty" }, "No rig lies here yet: ", make("a", { href: address("project") }, "start from an example"), "."));
+}
