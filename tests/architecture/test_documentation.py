@@ -24,7 +24,8 @@ PAGES = {
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")))
     if page.name != "public-names.md" and page.parent.name != "_generated"  # written when the documentation is built
 }
-BLOCK = re.compile(r"^```(python|toml|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(python|toml|console|\{code-cell\} ipython3)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+OPTIONS = re.compile(r"---\n.*?^---\n|(?::[^\n]*\n)+", re.MULTILINE | re.DOTALL)  # of a cell
 FILE = re.compile(r"# file: (\S+)\n")
 ELSEWHERE = ("jounce demo",)  # takes half a minute; tests/recovery runs the same
 
@@ -76,9 +77,11 @@ def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
     count = 0
     for kind, text in blocks(page):
         file = FILE.match(text)
-        if kind == "python":
+        if kind not in {"console", "toml"}:
+            options = OPTIONS.match(text) if kind != "python" else None
+            code = compile(text[options.end() if options else 0 :], str(page), "exec", dont_inherit=True)
             with contextlib.redirect_stdout(io.StringIO()):
-                exec(compile(text, str(page), "exec", dont_inherit=True), names)  # noqa: S102 - our own pages
+                exec(code, names)  # noqa: S102 - our own pages
         elif kind == "console":
             run_console(text, monkeypatch)
         elif file:
@@ -92,6 +95,7 @@ def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
 def test_blocks_run(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "200")
+    monkeypatch.setattr("webbrowser.open", lambda _: True)  # no window for `jn.plots.show`
     assert run_page(PAGES[name], monkeypatch) > 0
 
 
@@ -99,6 +103,9 @@ def test_blocks_run(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     "text",
     [
         "```python\nassert 1 == 2\n```\n",
+        "```{code-cell} ipython3\nassert 1 == 2\n```\n",
+        "```{code-cell} ipython3\n:tags: [hide-input]\nassert 1 == 2\n```\n",
+        "```{code-cell} ipython3\n---\nmystnb:\n  image:\n    alt: a line\n---\nassert 1 == 2\n```\n",
         "```console\n$ jounce version\n python 2.7\n```\n",
         "```console\n$ jounce bench spede\n```\n",
         "```console\n$ jounce version  # exit code 1\n```\n",

@@ -151,19 +151,17 @@ def _annotate(document: tomlkit.TOMLDocument, path: str, words: str) -> None:
 
     A line that holds other values, too, keeps its comment.
     """
-    container: Container = document
-    item: Any = None
-    *_, last = split_path(path)
-    for part in split_path(path):
-        if part not in container:
-            break
-        above, item = container, container.item(str(part))
-        if not isinstance(item, Table):
-            _drop_comments_above(above, str(part))
-            break
-        container = item.value
-    if item is None:
+    *_, last = parts = split_path(path)
+    way = _way_to(document, parts)
+    if not way:
         return
+    item: Any = way[-1][0].body[way[-1][1]][1]
+    if not isinstance(item, Table):
+        for container, place in reversed(way):  # the comments above `strut.angle = ...` stand above `strut`
+            key = container.body[place][0]
+            if (container, place) != way[-1] and not (key is not None and key.is_dotted()):
+                break
+            _drop_comments_above(container, place)
     kept = ""
     if isinstance(item, InlineTable):
         kept, words = item.trivia.comment.removeprefix("#").strip(), f"{last} {words}"
@@ -172,8 +170,20 @@ def _annotate(document: tomlkit.TOMLDocument, path: str, words: str) -> None:
     item.trivia.comment_ws = gap  # which the comment made one blank
 
 
-def _drop_comments_above(container: Container, name: str) -> None:
-    place = next(i for i, (key, _) in enumerate(container.body) if key is not None and key.key == name)
+def _way_to(container: Container, parts: Sequence[str | int]) -> list[tuple[Container, int]]:
+    """Give what holds each part of a path and its place there, as far as the file writes it.
+
+    A table written with dotted keys (`strut.angle = ...`) stands in several places; the one that leads furthest counts.
+    """
+    ways: list[list[tuple[Container, int]]] = []
+    for place, (key, item) in enumerate(container.body):
+        if key is not None and key.key == parts[0]:
+            below = _way_to(item.value, parts[1:]) if isinstance(item, Table) and parts[1:] else []
+            ways.append([(container, place), *below])
+    return max(ways, key=len, default=[])
+
+
+def _drop_comments_above(container: Container, place: int) -> None:
     while place and isinstance(container.body[place - 1][1], Comment):
         place -= 1
         container.body[place] = (None, Null())

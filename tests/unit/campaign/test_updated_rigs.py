@@ -1,0 +1,32 @@
+"""Rig files of a campaign: where a value stands in the described file, however its tables are written."""
+
+import tomlkit
+
+from jounce.campaign.updated_rigs import _annotate
+
+
+def test_values_of_dotted_keys_are_annotated_on_their_own_lines():
+    document = tomlkit.parse(
+        'strut.angle = "26 deg"  # as built\n'
+        "# of the catalogue\n"
+        "strut.spring.rate = 22700\n"
+        'title = "between"\n'
+        "strut.friction.force = 3\n"
+        "tyre = {stiffness = 138000}\n"
+        "[strut.damper]\n"
+        "coefficient = 180\n"
+    )
+    _annotate(document, "strut.spring.rate", "measured")
+    _annotate(document, "strut.friction.force", "fitted")
+    _annotate(document, "strut.damper.coefficient", "fitted, too")
+    _annotate(document, "tyre.stiffness", "guessed")
+    _annotate(document, "guide.friction.force", "is nowhere")
+    assert tomlkit.dumps(document).splitlines() == [
+        'strut.angle = "26 deg"  # as built',
+        "strut.spring.rate = 22700  # measured",
+        'title = "between"',
+        "strut.friction.force = 3  # fitted",
+        "tyre = {stiffness = 138000}  # stiffness guessed",
+        "[strut.damper]",
+        "coefficient = 180  # fitted, too",
+    ]
