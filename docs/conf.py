@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import inspect
+import shutil
 import sys
 import types
 from pathlib import Path
@@ -14,10 +16,18 @@ author = "jounce contributors"
 copyright = "2026, jounce contributors"
 version = release = jounce.__version__
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
 exclude_patterns = ["_build", "_generated"]
 myst_enable_extensions = ["deflist"]
 myst_heading_anchors = 3
+nb_execution_mode = "cache"  # tutorials are notebooks: they are run where their cells or jounce have changed
+nb_execution_in_temp = True
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300  # s, of a cell
+nb_merge_streams = True
+nb_output_stderr = "remove"  # what compiles, says so there
+html_static_path = ["_static"]
+html_css_files = ["notebooks.css"]
 html_theme = "furo"
 html_title = f"jounce {release}"
 html_show_sphinx = False
@@ -48,6 +58,21 @@ def write_public_names(folder: Path) -> None:
         page.write_text(text, encoding="utf-8")
 
 
+def cache_of_notebooks(folder: Path) -> str:
+    """Give the cache of what notebooks showed with these sources of jounce; those of earlier sources are removed."""
+    digest = hashlib.sha256()
+    sources = Path(jounce.__file__).parent
+    for file in sorted(sources.rglob("*")):
+        if file.suffix in {".py", ".toml", ".csv"}:
+            digest.update(str(file.relative_to(sources)).encode() + b"\0" + file.read_bytes())
+    cache = folder / digest.hexdigest()[:12]
+    for other in folder.glob("*"):
+        if other != cache:
+            shutil.rmtree(other)
+    return str(cache)
+
+
+nb_execution_cache_path = cache_of_notebooks(Path(__file__).parent / "_build" / "notebooks")
 write_public_names(Path(__file__).parent)
 sys.path.insert(0, str(Path(__file__).parent))
 import make_faces  # noqa: E402
