@@ -30,7 +30,7 @@ from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import prepare
 
 ERROR = 1e-6
-PAGE = Path(__file__).parent.parent / "docs" / "benchmarks.md"
+PAGE = Path(__file__).parent.parent / "docs" / "explanation" / "benchmarks.md"
 
 
 def obstacle_rows() -> list[Row]:

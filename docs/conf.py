@@ -18,7 +18,7 @@ version = release = jounce.__version__
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
 exclude_patterns = ["_build", "_generated"]
-myst_enable_extensions = ["deflist"]
+myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"  # tutorials are notebooks: they are run where their cells or jounce have changed
 nb_execution_in_temp = True
@@ -31,6 +31,8 @@ html_css_files = ["notebooks.css"]
 html_theme = "furo"
 html_title = f"jounce {release}"
 html_show_sphinx = False
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
 bibtex_bibfiles = ["../references.bib"]
 bibtex_default_style = "unsrt"
 autodoc_typehints = "none"  # the sections say type, unit and shape
@@ -52,7 +54,7 @@ def write_public_names(folder: Path) -> None:
             directive = "autoclass" if inspect.isclass(value) else "autofunction"
             target = f"{value.__module__}.{value.__qualname__}"
         lines += [f"## {name}", "", "```{eval-rst}", f".. {directive}:: {target}", "```", ""]
-    page = folder / "public-names.md"
+    page = folder / "reference" / "public-names.md"
     text = "\n".join(lines)
     if not page.is_file() or page.read_text(encoding="utf-8") != text:
         page.write_text(text, encoding="utf-8")

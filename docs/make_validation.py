@@ -1,4 +1,4 @@
-"""Writes the table of docs/kinematics-validation.md: every row of the catalogue beside differences of poses."""
+"""Writes the table of explanation/kinematics-validation.md: every row of the catalogue beside differences of poses."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = Path(__file__).with_name("kinematics-validation.md")
+PAGE = Path(__file__).parent / "explanation" / "kinematics-validation.md"
 MARK = "<!-- what follows is written by docs/make_validation.py -->\n\n"
 _OF_AXIS = "steering axis"
 _AT_GROUND = f"{_OF_AXIS}, at the height of the contact point"

@@ -1,4 +1,4 @@
-"""Writes the table of docs/recordings.md: files made from a known truth in every variant, and what became of them."""
+"""Writes the table of how-to/recordings.md: files made from a known truth in every variant, and what became of them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from jounce.recordings import read_recording
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.schema import channel_unit
 
-PAGE = Path(__file__).with_name("recordings.md")
+PAGE = Path(__file__).parent / "how-to" / "recordings.md"
 MARK = "<!-- what follows is written by docs/make_variants.py -->\n\n"
 TIME = np.arange(1500) * 0.002
 CHANNELS = ("sprung.az", "strut.deflection", "strut.force")

@@ -1,6 +1,6 @@
 """Every row of the catalogue against differences of poses, of every suspension, on both sides, steered and not.
 
-``docs/make_validation.py`` writes the table of ``docs/kinematics-validation.md`` from the same cases.
+``docs/make_validation.py`` writes the table of ``docs/explanation/kinematics-validation.md`` from the same cases.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import jounce as jn
 from jounce.kinematics.catalogue import CATALOGUE
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "docs" / "kinematics-validation.md"
+PAGE = ROOT / "docs" / "explanation" / "kinematics-validation.md"
 
 
 @pytest.fixture(scope="module")

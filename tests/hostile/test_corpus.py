@@ -115,7 +115,7 @@ def test_it_has_the_size_that_is_told() -> None:
 
 @pytest.mark.parametrize("part", PARTS)
 def test_the_page_tells_what_is_tried_and_that_nothing_is_bad(part: str) -> None:
-    page = (Path(__file__).parents[2] / "docs" / "robustness.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "explanation" / "robustness.md").read_text(encoding="utf-8")
     _, _, told = page.partition(f"### {TITLES[part]}")
     rows = [line.strip("| ").split(" | ") for line in told.split("###")[0].splitlines() if line.startswith("|")]
     heads, whole = rows[0], next(row for row in rows if row[0] == "**all**")

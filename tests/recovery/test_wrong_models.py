@@ -37,7 +37,7 @@ def test_truths_lie_in_the_intervals_that_count_model_error(seed):
 
 @pytest.mark.slow
 def test_a_hundred_benches_are_covered_at_useful_widths():
-    """Other seeds than those it was developed on (0 to 11, 300 to 329); the table is in docs/identification.md."""
+    """Other seeds than those it was developed on (0 to 11, 300 to 329); the table is in the page on identification."""
     rows = [row for seed in range(100, 200) for row in wrong_models.rows_of(seed)]
     covered, noise_only, firm, identified = summed_up(rows)
     table = wrong_models.table(rows)

@@ -1,7 +1,7 @@
 """``python -m corpus``: run the corpus, or a part of it (``files 300 mat5 -v``), and print its counts.
 
-``python -m corpus --page docs/robustness.md`` writes the counts of all parts to the end of the page; ``commands`` or
-another part behind it, of that part alone; and names of its rows, of these alone.
+``python -m corpus --page docs/explanation/robustness.md`` writes the counts of all parts to the end of the page;
+``commands`` or another part behind it, of that part alone; and names of its rows, of these alone.
 """
 
 from __future__ import annotations
