@@ -46,9 +46,9 @@ export interface Mechanism {
   names: string[];
   onBody: boolean[];
   feet: number[]; // points that are drawn to and are no hardpoints
-  points: number[][][]; // point, pose, xyz in mm, with the body at its design position
-  spin: number[][]; // pose, xyz
-  contact: number[][]; // pose, xyz in mm
+  points: ArrayLike<number>[][]; // point, pose, xyz in mm, with the body at its design position
+  spin: ArrayLike<number>[]; // pose, xyz
+  contact: ArrayLike<number>[]; // pose, xyz in mm
   parts: Part[];
   brackets: [number, number, number, number, string][];
   strut: { spring: [number, number]; damper: [number, number]; radius: number; tube: number; coils: number; colour: string };
@@ -57,10 +57,12 @@ export interface Mechanism {
 }
 interface Packed { n: number; at: number; order: number; low: number; step: number; even?: [number, number] }
 interface Content { viewers: Model[]; mechanisms: Mechanism[]; arrays: Packed[]; packed: string }
+/** Of an answer: the places of a mechanism are indices of arrays. */
+interface Straight { points: number[]; spin: number; contact: number }
 
 export type Numbers = Float64Array | (number | null)[];
 
-/** All arrays of a page: sixteen bits a number, as differences in two planes of bytes, deflated. */
+/** All arrays of a page: sixteen bits a number, as differences in two planes of bytes, deflated; or an answer's, as they are. */
 export class Store {
   private readonly made: (Numbers | undefined)[] = [];
   private constructor(readonly content: Content, private readonly bytes: Uint8Array) {}
@@ -75,10 +77,30 @@ export class Store {
     return new Store(content, new Uint8Array(await new Response(stream).arrayBuffer()));
   }
 
+  /** An answer of the workbench's server: the length of its plain part, that, and all numbers. */
+  static of(buffer: ArrayBuffer): Store {
+    const length = new DataView(buffer).getUint32(0, true), start = 4 + length;
+    const content = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Content;
+    const store = new Store(content, new Uint8Array(0));
+    content.arrays.forEach(({ n, at }, i) => {
+      const found = new Float64Array(buffer, start + at, n);
+      store.made[i] = found.some(Number.isNaN) ? Array.from(found, (one) => (Number.isNaN(one) ? null : one)) : found;
+    });
+    const rows = (index: number) => {
+      const flat = new Float64Array(buffer, start + content.arrays[index]!.at, content.arrays[index]!.n);
+      return Array.from({ length: flat.length / 3 }, (_, i) => flat.subarray(3 * i, 3 * i + 3));
+    };
+    for (const one of content.mechanisms) {
+      const { points, spin, contact } = one as unknown as Straight;
+      Object.assign(one, { points: points.map(rows), spin: rows(spin), contact: rows(contact) });
+    }
+    return store;
+  }
+
   /** The smallest step between two values of an array; 0 where it is exact. */
   step(index: number): number {
     const { even, step } = this.content.arrays[index]!;
-    return even ? 0 : step;
+    return even || !step ? 0 : step;
   }
 
   get(index: number): Numbers {

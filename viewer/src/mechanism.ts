@@ -115,10 +115,13 @@ export class MechanismView {
   }
 
   show(mechanism: Mechanism, motion: Motion | null): void {
-    const isNew = mechanism !== this.shown;
+    const before = this.shown;
     this.motion = motion;
-    if (isNew) { this.shown = mechanism; this.build(mechanism); this.look("space"); }
-    else this.build(mechanism);
+    this.shown = mechanism;
+    if (before === null || kind(before) !== kind(mechanism)) {
+      this.build(mechanism);
+      this.look("space");
+    } else if (before !== mechanism) this.redraw(mechanism);
     this.set(this.now);
   }
 
@@ -195,13 +198,19 @@ export class MechanismView {
     this.isDirty = true;
   }
 
+  /** Other places of the same mechanism: only its ways are drawn anew, all else moves. */
+  private redraw(m: Mechanism): void {
+    for (const [i, line] of this.pathGroup.children.entries())
+      ((line as Line).geometry as BufferGeometry).setFromPoints(way(i ? m.contact : m.points[m.wheel.centre]!));
+  }
+
   private build(m: Mechanism): void {
     this.space.remove(this.group);
     this.group.traverse((one) => { if (one instanceof Mesh || one instanceof Line) one.geometry.dispose(); });
     this.group = new Group();
     this.space.add(this.group);
     this.update = [];
-    this.points = m.points.map((poses) => new Vector3(...(poses[0] as [number, number, number])));
+    this.points = m.points.map((poses) => new Vector3(poses[0]![0], poses[0]![1], poses[0]![2]));
     const size = m.wheel.radius / 22;
     const dark = colour("ink");
     const tint = (name: string) => (name === "#22262b" ? dark : name); // the upright is drawn in ink
@@ -215,9 +224,9 @@ export class MechanismView {
       }
       if (part.plate && part.points.length >= 3) this.plate(part.points, tint(part.colour));
     }
-    for (const [point, first, second, share, name] of m.brackets) {
+    for (const [i, [point, first, second, , name]] of m.brackets.entries()) {
       const rod = new Rod(this.group, new MeshLambertMaterial({ color: new Color(tint(name)) }), 0.5 * size);
-      this.update.push(() => rod.between(this.points[point]!, this.points[first]!.clone().lerp(this.points[second]!, share)));
+      this.update.push(() => rod.between(this.points[point]!, this.points[first]!.clone().lerp(this.points[second]!, this.shown!.brackets[i]![3])));
     }
     this.strut(m, size);
     this.joints(m, size);
@@ -253,8 +262,8 @@ export class MechanismView {
     const visible = this.pathGroup.visible, material = new LineBasicMaterial({ color: new Color(colour("accent")) });
     this.pathGroup = new Group();
     this.pathGroup.visible = visible;
-    for (const way of [m.points[m.wheel.centre]!, m.contact])
-      this.pathGroup.add(new Line(new BufferGeometry().setFromPoints(way.map(([x, y, z]) => new Vector3(x, y, z))), material));
+    for (const places of [m.points[m.wheel.centre]!, m.contact])
+      this.pathGroup.add(new Line(new BufferGeometry().setFromPoints(way(places)), material));
     this.group.add(this.pathGroup);
     this.update.push(() => this.pathGroup.position.setZ(this.now.body));
   }
@@ -391,6 +400,15 @@ export class MechanismView {
       name.label.style.transform = `translate(${name.x}px, ${name.y}px)`;
     });
   }
+}
+
+function way(places: ArrayLike<number>[]): Vector3[] {
+  return places.map((place) => new Vector3(place[0]!, place[1]!, place[2]!));
+}
+
+/** What a mechanism is drawn of, but for its places. */
+function kind({ points: _points, spin: _spin, contact: _contact, travel: _travel, brackets, ...rest }: Mechanism): string {
+  return JSON.stringify([rest, brackets.map(([point, first, second]) => [point, first, second])]);
 }
 
 function pointsOf(geometry: BufferGeometry): Vector3[] {

@@ -41,6 +41,7 @@ export class LinkedPlots {
   }
 
   show(plotted: Plotted, keep: [number, number] | null = null): void {
+    if (this.refresh(plotted, keep)) return;
     this.clear();
     this.shown = plotted;
     const { x } = plotted, first = x[0] as number, last = x[x.length - 1] as number;
@@ -50,7 +51,25 @@ export class LinkedPlots {
     this.zoomed(this.range);
   }
 
+  /** Puts other numbers into the plots that stand there; whether they are of the same kind. */
+  private refresh(plotted: Plotted, keep: [number, number] | null): boolean {
+    const kind = (one: Plotted) => JSON.stringify([one.xLabel, one.panes.map((pane) => [pane.title, pane.unit, pane.lines.map((line) => [line.label, line.role])])]);
+    if (!this.shown || kind(this.shown) !== kind(plotted)) return false;
+    this.shown = plotted;
+    const { x } = plotted;
+    this.range = keep ?? plotted.window ?? [x[0] as number, x[x.length - 1] as number];
+    plotted.panes.forEach((pane, k) => {
+      const plot = this.plots[k]!;
+      pane.lines.forEach((line, i) => { if (plot.series[i + 1]!.show !== line.shown) plot.setSeries(i + 1, { show: line.shown }); });
+      plot.setData([x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData);
+    });
+    this.mark(this.place);
+    this.zoomed(this.range);
+    return true;
+  }
+
   clear(): void {
+    this.shown = null;
     for (const plot of this.plots) plot.destroy();
     this.plots = []; this.heads = []; this.marks = [];
     this.element.replaceChildren();
@@ -114,7 +133,10 @@ export class LinkedPlots {
     });
   }
 
-  repaint(): void { if (this.shown) this.show(this.shown, this.range); }
+  repaint(): void {
+    const { shown, range } = this;
+    if (shown) { this.clear(); this.show(shown, range); }
+  }
 
   private add(pane: PlotPane, isLast: boolean): void {
     const plotted = this.shown!;

@@ -131,7 +131,7 @@ def common_channels(
 ) -> list[str]:
     """Give the channels to draw, which all runs hold."""
     axis = common_axis(runs)
-    held = [[str(name) for name in data.data_vars if data[name].dims == (axis,)] for data in runs.values()]
+    held = [[str(name) for name in data.data_vars if data.variables[name].dims == (axis,)] for data in runs.values()]
     present = [name for name in held[0] if all(name in others for others in held)]
     if channels:
         for name in channels:
@@ -148,7 +148,7 @@ def common_channels(
 
 def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
     """Give a channel as (x, y) in SI, x ascending."""
-    x, y = data[axis].to_numpy().astype(float), data[name].to_numpy().astype(float)
+    x, y = (data.variables[one].to_numpy().astype(float) for one in (axis, name))
     if len(x) > 1 and bool(np.any(np.diff(x) < 0.0)):
         order = np.argsort(x, kind="stable")
         x, y = x[order], y[order]

@@ -7,8 +7,9 @@ which no screen shows, and none at zero; what is written in tables comes from th
 from __future__ import annotations
 
 import base64
+import json
 import zlib
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from hashlib import blake2b
@@ -244,15 +245,51 @@ def _size(whole: Whole, order: int) -> float:
     return float(np.log2(1.0 + folded).mean()) if len(folded) else 0.0
 
 
+@dataclass
+class Straight:
+    """Collects the arrays of an answer as they are, for a page on the same machine: as many bytes as it takes."""
+
+    arrays: list[dict[str, Any]] = field(default_factory=list)
+    parts: list[bytes] = field(default_factory=list)
+    length: int = 0
+
+    def add(self, values: Array) -> int:
+        """Take an array, shape (n,) or (n, 3); give its index."""
+        content = np.ascontiguousarray(values, "<f8").tobytes()
+        self.arrays.append({"n": values.size, "at": self.length})
+        self.parts.append(content)
+        self.length += len(content)
+        return len(self.arrays) - 1
+
+
 def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
     """Give the content of the viewers of a page as plain data."""
     packed = Packed()
+    content = _content(viewers, packed)
+    return content | {"packed": packed.text()}
+
+
+def live_bytes(viewers: Sequence[Viewer], more: Mapping[str, Any]) -> bytes:
+    """Give the same for a page that asks again and again, with ``more`` beside it: numbers as they are, nothing packed.
+
+    The length of the plain part (four bytes, the least first), that as JSON filled up to whole eights, then all arrays.
+    """
+    straight = Straight()
+    header = json.dumps({**_content(viewers, straight), **more}, separators=(",", ":"), allow_nan=False).encode()
+    header += b" " * (-(len(header) + 4) % 8)
+    return b"".join((len(header).to_bytes(4, "little"), header, *straight.parts))
+
+
+def _content(viewers: Sequence[Viewer], packed: Packed | Straight) -> dict[str, Any]:
     mechanisms: dict[int, tuple[int, dict[str, Any]]] = {}
 
     def motion(one: Motion | None, keep: Whole) -> dict[str, Any] | None:
         if one is None:
             return None
-        index, _ = mechanisms.setdefault(id(one.mechanism), (len(mechanisms), mechanism_data(one.mechanism)))
+        if id(one.mechanism) not in mechanisms:
+            whole = mechanism_data(one.mechanism, packed.add if isinstance(packed, Straight) else None)
+            mechanisms[id(one.mechanism)] = len(mechanisms), whole
+        index, _ = mechanisms[id(one.mechanism)]
         road = one.road and {
             "x": np.round(1e3 * one.road.distance, 2).tolist(),
             "z": np.round(1e3 * one.road.height, 3).tolist(),
@@ -302,7 +339,6 @@ def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
         "viewers": models,
         "mechanisms": [content for _, content in mechanisms.values()],
         "arrays": packed.arrays,
-        "packed": packed.text(),
     }
 
 
@@ -318,8 +354,9 @@ def _kept(scene: Scene) -> Whole:
     return np.unique(np.concatenate([thinned(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int))
 
 
-def mechanism_data(one: Mechanism) -> dict[str, Any]:
-    """Give a mechanism and its poses over travel as plain data in mm."""
+def mechanism_data(one: Mechanism, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
+    """Give a mechanism and its poses over travel as plain data in mm; places as indices where ``add`` takes them."""
+    placed = (lambda values: add(1e3 * values)) if add else _mm
     drawing, poses = one.drawing, one.poses
     order = np.argsort(poses.over)
     names = list(poses.points)
@@ -332,9 +369,9 @@ def mechanism_data(one: Mechanism) -> dict[str, Any]:
         "names": names,
         "onBody": [name in drawing.on_body for name in names],
         "feet": [index[name] for name in MIDDLE.values() if name in index],
-        "points": [_mm(poses.points[name][order]) for name in names],
-        "spin": np.round(poses.spin_axis[order], 5).tolist(),
-        "contact": _mm(poses.contact[order]),
+        "points": [placed(poses.points[name][order]) for name in names],
+        "spin": add(poses.spin_axis[order]) if add else np.round(poses.spin_axis[order], 5).tolist(),
+        "contact": placed(poses.contact[order]),
         "parts": [
             {
                 "name": part.name,

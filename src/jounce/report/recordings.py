@@ -130,6 +130,33 @@ def curve_blocks(
     tuple of Block
         The viewer, and the figures folded away.
     """
+    viewer = curve_viewer(groups, channels, title=title, name=name, rig=rig, trial=trial, window=window)
+    if not figures:
+        figures = [
+            Chart(
+                scene_panels(scene, viewer.words, viewer.unit),
+                name if len(viewer.scenes) == 1 else f"{name}-{scene.name}",
+                f"{scene.label[:1].upper()}{scene.label[1:]}: {_shown(scene)}.",
+                f"{_shown(scene)} against {viewer.words}.",
+                1,
+            )
+            for scene in viewer.scenes
+        ]
+    many = "figure" if len(figures) == 1 else "figures"
+    return viewer, Details(f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures), is_still=True)
+
+
+def curve_viewer(
+    groups: Mapping[str, Mapping[str, xr.Dataset]],
+    channels: Sequence[str] | None = None,
+    *,
+    title: str = "",
+    name: str = "curves",
+    rig: Rig | None = None,
+    trial: Trial | None = None,
+    window: tuple[float, float] | None = None,
+) -> Viewer:
+    """Put runs into a viewer, as :func:`curve_blocks` does, without the figures."""
     runs = list(dict.fromkeys(label for named in groups.values() for label in named))
     roles = {label: _ROLES[k % len(_ROLES)] for k, label in enumerate(runs)}
     scenes, words, unit, left_out = [], "", "", 0
@@ -148,20 +175,7 @@ def curve_blocks(
         words, unit = axis.replace("_", " "), along.name
     shown = tuple((role, label, True) for label, role in roles.items())
     caption = f"{left_out} more channels do not fit into a page; the recording holds them." if left_out else ""
-    viewer = Viewer(title, tuple(scenes), shown, caption, words, unit)
-    if not figures:
-        figures = [
-            Chart(
-                scene_panels(scene, words, unit),
-                name if len(scenes) == 1 else f"{name}-{scene.name}",
-                f"{scene.label[:1].upper()}{scene.label[1:]}: {_shown(scene)}.",
-                f"{_shown(scene)} against {words}.",
-                1,
-            )
-            for scene in scenes
-        ]
-    many = "figure" if len(figures) == 1 else "figures"
-    return viewer, Details(f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures), is_still=True)
+    return Viewer(title, tuple(scenes), shown, caption, words, unit)
 
 
 def _shown(scene: Scene) -> str:
@@ -188,7 +202,8 @@ def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) 
     """Give the channels that any of them holds, those that are shown first in front; forces in joints stay out."""
     found = dict.fromkeys(first)
     for data in named.values():
-        for name, values in data.data_vars.items():
+        for name in data.data_vars:
+            values = data.variables[name]  # what stands on it: a data array of each takes as long as a sweep
             kept = values.dims == (axis,) and values.dtype.kind in "fiu" and not str(name).endswith(_REACTIONS)
             if kept and not _is_place(str(name), data):
                 found.setdefault(str(name))
@@ -210,7 +225,7 @@ def _axis_unit(data: xr.Dataset, axis: str) -> DisplayUnit:
 
 
 def _unit(named: Mapping[str, xr.Dataset], name: str) -> DisplayUnit:
-    held = [data[name] for data in named.values() if name in data]
+    held = [data.variables[name] for data in named.values() if name in data]
     largest = max(float(np.nanmax(np.abs(one.to_numpy().astype(float)), initial=0.0)) for one in held)
     return display_unit(str(held[0].attrs.get("units", "1")), largest if np.isfinite(largest) else 0.0)
 
@@ -226,16 +241,16 @@ def _scene(
     roles: Mapping[str, str],
 ) -> Scene:
     """All curves over the places of all of them: between samples a line is drawn, so it is read there as well."""
-    lengths = [data[axis].to_numpy().astype(float) for data in named.values()]
+    lengths = [data.variables[axis].to_numpy().astype(float) for data in named.values()]
     x = np.unique(np.concatenate(lengths))
     panes, differences = [], []
     for name in every:
         curves, gaps, reference = [], [], None
         for label, data in named.items():
             role = roles[label]
-            if name not in data or data[name].dims != (axis,):
+            if name not in data or data.variables[name].dims != (axis,):
                 continue
-            si = str(data[name].attrs.get("units", "1"))
+            si = str(data.variables[name].attrs.get("units", "1"))
             line = line_of(data, name, axis)
             read = line[1] if len(line[0]) == len(x) else through(line, x)
             curves.append(Curve(label, role, settled(read, si) * units[name].factor))
@@ -243,7 +258,7 @@ def _scene(
                 reference = read
             else:
                 gaps.append(Curve(label, role, apart(read, reference) * units[name].factor))
-        words = str(next(data[name].attrs.get("long_name", "") for data in named.values() if name in data))
+        words = str(next(data.variables[name].attrs.get("long_name", "") for data in named.values() if name in data))
         panes.append(
             Pane(name, named_words(name, words or words_of(name)), units[name].name, tuple(curves), name in first)
         )
@@ -338,7 +353,7 @@ def _extremes(
     for name in names:
         reference = None
         for label, data in named.items():
-            if name not in data or data[name].dims != (axis,):
+            if name not in data or data.variables[name].dims != (axis,):
                 continue
             x, y = line_of(data, name, axis)
             y = settled(y, str(data[name].attrs.get("units", "1")))

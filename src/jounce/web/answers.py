@@ -5,6 +5,7 @@ from __future__ import annotations
 import shlex
 import threading
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import tomlkit
@@ -16,11 +17,32 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.parts import Rig
+    from jounce.report.live import Viewer
     from jounce.roads import Trial
 
 Changes = Mapping[str, float | str]
 _ONE = threading.Lock()  # a run takes milliseconds: the next request waits, and nothing is compiled twice
 _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that somebody waits for
+
+
+@dataclass(frozen=True)
+class Shown:
+    """Curves for the page, and how to get the same: ``python``, ``command``, and ``files`` for it."""
+
+    viewer: Viewer
+    ways: Mapping[str, Any]
+
+    def plain(self) -> dict[str, Any]:
+        """As JSON, for scripts."""
+        from jounce.report.live import live_data
+
+        return {**live_data([self.viewer]), **self.ways}
+
+    def straight(self) -> bytes:
+        """As numbers that are drawn as they stand, for the page."""
+        from jounce.report.live import live_bytes
+
+        return live_bytes([self.viewer], self.ways)
 
 
 def rig_of(project: Project, name: str) -> Rig:
@@ -62,8 +84,8 @@ def described(project: Project, name: str) -> dict[str, Any]:
 
 def simulated(
     project: Project, name: str, changes: Changes, trial: Mapping[str, Any], channels: Sequence[str] | None
-) -> dict[str, Any]:
-    """Run a rig over an obstacle, as it is and as it is changed: content of a viewer, and how to get the same."""
+) -> Shown:
+    """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same."""
     import jounce as jn
 
     on = _trial(project, trial)
@@ -81,10 +103,10 @@ def simulated(
     command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
     table = tomlkit.dumps({"kind": kind, **road})
     answer = {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
-    return {**_shown(runs, channels, rigs, on), **answer}
+    return Shown(_curves(runs, channels, rigs, on), answer)
 
 
-def swept(project: Project, name: str, changes: Changes, travel: str, channels: Sequence[str] | None) -> dict[str, Any]:
+def swept(project: Project, name: str, changes: Changes, travel: str, channels: Sequence[str] | None) -> Shown:
     """Sweep a 3-D corner over its travel, as it is and as it is changed: as :func:`simulated`."""
     import jounce as jn
 
@@ -95,7 +117,7 @@ def swept(project: Project, name: str, changes: Changes, travel: str, channels: 
         f"import jounce as jn\n\nrig = jn.load({name!r}){_with(changes)}\ncurves = jn.sweep_travel(rig, {travel!r})\n"
     )
     command = ["jounce", "kinematics", name, *_set(changes), f"--travel={travel}", "--out", "curves.csv"]
-    return {**_shown(runs, channels, rigs, None), "python": python, "command": shlex.join(command), "files": {}}
+    return Shown(_curves(runs, channels, rigs, None), {"python": python, "command": shlex.join(command), "files": {}})
 
 
 def _variants(rig: Rig, changes: Changes) -> dict[str, Rig]:
@@ -103,18 +125,16 @@ def _variants(rig: Rig, changes: Changes) -> dict[str, Rig]:
     return {"changed": rig.with_changes(dict(changes)), "as it is": rig} if changes else {"as it is": rig}
 
 
-def _shown(
+def _curves(
     runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, rigs: Mapping[str, Rig], trial: Trial | None
-) -> dict[str, Any]:
+) -> Viewer:
     """Curves of all runs; the mechanism is the rig of the first one, which is what moves."""
     from jounce.plots.comparison import common_channels
-    from jounce.report.live import Viewer, live_data
-    from jounce.report.recordings import curve_blocks
+    from jounce.report.recordings import curve_viewer
 
     rig = next(iter(rigs.values()))
     wanted = common_channels(runs, channels or None)
-    blocks = curve_blocks({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial)
-    return live_data([block for block in blocks if isinstance(block, Viewer)])
+    return curve_viewer({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial)
 
 
 def _trial(project: Project, table: Mapping[str, Any]) -> Trial:

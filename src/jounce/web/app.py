@@ -147,19 +147,26 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         return answers.described(project, name)
 
     @app.post("/api/simulate")
-    def simulate(asked: Run) -> dict[str, Any]:
+    def simulate(asked: Run, request: Request) -> Response:
         """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
-        return answers.simulated(project, asked.rig, asked.changes, trial, asked.channels)
+        return _told(answers.simulated(project, asked.rig, asked.changes, trial, asked.channels), request)
 
     @app.post("/api/kinematics")
-    def kinematics(asked: Sweep) -> dict[str, Any]:
+    def kinematics(asked: Sweep, request: Request) -> Response:
         """A sweep over wheel travel as curves of the viewer, as for a run."""
-        return answers.swept(project, asked.rig, asked.changes, asked.travel, asked.channels)
+        return _told(answers.swept(project, asked.rig, asked.changes, asked.travel, asked.channels), request)
 
     for path, (name, kind) in _STATIC.items():
         app.add_api_route(path, _static(name, kind), include_in_schema=False)
     return Guard(app, token=token, port=port)
+
+
+def _told(shown: answers.Shown, request: Request) -> Response:
+    """Curves as JSON for scripts; for the page, which asks for bytes, as numbers that need no reading."""
+    if "application/octet-stream" in request.headers.get("accept", ""):
+        return Response(shown.straight(), media_type="application/octet-stream")
+    return JSONResponse(shown.plain())
 
 
 def _static(name: str, kind: str) -> Callable[[], Response]:

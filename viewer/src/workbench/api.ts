@@ -9,8 +9,8 @@ export interface Rig { name: string; model: string; spatial: boolean; numbers: R
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
 export interface Answer { python: string; command: string; files: Record<string, string> }
 
-async function asked(method: string, path: string, body?: unknown): Promise<Response> {
-  const given = body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json" } };
+async function asked(method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> {
+  const given = body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } };
   let answer: Response;
   try {
     answer = await fetch(path, { method, ...given });
@@ -33,4 +33,4 @@ export const check = (path: string) => get<Checked>(`/api/check?${query({ path }
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
 export const save = async (path: string, text: string, was: string) => (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
-export const curves = async (question: "simulate" | "kinematics", body: unknown) => (await asked("POST", `/api/${question}`, body)).text();
+export const curves = async (question: "simulate" | "kinematics", body: unknown) => (await asked("POST", `/api/${question}`, body, "application/octet-stream")).arrayBuffer();

@@ -74,7 +74,7 @@ export class Live {
   /** Milliseconds from a question to its curves. */
   readonly times: number[] = [];
 
-  constructor(private readonly question: () => Promise<string>) {
+  constructor(private readonly question: () => Promise<ArrayBuffer>) {
     this.element.append(this.state, this.place, this.ways);
   }
 
@@ -85,8 +85,7 @@ export class Live {
     const began = performance.now();
     const waiting = setTimeout(() => { this.state.textContent = "computing; the first time a model is compiled once, which takes some seconds"; }, 500);
     try {
-      const text = await this.question();
-      const store = await Store.open(text);
+      const store = Store.of(await this.question());
       const model = store.content.viewers[0]!;
       if (this.player) this.player.replace(model, store);
       else {

@@ -159,12 +159,9 @@ def require_corner(rig: object) -> Corner:
 def scene_of(rig: Corner) -> Scene:
     """Give what there is to draw of a 3-D rig; which points stand on the body comes from its equations."""
     require_corner(rig)
-    from jounce.mechanics import Mechanism
-    from jounce.models.corner import suspension
     from jounce.parts.leverage import AXES
 
-    linkage = suspension(rig, Mechanism())
-    lines = {name: points for name, points in linkage.lines.items() if name != "strut"}
+    lines, owners, holders = _carried(rig)
     names = rig.hardpoints.given()
     stem = rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"
     if "arb_pivot" in names:
@@ -175,8 +172,6 @@ def scene_of(rig: Corner) -> Scene:
     if rig.third_spring is not None:
         lines["third_spring"] = ("third_spring_end", MIDDLE["third_spring_end"])
     parts = tuple(Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items())
-    holders = {linkage.chassis.name, linkage.rack.name}
-    owners = {name: owner.name for name, owner in linkage.owners.items()}
     on_body = {name for name, owner in owners.items() if owner in holders} | (
         {"arb_pivot", "" if stem else "arb_axis"} & set(names)
     )
@@ -196,6 +191,25 @@ def scene_of(rig: Corner) -> Scene:
         rig.wheel.width or _USUAL_WIDTH * rig.wheel.radius,
         design,
     )
+
+
+_known: dict[str, tuple[dict[str, tuple[str, ...]], dict[str, str], set[str]]] = {}
+
+
+def _carried(rig: Corner) -> tuple[dict[str, tuple[str, ...]], dict[str, str], set[str]]:
+    """Lines to draw, the body that each hardpoint moves with, and which bodies stand on the car; once a structure."""
+    from jounce.mechanics import Mechanism
+    from jounce.models.corner import suspension
+    from jounce.parts.rig import structure_of
+
+    key = structure_of(rig)
+    if key not in _known:
+        linkage = suspension(rig, Mechanism())
+        lines = {name: points for name, points in linkage.lines.items() if name != "strut"}
+        owners = {name: owner.name for name, owner in linkage.owners.items()}
+        _known[key] = lines, owners, {linkage.chassis.name, linkage.rack.name}
+    lines, owners, holders = _known[key]
+    return dict(lines), owners, holders
 
 
 def _brackets(
@@ -360,8 +374,8 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
         str(data[over].attrs.get("units", "s" if in_time else "m")),
         in_time,
         signals,
-        {name: str(data[name].attrs.get("units", "1")) for name in signals},
-        {name: str(data[name].attrs.get("long_name", name)) for name in signals},
+        {name: str(data.variables[name].attrs.get("units", "1")) for name in signals},
+        {name: str(data.variables[name].attrs.get("long_name", name)) for name in signals},
     )
     known = np.isfinite(axis).all(axis=1) & np.isfinite(points["wheel_centre"]).all(axis=1)
     if not known.any():
@@ -394,7 +408,7 @@ def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_t
     for name, design in rig.hardpoints.given().items():
         names = [f"{name}.{letter}" for letter in "xyz"]
         if all(one in data for one in names):
-            found[name] = np.stack([np.broadcast_to(data[one].to_numpy(), count) for one in names], axis=1)
+            found[name] = np.stack([np.broadcast_to(data.variables[one].to_numpy(), count) for one in names], axis=1)
         elif name in scene.on_body and (not in_time or rig.guide == "fixed"):
             found[name] = np.broadcast_to(np.array(design), (count, 3))
         elif name not in (*BAR, "arb_axis"):  # a run does not know where its bar is
