@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+import numpy as np
 import pytest
 
 import jounce as jn
@@ -36,6 +37,19 @@ class Asked:
 
     def __init__(self, port: int, folder: Path) -> None:
         self.port, self.folder = port, folder
+
+    def straight(self, path: str, body: Any) -> tuple[Any, list[Any]]:
+        """What the page gets: plain content, and its arrays."""
+        given = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        connection.request("POST", path, json.dumps(body), given | {"Accept": "application/octet-stream"})
+        answer = connection.getresponse()
+        assert (answer.status, answer.getheader("content-type")) == (200, "application/octet-stream")
+        got = answer.read()
+        connection.close()
+        start = 4 + int.from_bytes(got[:4], "little")
+        content = json.loads(got[4:start])
+        return content, [np.frombuffer(got, "<f8", one["n"], start + one["at"]) for one in content["arrays"]]
 
     def __call__(self, method: str, path: str, body: Any = None, **headers: str | None) -> tuple[int, Any]:
         given = {"Authorization": f"Bearer {TOKEN}"} | {name.replace("_", "-"): text for name, text in headers.items()}
@@ -220,6 +234,26 @@ def test_the_same_run_in_python_and_on_the_command_line(ask, tmp_path, monkeypat
     changed, as_it_is = (answer["arrays"][curve["y"]] for curve in pane["curves"])
     assert changed["low"] == pytest.approx(float(names["run"]["sprung.az"].min()), abs=changed["step"])
     assert changed["low"] != pytest.approx(as_it_is["low"], rel=1e-3)
+
+
+def test_the_page_gets_the_numbers_that_scripts_get(ask):
+    asked = {"rig": "kart-double-wishbone", "changes": {"hardpoints.upper_ball_joint[2]": "250 mm"}}
+    asked |= {"travel": "-10 mm:10 mm:5 mm", "channels": ["camber"]}
+    plain = ask("POST", "/api/kinematics", asked)[1]
+    content, arrays = ask.straight("/api/kinematics", asked)
+    assert {key: content[key] for key in ("python", "command", "files")} == {
+        key: plain[key] for key in ("python", "command", "files")
+    }
+    pane = content["viewers"][0]["scenes"][0]["panes"][0]
+    assert (pane["name"], [curve["label"] for curve in pane["curves"]]) == ("camber", ["changed", "as it is"])
+    rig = jn.load("kart-double-wishbone").with_changes({"hardpoints.upper_ball_joint[2]": 0.25})
+    camber = np.degrees(jn.sweep_travel(rig, "-10 mm:10 mm:5 mm")["camber"].to_numpy())
+    assert arrays[pane["curves"][0]["y"]] == pytest.approx(camber, abs=1e-12)
+    drawn, packed = content["mechanisms"][0], plain["mechanisms"][0]
+    for name, index in zip(drawn["names"], drawn["points"], strict=True):
+        rounded = np.array(packed["points"][packed["names"].index(name)])
+        assert arrays[index].reshape(-1, 3) == pytest.approx(rounded, abs=6e-4)
+    assert drawn["parts"] == packed["parts"]
 
 
 def test_the_mechanism_that_moves_is_the_changed_one(ask):
