@@ -12,6 +12,9 @@ static bool failed(JnInstance *c, const char *why) { return c->why = why, false;
 /* Whether a reference lies in a block, which may be empty. */
 static bool within(unsigned vr, unsigned first, unsigned next) { return vr >= first && vr < next; }
 
+static double larger(double a, double b) { return a > b ? a : b; } /* fmax() is a call */
+static double lesser(double a, double b) { return a < b ? a : b; }
+
 static bool finite_all(const double *a, int n) {
     for (int i = 0; i < n; i++)
         if (!isfinite(a[i])) return false;
@@ -38,7 +41,7 @@ void jn_reset(JnInstance *c) {
 
 void jn_start_at(JnInstance *c, double t) {
     c->s.t = c->s.t_start = c->s.t_input = c->s.t_before = t;
-    c->s.fresh = false;
+    c->s.known = 0;
 }
 
 static void parameters(JnState *s) {
@@ -80,27 +83,32 @@ static void onto_loops(JnInstance *c, const double *u) {
 #endif
 }
 
-bool jn_evaluate(JnInstance *c) {
+/* Rates, channels or indicators of now, each only when somebody asks: an importer's stages want rates alone. */
+bool jn_evaluate(JnInstance *c, int what) {
     JnState *s = &c->s;
     double u[JN_ROOM(JN_NU)];
-    if (s->fresh) return true;
+    if (s->known & what) return true;
     parameters(s);
     inputs(c, s->t, u);
-    jn_rate(s->x, u, s->e, s->m, s->dx);
-    jn_output(s->x, u, s->e, s->m, s->y);
-    jn_switch(s->x, u, s->e, s->m, s->z);
-    if (!c->cosim) {
+    if (what == RATES) {
+        jn_rate(s->x, u, s->e, s->m, s->dx);
 #if JN_PROJECTS /* the importer integrates redundant coordinates and knows nothing of loops */
-        double on[JN_NX + 2];
-        jn_project(s->x, u, s->e, s->m, on);
-        for (int i = 0; i < JN_NX; i++) s->dx[i] += (on[i + 2] - s->x[i]) / PULL;
+        if (!c->cosim) {
+            double on[JN_NX + 2];
+            jn_project(s->x, u, s->e, s->m, on);
+            for (int i = 0; i < JN_NX; i++) s->dx[i] += (on[i + 2] - s->x[i]) / PULL;
+        }
 #endif
+        if (!finite_all(s->dx, JN_NX)) return failed(c, "the rates are no finite numbers");
+    } else if (what == OUTPUTS) jn_output(s->x, u, s->e, s->m, s->y);
+    else {
+        jn_switch(s->x, u, s->e, s->m, s->z);
         /* An importer may stop where an indicator is exactly zero, which is on no side of it, and never come back:
            the indicator vanishes only when the switch is a little beyond. */
-        for (int i = 0; i < JN_NM; i++) s->z[i] += s->m[i] > 0.0 ? jn_band[i] : -jn_band[i];
+        for (int i = 0; i < JN_NM && !c->cosim; i++) s->z[i] += s->m[i] > 0.0 ? jn_band[i] : -jn_band[i];
+        if (!finite_all(s->z, JN_NM)) return failed(c, "the event indicators are no finite numbers");
     }
-    if (!finite_all(s->dx, JN_NX)) return failed(c, "the rates are no finite numbers");
-    return s->fresh = true;
+    return s->known |= what, true;
 }
 
 bool jn_get(JnInstance *c, unsigned vr, double *value) {
@@ -113,7 +121,7 @@ bool jn_get(JnInstance *c, unsigned vr, double *value) {
     else if (within(vr, VR_G, VR_Y)) *value = s->g[vr - VR_G];
     else if (vr == VR_TOLERANCE) *value = s->tolerance;
     else if (vr > VR_TOLERANCE) return failed(c, "no such real variable");
-    else if (!jn_evaluate(c)) return false;
+    else if (!jn_evaluate(c, vr < VR_U ? RATES : vr < VR_Z ? OUTPUTS : INDICATORS)) return false;
     else *value = vr < VR_U ? s->dx[vr - VR_DX] : vr < VR_Z ? s->y[vr - VR_Y] : s->z[vr - VR_Z];
     return true;
 }
@@ -136,7 +144,7 @@ bool jn_set(JnInstance *c, unsigned vr, double value) {
     else if (within(vr, VR_G, VR_Y)) s->g[vr - VR_G] = value;
     else if (vr == VR_TOLERANCE && value > 0.0) s->tolerance = value;
     else return failed(c, "not a real variable that can be set");
-    s->fresh = false;
+    s->known = 0;
     return true;
 }
 
@@ -161,7 +169,7 @@ bool jn_set_input_rate(JnInstance *c, unsigned vr, int order, double value) {
 
 bool jn_set_time(JnInstance *c, double t) {
     if (!isfinite(t)) return failed(c, "the time is no finite number");
-    if (t != c->s.t) c->s.fresh = false;
+    if (t != c->s.t) c->s.known = 0;
     c->s.t = c->s.t_input = t;
     return true;
 }
@@ -251,7 +259,7 @@ static bool update_modes(JnInstance *c) {
             if (s->m[i] > 0.0 ? z[i] < -0.5 * jn_band[i] : z[i] > 0.5 * jn_band[i]) s->m[i] = z[i] > 0.0;
         any = true;
     }
-    s->fresh = false;
+    s->known = 0;
     return any;
 }
 
@@ -273,14 +281,14 @@ static bool control(JnInstance *c) {
     for (int i = 0; i < JN_COMMANDS; i++) s->u[jn_command[i] * JN_ORDER] = out[i];
     memcpy(s->memory, out + JN_COMMANDS, JN_MEMORY * sizeof(double));
     s->instants++;
-    s->fresh = false;
+    s->known = 0;
 #else
     (void)c;
 #endif
     return true;
 }
 
-static double rounding(double t) { return 1e-12 * fmax(1.0, fabs(t)); }
+static double rounding(double t) { return 1e-12 * larger(1.0, fabs(t)); }
 
 bool jn_event(JnInstance *c) {
     JnState *s = &c->s;
@@ -300,7 +308,7 @@ void jn_accept(JnInstance *c) {
         s->before[i] = s->u[i * JN_ORDER];
     }
     s->t_before = s->t;
-    s->fresh = false;
+    s->known = 0;
 }
 
 /* ---- static equilibrium ------------------------------------------------------------------------------------- */
@@ -389,7 +397,7 @@ static double towards_rest(JnInstance *c) {
     for (int i = 0; i < JN_NI; i++) s->x[JN_NQ + JN_NV + i] += d[JN_NV + i];
     for (int k = 0; k < 3; k++) onto_loops(c, u);
     memset(s->x + JN_NQ, 0, JN_NV * sizeof(double));
-    s->fresh = false;
+    s->known = 0;
     return largest;
 }
 
@@ -421,38 +429,33 @@ bool jn_initialise(JnInstance *c) {
         s->slope[i] = s->bend[i] = s->bend_before[i] = 0.0;
         s->rate_before[i] = s->u[i * JN_ORDER + 1];
     }
-    return jn_evaluate(c);
+    return jn_evaluate(c, RATES);
 }
 
 /* ---- co-simulation: Dormand and Prince's pair of orders 5 and 4, with steps that land on events ---------------- */
 
-static const double A[7][6] = {
-    {0},
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-static const double NODE[7] = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1, 1};
-static const double ERROR[7] = {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+#define K(j) k[j][i]
+#define STAGE(to, node, sum)                                                                                           \
+    for (int i = 0; i < JN_NX; i++) end[i] = s->x[i] + h * (sum);                                                      \
+    rate_at(c, s->t + (node) * h, end, k[to])
 
 /* One step of length h from (t, x), whose slope is k[0]; gives the error relative to the tolerance. */
 static double attempt(JnInstance *c, double h, double k[7][JN_NX], double *end) {
     JnState *s = &c->s;
     double worst = 0.0;
-    for (int stage = 1; stage < 7; stage++) {
-        for (int i = 0; i < JN_NX; i++) {
-            double sum = 0.0;
-            for (int j = 0; j < stage; j++) sum += A[stage][j] * k[j][i];
-            end[i] = s->x[i] + h * sum;
-        }
-        rate_at(c, s->t + NODE[stage] * h, end, k[stage]);
-    }
+    STAGE(1, 1.0 / 5, 1.0 / 5 * K(0));
+    STAGE(2, 3.0 / 10, 3.0 / 40 * K(0) + 9.0 / 40 * K(1));
+    STAGE(3, 4.0 / 5, 44.0 / 45 * K(0) - 56.0 / 15 * K(1) + 32.0 / 9 * K(2));
+    STAGE(4, 8.0 / 9, 19372.0 / 6561 * K(0) - 25360.0 / 2187 * K(1) + 64448.0 / 6561 * K(2) - 212.0 / 729 * K(3));
+    STAGE(5, 1.0, 9017.0 / 3168 * K(0) - 355.0 / 33 * K(1) + 46732.0 / 5247 * K(2) + 49.0 / 176 * K(3) -
+                      5103.0 / 18656 * K(4));
+    STAGE(6, 1.0, 35.0 / 384 * K(0) + 500.0 / 1113 * K(2) + 125.0 / 192 * K(3) - 2187.0 / 6784 * K(4) +
+                      11.0 / 84 * K(5));
     for (int i = 0; i < JN_NX; i++) {
-        double error = 0.0, size = fmax(fmax(fabs(s->x[i]), fabs(end[i])), jn_scale[i]);
-        for (int j = 0; j < 7; j++) error += ERROR[j] * k[j][i];
-        worst = fmax(worst, fabs(h * error) / (s->tolerance * size));
+        double size = larger(larger(fabs(s->x[i]), fabs(end[i])), jn_scale[i]);
+        double error = 71.0 / 57600 * K(0) - 71.0 / 16695 * K(2) + 71.0 / 1920 * K(3) - 17253.0 / 339200 * K(4) +
+                       22.0 / 525 * K(5) - 1.0 / 40 * K(6);
+        worst = larger(worst, fabs(h * error) / (s->tolerance * size));
         if (!isfinite(end[i])) return INFINITY;
     }
     return worst;
@@ -461,10 +464,10 @@ static double attempt(JnInstance *c, double h, double k[7][JN_NX], double *end) 
 /* Whether a switch has left the side of its mode at a share of the step (on the cubic through its ends). */
 static bool crossed(JnInstance *c, double h, double share, double k[7][JN_NX], const double *end) {
     JnState *s = &c->s;
-    double x[JN_NX], u[JN_ROOM(JN_NU)], z[JN_ROOM(JN_NM)], f = share;
+    double x[JN_NX], u[JN_ROOM(JN_NU)], z[JN_ROOM(JN_NM)], f = share, g = 1 - f;
+    double bend = f * g * (1 - 2 * f), begin = h * f * g * g, last = h * f * f * g;
     for (int i = 0; i < JN_NX; i++)
-        x[i] = (1 - f) * s->x[i] + f * end[i] +
-               f * (f - 1) * ((1 - 2 * f) * (end[i] - s->x[i]) + h * ((f - 1) * k[0][i] + f * k[6][i]));
+        x[i] = g * s->x[i] + f * end[i] - bend * (end[i] - s->x[i]) + begin * k[0][i] - last * k[6][i];
     jn_switch(x, inputs(c, s->t + share * h, u), s->e, s->m, z);
     return beyond(s, z, 1.0);
 }
@@ -507,7 +510,7 @@ bool jn_advance(JnInstance *c, double t_end) {
     update_modes(c); /* inputs or parameters may have jumped */
     rate_at(c, s->t, s->x, k[0]);
     for (int64_t budget = 1000000; t_end - s->t > smallest; budget--) {
-        double next = fmin(t_end, jn_next_instant(c)), error, share, trial;
+        double next = lesser(t_end, jn_next_instant(c)), error, share, trial;
         bool lands;
         if (budget == 0) return failed(c, "a million steps did not reach the communication point");
         if (next <= s->t + smallest) {
@@ -519,7 +522,7 @@ bool jn_advance(JnInstance *c, double t_end) {
         trial = lands ? next - s->t : h;
         error = attempt(c, trial, k, end);
         if (error > 1.0) {
-            h = trial * fmax(0.2, 0.9 * pow(error, -0.2));
+            h = trial * larger(0.2, 0.9 * pow(error, -0.2));
             s->rejected++;
             if (h < smallest) return failed(c, "the step became too small: unstable, or loops that cannot be closed");
             continue;
@@ -528,7 +531,7 @@ bool jn_advance(JnInstance *c, double t_end) {
         if (share > 0.0) {
             trial *= share;
             attempt(c, trial, k, end);
-        } else if (!lands || trial >= h) h = trial * fmin(5.0, 0.9 * pow(fmax(error, 1e-10), -0.2));
+        } else if (!lands || trial >= h) h = trial * (error < 1.8e-4 ? 5.0 : 0.9 * pow(error, -0.2));
         s->t = lands && !(share > 0.0) ? next : s->t + trial;
         memcpy(s->x, end, sizeof s->x);
         onto_loops(c, inputs(c, s->t, u));
@@ -539,6 +542,6 @@ bool jn_advance(JnInstance *c, double t_end) {
     }
     s->t = t_end;
     s->step = h;
-    s->fresh = false;
+    s->known = 0;
     return finite_all(s->x, JN_NX) || failed(c, "the states are no finite numbers");
 }

@@ -61,7 +61,8 @@ typedef struct { /* plain memory: copied as it is to save and to restore a state
     double slope[JN_ROOM(JN_NT)];     /* of tracks whose rate nobody gives: from the last two values */
     double rate_before[JN_ROOM(JN_NT)], bend[JN_ROOM(JN_NT)], bend_before[JN_ROOM(JN_NT)]; /* second rates, see bent() */
     bool rated[JN_ROOM(JN_NT)];       /* whether the rate of a track is given */
-    bool at_rest, p_changed, fresh;   /* fresh: dx, y, z belong to t, x, u, p, m */
+    bool at_rest, p_changed;
+    int known; /* which of dx, y and z belong to t, x, u, p, m */
 } JnState;
 
 typedef struct {
@@ -80,7 +81,8 @@ bool jn_get_boolean(JnInstance *c, unsigned vr, bool *value);
 bool jn_set_boolean(JnInstance *c, unsigned vr, bool value);
 bool jn_set_input_rate(JnInstance *c, unsigned vr, int order, double value);
 bool jn_set_time(JnInstance *c, double t);
-bool jn_evaluate(JnInstance *c);                            /* dx, y, z of now */
+enum { RATES = 1, OUTPUTS = 2, INDICATORS = 4 };
+bool jn_evaluate(JnInstance *c, int what);                  /* dx, y or z of now */
 bool jn_initialise(JnInstance *c);                          /* equilibrium if wanted, consistent modes */
 void jn_accept(JnInstance *c);                              /* the importer's integrator has taken a step to here */
 bool jn_event(JnInstance *c);                               /* modes follow their switches, the controller has its turn */

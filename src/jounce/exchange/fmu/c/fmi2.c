@@ -134,18 +134,18 @@ fmi2Status fmi2SetTime(fmi2Component c, fmi2Real t) { return told(c, jn_set_time
 fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real x[], size_t n) {
     if (n != JN_NX) return fail(c, "wrong number of states");
     memcpy(I->s.x, x, sizeof I->s.x);
-    I->s.fresh = false;
+    I->s.known = 0;
     return fmi2OK;
 }
 /* Numbers that are not finite make the importer take a smaller step. */
 fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real dx[], size_t n) {
     if (n != JN_NX) return fail(c, "wrong number of states");
-    if (!jn_evaluate(I)) return say(I, fmi2Discard, I->why);
+    if (!jn_evaluate(I, RATES)) return say(I, fmi2Discard, I->why);
     return memcpy(dx, I->s.dx, sizeof I->s.dx), fmi2OK;
 }
 fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real z[], size_t n) {
     if (n != JN_NM) return fail(c, "wrong number of event indicators");
-    if (!jn_evaluate(I)) return say(I, fmi2Discard, I->why);
+    if (!jn_evaluate(I, INDICATORS)) return say(I, fmi2Discard, I->why);
     return memcpy(z, I->s.z, JN_NM * sizeof(double)), fmi2OK;
 }
 fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real x[], size_t n) {

@@ -223,18 +223,18 @@ fmi3Status fmi3SetTime(fmi3Instance c, fmi3Float64 t) { return told(c, jn_set_ti
 fmi3Status fmi3SetContinuousStates(fmi3Instance c, const fmi3Float64 x[], size_t n) {
     if (n != JN_NX) return fail(c, "wrong number of states");
     memcpy(I->s.x, x, sizeof I->s.x);
-    I->s.fresh = false;
+    I->s.known = 0;
     return fmi3OK;
 }
 /* Numbers that are not finite make the importer take a smaller step. */
 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance c, fmi3Float64 dx[], size_t n) {
     if (n != JN_NX) return fail(c, "wrong number of states");
-    if (!jn_evaluate(I)) return say(I, fmi3Discard, I->why);
+    if (!jn_evaluate(I, RATES)) return say(I, fmi3Discard, I->why);
     return memcpy(dx, I->s.dx, sizeof I->s.dx), fmi3OK;
 }
 fmi3Status fmi3GetEventIndicators(fmi3Instance c, fmi3Float64 z[], size_t n) {
     if (n != JN_NM) return fail(c, "wrong number of event indicators");
-    if (!jn_evaluate(I)) return say(I, fmi3Discard, I->why);
+    if (!jn_evaluate(I, INDICATORS)) return say(I, fmi3Discard, I->why);
     return memcpy(z, I->s.z, JN_NM * sizeof(double)), fmi3OK;
 }
 fmi3Status fmi3GetContinuousStates(fmi3Instance c, fmi3Float64 x[], size_t n) {
