@@ -466,7 +466,8 @@ static bool crossed(JnInstance *c, double h, double share, double k[7][JN_NX], c
     JnState *s = &c->s;
     double x[JN_NX], u[JN_ROOM(JN_NU)], z[JN_ROOM(JN_NM)], f = share, g = 1 - f;
     double bend = f * g * (1 - 2 * f), begin = h * f * g * g, last = h * f * f * g;
-    for (int i = 0; i < JN_NX; i++)
+    if (share == 1.0) memcpy(x, end, sizeof x);
+    else for (int i = 0; i < JN_NX; i++)
         x[i] = g * s->x[i] + f * end[i] - bend * (end[i] - s->x[i]) + begin * k[0][i] - last * k[6][i];
     jn_switch(x, inputs(c, s->t + share * h, u), s->e, s->m, z);
     return beyond(s, z, 1.0);
