@@ -93,3 +93,19 @@ def test_roads_that_cannot_be_written(cli) -> None:
     rough = jn.Iso8608(class_="C", length="10 m")
     with pytest.raises(jn.JounceError, match="the road is not known so far"):
         jn.write_road(rough, "road.crg", length=20.0)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("sldemo-half-car", "--tester", "eusama"), "does not stand on a tester"),
+        (("kart-quarter-car", "--tester", "eusema"), "eusama"),
+        (("kart-quarter-car", "--axle", "rear"), "--axle with --tester"),
+        (("audi-a6-full-car", "--tester", "eusama", "--axle", "middle"), "front, rear"),
+        (("audi-a6-quarter-car", "--tester", "eusama", "--control", "skyhook"), "is not controlled"),
+    ],
+)
+def test_rigs_that_are_not_written_on_a_tester(cli, tmp_path: Path, words, message) -> None:
+    refused = cli("export", "fmu", *words, "--sources-only", "--out", "a.fmu")
+    assert (refused.exit_code, message in refused.err) == (2, True), refused.err
+    assert not (tmp_path / "a.fmu").exists()

@@ -9,7 +9,7 @@ import typer
 
 from jounce.cli.options import LENGTH, AsJson, Changes, Force, RigName, changes, chosen_rig, optional_positive
 from jounce.cli.reply import Reply, progress, show_findings, show_written
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -41,6 +41,12 @@ def fmu(
     control: Annotated[
         str | None, typer.Option(help="Controller to put in: a name such as skyhook, or a file.")
     ] = None,
+    tester: Annotated[
+        str | None, typer.Option(help="Put it on a tester of shock absorbers: a name such as eusama, or a file.")
+    ] = None,
+    axle: Annotated[
+        str | None, typer.Option(help="Axle of a vehicle on the tester: front or rear. Default: front.")
+    ] = None,
     set_: Changes = None,
     force: Force = False,
     as_json: AsJson = False,
@@ -52,6 +58,13 @@ def fmu(
     if sources_only and platform:
         what = "--platform says for what is compiled, and --sources-only that nothing is"
         raise DescriptionError(what, found=platform, hint="Leave one of them out.")
+    axles = ("front", "rear")
+    if axle is not None and axle not in axles:
+        raise unknown(axle, axles, what="axle", where="--axle")
+    if axle is not None and tester is None:
+        raise DescriptionError(
+            "only a tester takes one axle", where="--axle", found=axle, allowed="--axle with --tester"
+        )
     with progress() as say:
         say("loading")
         from jounce.exchange.fmu import export_fmu
@@ -60,8 +73,9 @@ def fmu(
         say("writing the FMU")
         version = cast("Literal[2, 3]", fmi)
         platforms = () if sources_only else platform or None
-        made = export_fmu(chosen, out, version=version, platforms=platforms, control=control, force=force)
-    plain = {"rig": rig, "control": control, **made.to_dict(), "out": str(out)}
+        on = {"tester": tester, "axle": axle or "front"}
+        made = export_fmu(chosen, out, version=version, platforms=platforms, control=control, force=force, **on)  # type: ignore[arg-type]
+    plain = {"rig": rig, "control": control, "tester": tester, **made.to_dict(), "out": str(out)}
     return Reply(plain, lambda console: _draw(console, made, plain), as_json)
 
 

@@ -11,31 +11,21 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-import numpy as np
-
-from jounce.control.controller import CallbackController
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
-from jounce.control.program import Program, program, values
 from jounce.core.errors import OutputError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
-from jounce.core.types import Array
-from jounce.core.units import Unit
 from jounce.core.writing import check_writable, working_folder, write_atomically
 from jounce.exchange.fmu import build as native
 from jounce.exchange.fmu.description import FILE, Head, build_description, description, page, terminals
 from jounce.exchange.fmu.graphs import graphs_of, header, source
-from jounce.exchange.fmu.reference import NOTE, reference
-from jounce.exchange.fmu.variables import Variables, list_variables
+from jounce.exchange.fmu.reference import reference
+from jounce.exchange.fmu.subject import subject_of
+from jounce.mechanics import Mechanism
 from jounce.parts import Rig
-from jounce.parts.rig import quantity_at
-from jounce.simulation.compiled import compile_rig
-from jounce.simulation.controlled import AnyControl, Loop, close_loop, command_names
-from jounce.simulation.prepare import dead_band
-from jounce.simulation.statics import find_equilibrium, state_scale
+from jounce.parts.testers import Tester, load_tester
+from jounce.simulation.controlled import AnyControl
 
-_MOTION = 0.01  # m, the motion whose size of each state is its nominal value
-_BAND = 10.0  # how many times the band of our own events an importer is given: it locates events less sharply
 _OLDEST = (1980, 1, 1, 0, 0, 0)  # the first day that archives know: the same file for the same rig
 _NAME = "jounce"
 _ICON = Path(__file__).parent / "icon" / "icon.png"
@@ -76,12 +66,14 @@ class FmuExport(Plain):
 
 
 def export_fmu(
-    rig: Rig,
+    rig: Rig | Mechanism,
     path: Path | str,
     *,
     version: Literal[2, 3] = 3,
     platforms: Sequence[str] | None = None,
     control: AnyControl | None = None,
+    tester: Tester | Path | str | None = None,
+    axle: Literal["front", "rear"] = "front",
     adjoint: bool = True,
     force: bool = False,
 ) -> FmuExport:
@@ -93,8 +85,9 @@ def export_fmu(
 
     Parameters
     ----------
-    rig : Rig
-        Rig or vehicle.
+    rig : Rig or Mechanism
+        Rig or vehicle; or a mechanism of one's own with a value for each parameter (``mechanism.<path>``), which starts
+        in its design pose.
     path : Path or str
         File to write, ``.fmu``.
     version : {2, 3}
@@ -104,6 +97,11 @@ def export_fmu(
         but this machine's need the extra ``fmu``; none (``()``) gives the sources alone.
     control : Controller, str, Path or callable, optional
         Controls the struts, as in :func:`jounce.simulate`; it becomes a sampled part of the FMU.
+    tester : Tester, Path or str, optional
+        Put the rig on a tester of shock absorbers: inputs are the angles of the exciters (rad) with their rates; the
+        tester's numbers are parameters ``tester.<name>``.
+    axle : {"front", "rear"}
+        Which axle of a vehicle stands on the tester.
     adjoint : bool
         Give adjoint derivatives, too (FMI 3.0): larger code.
     force : bool
@@ -119,7 +117,9 @@ def export_fmu(
     OutputError
         When the file exists, when no compiler makes a platform that was asked for, and for names that collide.
     SimulationError
-        When there is no equilibrium, and for a controller that is a Python function.
+        When there is no equilibrium, for a controller that is a Python function, and what does not stand on a tester.
+    DescriptionError
+        For a mechanism or a rig on a tester with a controller.
 
     Examples
     --------
@@ -147,19 +147,20 @@ def export_fmu(
         text = "no compiler was found: the FMU holds sources only; compile on the target or install the extra fmu"
         findings.append(Finding(str(file), "warning", text))
         wanted = ()
-    model = _Model(rig, control)
+    model = subject_of(rig, control, load_tester(tester) if isinstance(tester, (str, Path)) else tester, axle)
     findings += model.findings
-    graphs = graphs_of(
-        model.compiled.model, model.law.function if model.law else None, adjoint=adjoint and version == 3
-    )
+    law = model.law.function if model.law else None
+    graphs = graphs_of(model.compiled.model, law, adjoint=adjoint and version == 3)
     variables = model.variables()
     code = source(graphs)
     whole = {"measured": model.measured, "command": model.command_tracks}
     shared = {name: (native.C / name).read_bytes() for name in sorted(_c_files(version))}
     digest = hashlib.sha256(b"".join(shared.values()))
-    digest.update((code + header(graphs, "", model.numbers, whole, model.period) + str(variables)).encode())
+    digest.update(
+        (code + header(graphs, "", model.numbers, whole, model.period, model.at_rest) + str(variables)).encode()
+    )
     token = f"{{{uuid.UUID(bytes=digest.digest()[:16])}}}"
-    head_text = header(graphs, token, model.numbers, whole, model.period)
+    head_text = header(graphs, token, model.numbers, whole, model.period, model.at_rest)
     has_adjoint = "adjoint" in graphs.functions
     head = Head(model.name, f"Suspension model {model.name}", f"jounce {_version()}", token, has_adjoint, sources=True)
     files = {"modelDescription.xml": description(version, variables, head)}
@@ -179,10 +180,10 @@ def export_fmu(
         files["terminalsAndIcons/icon.png"] = _ICON.read_bytes()
     else:
         files["model.png"] = _ICON.read_bytes()
-    notes = _NOTES if not model.command_names else _NOTES + _CONTROL_NOTE.format(1.0 / model.period)
+    notes = _NOTES if not model.commands else _NOTES + _CONTROL_NOTE.format(1.0 / model.period)
     try:
-        files["extra/jounce/reference.csv"] = reference(rig, model.compiled.facts, control)
-        notes += NOTE
+        files["extra/jounce/reference.csv"], note = reference(model.reference)
+        notes += note
     except SimulationError as error:  # it has an equilibrium, and is a model for whoever can run it
         text = f"no reference run is in the FMU: {error}"
         findings.append(Finding(str(file), "warning", text))
@@ -230,90 +231,3 @@ communication points, in model exchange from the last accepted step.</p>
 deflections and forces are positive in compression.</p>
 """
 _CONTROL_NOTE = "<p>The controller inside sees its channels and sets its commands {0:g} times a second.</p>\n"
-
-
-class _Model:
-    """A rig with what its FMU starts from."""
-
-    def __init__(self, rig: Rig, control: AnyControl | None) -> None:
-        self._rig = rig
-        self.findings: list[Finding] = []
-        loop = close_loop(rig, control)
-        self.compiled = compile_rig(rig, actuator=loop.actuator if loop else None)
-        self._parameters = {**rig.parameters(), **(loop.parameters(self.compiled) if loop else {})}
-        self.command_names = command_names(loop.corners) if loop else ()
-        facts = self.compiled.facts
-        self.command_tracks = [facts.tracks.index(name) for name in self.command_names]
-        commands = {}
-        if loop:
-            commands = {
-                name: loop.controllers[corner].actuator.rest
-                for corner, name in zip(loop.corners, self.command_names, strict=True)
-            }
-        self.law, gains = self._law(loop)
-        self.period = 1.0 / loop.first.rate if loop else 1.0
-        names = self.compiled.output_names
-        self.measured = [_place(name, names) for name in self.law.channels] if self.law else []
-        self.numbers = self._start(commands, gains)
-
-    @property
-    def name(self) -> str:
-        """What the model is called: the rig's own name where it has one."""
-        return str(getattr(self._rig, "name", "") or getattr(self._rig, "model", "") or type(self._rig).__name__)
-
-    def _law(self, loop: Loop | None) -> tuple[Program | None, Array]:
-        if loop is None:
-            return None, np.zeros(0)
-        if isinstance(loop.first, CallbackController):
-            raise SimulationError(
-                "a controller that runs in Python cannot be part of an FMU",
-                where="control",
-                found=loop.first.name,
-                allowed="a law of jounce, such as skyhook or lqr; or export the rig alone and connect the law outside",
-            )
-        if loop.first.noise:
-            text = "the FMU's controller measures without the noise of its sensors"
-            self.findings.append(Finding("control: noise", "note", text))
-        made = program(loop.first, loop.corners)
-        return made, values(loop.controllers, loop.models, made.numbers)
-
-    def _start(self, commands: dict[str, float], gains: Array) -> dict[str, Array]:
-        compiled, law = self.compiled, self.law
-        n_q, n_v = compiled.facts.counts
-        p = compiled.parameter_values(self._parameters)
-        u = compiled.inputs(commands)
-        rest = find_equilibrium(compiled, p, u)
-        scale = state_scale(rest, n_q, n_v, _MOTION)
-        band = _BAND * dead_band(compiled, p, rest, scale, u)
-        seen = compiled.evaluate("output", rest.x, u, p, rest.modes)[self.measured] if law else np.zeros(0)
-        memory = np.zeros(law.memory if law else 0)
-        if law:
-            memory[len(memory) - len(commands) :] = list(commands.values())
-        return {
-            "x0": rest.x, "u0": u, "p0": p, "m0": rest.modes, "g0": gains, "memory0": memory, "rest0": seen,
-            "scale": scale, "band": band,
-        }  # fmt: skip
-
-    def variables(self) -> Variables:
-        """What an importer sees."""
-        facts = self.compiled.facts
-        quantities = {path: self._quantity(path) for path in facts.parameters}
-        names = self.law.numbers if self.law else ()
-        gains = dict(zip(names, map(float, self.numbers["g0"]), strict=True))
-        start = {name: self.numbers[f"{name}0"] for name in "xup"}
-        return list_variables(self.compiled.model, start, quantities, self.command_names, gains)
-
-    def _quantity(self, path: str) -> Unit:
-        """Unit and range of a number; those of an actuator that the rig does not have are not known."""
-        return quantity_at(self._rig, path) if path in self._rig.parameters() else Unit("1")
-
-
-def _place(channel: str, names: Sequence[str]) -> int:
-    if channel not in names:
-        raise SimulationError(
-            "the law needs a channel that the model does not have",
-            where="control",
-            found=channel,
-            allowed=", ".join(names),
-        )
-    return names.index(channel)

@@ -109,11 +109,16 @@ def source(graphs: Graphs) -> str:
 
 
 def header(
-    graphs: Graphs, token: str, numbers: Mapping[str, Array], whole: Mapping[str, Sequence[int]], period: float
+    graphs: Graphs,
+    token: str,
+    numbers: Mapping[str, Array],
+    whole: Mapping[str, Sequence[int]],
+    period: float,
+    at_rest: bool,
 ) -> str:
     """Text of ``model.h``: counts, start values (x0, u0, p0, ...), lists of numbers and of indices.
 
-    ``period`` is that of the controller, s.
+    ``period`` is that of the controller, s; ``at_rest`` says whether it starts in equilibrium unless told otherwise.
     """
     model = graphs.model
     counts = {
@@ -134,6 +139,7 @@ def header(
         "MEASURED": len(whole["measured"]),
         "COMMANDS": len(whole["command"]),
         "PROJECTS": int(bool(model.projection.shape[0])),
+        "AT_REST": int(at_rest),
         "ADJOINT": int("adjoint" in graphs.functions),
     }
     lines = ["#ifndef JN_MODEL_H", "#define JN_MODEL_H", f'#define JN_TOKEN "{token}"', f"#define JN_PERIOD {period!r}"]

@@ -1,38 +1,76 @@
-"""What an FMU shall give: our own run on a smooth bump, for whoever received it to compare with."""
+"""What an FMU shall give: our own run on a smooth bump or motion, for whoever received it to compare with."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 import numpy as np
 
+from jounce.core.types import Array
 from jounce.exchange.fmu.variables import structured
+from jounce.mechanics import Mechanism, constant, constant_rate
 from jounce.mechanics.facts import Facts, speed_of
 from jounce.parts import Rig
 from jounce.roads import Trial, Versine
 from jounce.simulation.controlled import AnyControl
+from jounce.simulation.free_run import simulate_mechanism
 from jounce.simulation.problem import excitation
 from jounce.simulation.run import simulate
+from jounce.testers.rig import TesterRig
 
 TOLERANCE = 1e-8
 _BUMP = Trial(road=Versine(height=0.01, length=0.5, start=0.1), speed=5.0, duration=0.3)
-NOTE = """<h2>To test it</h2>
-<p><code>extra/jounce/reference.csv</code> in the archive holds a run of jounce over a bump of 10 mm and 0.5 m at 5 m/s:
-the first columns are time (s) and inputs, the others outputs, all SI. Connect the inputs, start at rest, compare.</p>
-"""
+_SECONDS, _STEP, _TURNS = 0.3, 1e-3, 10.0  # s, s, Hz
+Given = Callable[[], tuple[Mapping[str, Array], str]]
+"""Columns by name with the time first, and what the run was."""
 
 
-def reference(rig: Rig, facts: Facts, control: AnyControl | None) -> bytes:
-    """Time, inputs and channels of the run as CSV, every 1 ms, SI to nine digits; names are those of the FMU."""
+def of_rig(rig: Rig, facts: Facts, control: AnyControl | None) -> tuple[Mapping[str, Array], str]:
+    """A rig over a bump."""
     run = simulate(rig, _BUMP, control=control, tolerance=TOLERANCE)
     time = run["time"].to_numpy()
     columns = {"time": time}
-    commands = {
-        name for name in facts.tracks if name.rpartition(".")[2] == "command"
-    }  # the controller inside sets them
     for track, signal in zip(facts.tracks, excitation(facts, rig, _BUMP), strict=True):
-        if track not in commands:
-            value, rate = signal.evaluate(time)[:2]
-            columns[track], columns[speed_of(track)] = value, rate
+        if track.rpartition(".")[2] != "command":  # those the controller inside sets
+            columns[track], columns[speed_of(track)] = signal.evaluate(time)[:2]
     columns |= {str(name): run[name].to_numpy() for name in run.data_vars if name not in columns}
+    return columns, "over a bump of 10 mm and 0.5 m at 5 m/s"
+
+
+def of_tester(on: TesterRig) -> tuple[Mapping[str, Array], str]:
+    """A rig on plates whose exciters turn at 10 Hz."""
+    time = np.linspace(0.0, _SECONDS, round(_SECONDS / _STEP) + 1)
+    rate = 2.0 * np.pi * _TURNS
+    turning = constant_rate(rate)
+    solution = on.run(dict.fromkeys(on.places, turning), time, fastest=rate, tolerance=TOLERANCE)
+    columns = {"time": time}
+    for track in on.compiled.facts.tracks:
+        columns[track], columns[speed_of(track)] = rate * time, np.full_like(time, rate)
+    given = dict(zip(on.compiled.output_names, solution.outputs, strict=True))
+    return columns | {name: value for name, value in given.items() if name not in columns}, "with exciters at 10 Hz"
+
+
+def of_mechanism(mechanism: Mechanism) -> tuple[Mapping[str, Array], str]:
+    """A mechanism released from its design pose, its tracks at zero."""
+    still = constant(0.0)
+    run = simulate_mechanism(
+        mechanism, _SECONDS, motions=dict.fromkeys(mechanism.tracks, still), output_step=_STEP, tolerance=TOLERANCE
+    )
+    time = run["time"].to_numpy()
+    columns = {"time": time}
+    for track in mechanism.tracks:
+        columns[track] = columns[speed_of(track)] = np.zeros_like(time)
+    columns |= {str(name): run[name].to_numpy() for name in run.data_vars if name not in columns}
+    return columns, "released from its design pose"
+
+
+def reference(given: Given) -> tuple[bytes, str]:
+    """The run as CSV, every 1 ms, SI to nine digits, under the names of the FMU; and what to say of it."""
+    columns, what = given()
     rows = [",".join(map(structured, columns))]
     rows += [",".join(f"{value + 0.0:.9g}" for value in row) for row in np.column_stack([*columns.values()])]
-    return ("\n".join(rows) + "\n").encode()
+    note = f"""<h2>To test it</h2>
+<p><code>extra/jounce/reference.csv</code> in the archive holds a run of jounce {what}:
+the first columns are time (s) and inputs, the others outputs, all SI. Connect the inputs, compare the outputs.</p>
+"""
+    return ("\n".join(rows) + "\n").encode(), note

@@ -14,8 +14,8 @@ from jounce.core.units import Unit
 from jounce.mechanics.facts import is_road, speed_of
 from jounce.mechanics.model import Model
 
-LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_acceleration": "m/s^2"}
-"""Units of the tracks that are no roads; what is not here is a command, whose unit nobody says."""
+LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_acceleration": "m/s^2", "angle": "rad"}
+"""Units of the tracks that are no roads, by their last word; what is not here is a command, whose unit nobody says."""
 
 
 @dataclass(frozen=True)
@@ -88,11 +88,15 @@ def list_variables(
     quantities: Mapping[str, Unit],
     commands: Sequence[str] = (),
     gains: Mapping[str, float] | None = None,
+    *,
+    names: Mapping[str, str],
+    at_rest: bool = True,
 ) -> Variables:
     """List the variables of a model.
 
     ``start`` holds start values of states, inputs and parameters (x, u, p); ``quantities`` unit and range of the
-    parameters by path; ``commands`` are the tracks that a controller inside the FMU sets, ``gains`` its numbers.
+    parameters by path, ``names`` their names here; ``commands`` are the tracks that a controller inside the FMU sets,
+    ``gains`` its numbers. ``at_rest``: whether it starts in equilibrium.
     """
     gains, order = gains or {}, model.track_order
     blocks = {"x": model.x, "dx": model.x, "u": model.u, "p": model.p, "g": ca.SX(len(gains), 1), "y": model.output}
@@ -141,7 +145,7 @@ def list_variables(
         )  # fmt: skip
     numbers = [
         Variable(
-            first["p"] + i, structured(f"rig.{path}"), "parameter", "tunable", "exact", quantities[path].si,
+            first["p"] + i, structured(names[path]), "parameter", "tunable", "exact", quantities[path].si,
             start=float(start["p"][i]), least=_at_least(quantities[path]), most=quantities[path].at_most,
         )
         for i, path in enumerate(model.parameters)
@@ -176,7 +180,7 @@ def list_variables(
         ),
         Variable(
             at + 1 + len(model.switches), "settings.start_at_rest", "parameter", "fixed", "exact",
-            text="start in static equilibrium under the inputs at the start", start=True,
+            text="start in static equilibrium under the inputs at the start", start=at_rest,
         ),
     ]  # fmt: skip
     time = Variable(0, "time", "independent", "continuous", unit="s", text="time")
@@ -194,13 +198,13 @@ def list_variables(
 
 def _inputs(track: str, order: int) -> list[tuple[str, str, str]]:
     """Name, unit and text of a track's value and its rates."""
-    unit = "m" if is_road(track) else LOAD_UNITS.get(track, "")
+    unit = "m" if is_road(track) else LOAD_UNITS.get(track.rpartition(".")[2], "")
     rate = speed_of(track)
     second = re.sub(r"\.v(\w)$", r".a\1", rate) if is_road(track) else f"{rate}_rate"
-    text = {"m": "height of the road under the wheel, up"}.get(unit, "")
+    text = {"m": "height of the road under the wheel, up", "rad": "angle of the exciter: at 0 at mean height, rising"}
     told = "its rate; where it stays zero, co-simulation takes it from the values"
     rows = [
-        (track, unit, text),
+        (track, unit, text.get(unit, "")),
         (rate, _per_second(unit), told),
         (second, _per_second(_per_second(unit)), "its second rate"),
     ]

@@ -35,7 +35,7 @@ void jn_reset(JnInstance *c) {
     memcpy(s->rest, jn_rest0, sizeof jn_rest0);
     for (int i = 0; i < JN_COMMANDS; i++) s->rated[jn_command[i]] = true; /* a command holds */
     s->tolerance = 1e-5;
-    s->at_rest = true;
+    s->at_rest = JN_AT_REST;
     s->p_changed = true;
 }
 
