@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import casadi as ca
 import numpy as np
 import pytest
 
 import jounce as jn
 from jounce.kinematics.axle import Axle
+from jounce.mechanics import Mechanism
+from jounce.models.attachments import t_bar_of
+from jounce.models.corner import build_linkage
 from jounce.parts.advice import rig_findings
 from jounce.parts.files import rig_text
 from jounce.simulation import equilibrium
@@ -149,7 +153,10 @@ def test_a_t_bar_stays_closed_and_its_forces_are_slopes_of_the_energy(stem) -> N
 
 def test_a_t_bar_whose_links_hold_nothing_has_no_numbers(plain) -> None:
     along = {"hardpoints.arb_arm_end": [-0.08, 0.16, 0.45], "hardpoints.arb_link_end": [-0.08, 0.20, 0.45]}
-    found = jn.sweep_axle(plain.with_changes({**T_BAR, **along}), left_travel=0.005, right_travel=-0.005)
+    loose = plain.with_changes({**T_BAR, **along})
+    assert any("hardly hold the T-bar" in item.message for item in rig_findings(loose))
+    assert not any("T-bar" in item.message for item in rig_findings(plain.with_changes(T_BAR)))
+    found = jn.sweep_axle(loose, left_travel=0.005, right_travel=-0.005)
     for name in ("anti_roll_bar_twist", "anti_roll_bar_torque", "left.axle_force"):
         assert np.isnan(found[name].to_numpy()).all(), name
     assert np.isfinite(found["left.camber_to_ground"].to_numpy()).all()
@@ -263,22 +270,26 @@ def test_a_third_spring_of_a_whole_car_stiffens_heave_and_not_roll() -> None:
 
 @pytest.mark.slow
 def test_a_described_bar_of_a_whole_car_is_its_rate_at_the_wheel() -> None:
-    """A U-bar stiffens roll as half of its rate in opposite travel does (a force for each metre of difference)."""
+    """A U- or T-bar stiffens roll as half of its rate in opposite travel (a force for each metre of difference)."""
     bare = jn.load("formula-student-car").with_changes({"front.anti_roll_bar_rate": 0.0})
     described = {
-        kind: bare.with_changes({f"front.corner.{path}": value for path, value in U_BAR.items()}) for kind in "uz"
+        kind: bare.with_changes({f"front.corner.{path}": value for path, value in parts.items()})
+        for kind, parts in {"u": U_BAR, "z": U_BAR, "t": T_BAR}.items()
     }
     described["z"] = described["z"].with_changes({"front.corner.anti_roll_bar.kind": "z"})
-    rate = float(jn.sweep_travel(described["u"].front.corner, 0.0)["anti_roll_bar_rate"][0])
-    cars = {**described, "rate": bare.with_changes({"front.anti_roll_bar_rate": 0.5 * rate}), "bare": bare}
+    cars = {**described, "bare": bare}
+    for kind in "ut":
+        rate = float(jn.sweep_travel(described[kind].front.corner, 0.0)["anti_roll_bar_rate"][0])
+        cars[f"rate of {kind}"] = bare.with_changes({"front.anti_roll_bar_rate": 0.5 * rate})
     modes = {name: jn.modes(car) for name, car in cars.items()}
     roll = {
         name: next(mode.frequency_hz for mode in found if abs(complex(*mode.shape["body.roll"])) > 0.99)
         for name, found in modes.items()
     }
-    assert roll["u"] == pytest.approx(roll["rate"], rel=1e-4)
+    for kind in "ut":
+        assert roll[kind] == pytest.approx(roll[f"rate of {kind}"], rel=1e-4), kind
+        assert roll[kind] > 1.1 * roll["bare"], kind
     assert roll["z"] == pytest.approx(roll["bare"], rel=1e-4)
-    assert roll["u"] > 1.1 * roll["bare"]
     assert modes["z"][1].frequency_hz > 1.2 * modes["bare"][1].frequency_hz
     rest = equilibrium(described["z"])
     assert rest["front.anti_roll_bar.torque"] == pytest.approx(900.0 * rest["front.anti_roll_bar.twist"], rel=1e-12)
@@ -286,10 +297,48 @@ def test_a_described_bar_of_a_whole_car_is_its_rate_at_the_wheel() -> None:
 
 def test_a_car_has_its_bar_once() -> None:
     car = jn.load("formula-student-car")
-    bar = {f"front.corner.{path}": value for path, value in U_BAR.items()}
-    with pytest.raises(jn.DescriptionError, match="both would count"):
-        car.with_changes(bar)
-    stem = {f"front.corner.{path}": value for path, value in T_BAR.items()}
-    car.with_changes(stem)
-    with pytest.raises(jn.DescriptionError, match="half of the row anti_roll_bar_rate"):
-        car.with_changes({**stem, "front.anti_roll_bar_rate": 0.0})
+    for parts in (U_BAR, T_BAR):
+        with pytest.raises(jn.DescriptionError, match="both would count"):
+            car.with_changes({f"front.corner.{path}": value for path, value in parts.items()})
+
+
+def test_the_t_bar_of_a_car_is_that_of_the_axle(stem) -> None:
+    """Twist as in kinematics, its rate as the slope of the twist: the power of its torque is that of its energy."""
+    mechanism = Mechanism()
+    pair = []
+    for name, turned in (("left", 1.0), ("right", -1.0)):
+        with mechanism.within(name, "corner"):
+            pair.append(build_linkage(stem, mechanism, mechanism.ground, ahead=0.1, turned=turned))
+    held, rate = t_bar_of(*pair)
+    exact, travels = mechanism.rate_of(held.twist), [one.wheel_centre.value[2] for one in pair]
+    collection = mechanism.collection
+    numbers = stem.parameters()
+    symbols = collection.parameters
+    p = [numbers[path.removeprefix("corner.")] for path in symbols]
+    closed = ca.vertcat(*(one.value for one in collection.constraints))
+    target = ca.SX.sym("travel", 2)
+    turns = [collection.q[first : first + 4] for first in collection.quaternions.values()]
+    closed = ca.vertcat(closed, *(ca.dot(turn, turn) - 1.0 for turn in turns))
+    off = ca.vertcat(closed, ca.vertcat(*travels) - numbers["hardpoints.wheel_centre[2]"] - target)
+    gaps = ca.Function(
+        "gaps",
+        [collection.q, ca.vertcat(*symbols.values()), target],
+        [off, ca.jacobian(off, collection.q)],
+    )
+    shown = ca.Function(
+        "shown",
+        [collection.q, collection.v, ca.vertcat(*symbols.values())],
+        [held.twist, exact, rate, held.hinge],
+    )
+    random = np.random.default_rng(3)
+    for pair_of_travels in ((0.011, -0.004), (-0.02, 0.025), (0.03, 0.03)):
+        q = np.array(list(collection.start.values()))
+        for _ in range(30):
+            left, slope = (np.asarray(part) for part in gaps(q, p, pair_of_travels))
+            q = q - np.linalg.lstsq(slope, left.ravel(), rcond=None)[0]
+        axle = jn.sweep_axle(stem, left_travel=pair_of_travels[0], right_travel=pair_of_travels[1])
+        speeds = random.standard_normal(collection.v.numel())
+        twist, by_slope, by_links, hinge = (float(part) for part in shown(q, speeds, p))
+        assert twist == pytest.approx(float(axle["anti_roll_bar_twist"][0]), abs=1e-12)
+        assert hinge == pytest.approx(float(axle["anti_roll_bar_hinge_angle"][0]), abs=1e-12)
+        assert by_links == pytest.approx(by_slope, rel=1e-9, abs=1e-12)

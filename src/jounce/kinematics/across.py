@@ -10,14 +10,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.kinematics.model import KinematicModel
+from jounce.models.bars import t_bar_function
 from jounce.parts import Corner
-
-_ITERATIONS, _LEVEL, _CLOSED = 30, 1e-14, 1e-9  # m^2
-_LOOSE = 1e7  # how ill a bar may be held by its links
-_ACROSS = np.array([0.0, 1.0, 0.0])
 
 
 @dataclass(frozen=True)
@@ -122,66 +118,32 @@ def _add_bar(found: Connection, twist: Array, torque: Array) -> None:
 
 def _t_bar(found: Connection, stiffness: Array, left: Wheel, right: Wheel) -> None:
     """T-bar: hinged over by both ends alike, its stem twisted by what they differ."""
-    pivot = left.point("arb_pivot")
+    pivot, sides = left.point("arb_pivot"), (left, right)
     stem = left.point("arb_axis") - pivot
-    size = np.linalg.norm(stem)
-    stem = stem / size
-    arms = [wheel.point("arb_arm_end") - pivot for wheel in (left, right)]
-    lengths = [
-        float(np.linalg.norm(wheel.point("arb_link_end") - pivot - arm))
-        for wheel, arm in zip((left, right), arms, strict=True)
-    ]
-    known = [wheel.ends.bar for wheel in (left, right) if wheel.ends and wheel.ends.bar]
-    ends, rates = [end - pivot for end, _ in known], [rate for _, rate in known]
-    hinge = 0.5 * (left.rows["anti_roll_bar_angle"] + right.rows["anti_roll_bar_angle"])
-    twist = np.zeros_like(hinge)
-    for _ in range(_ITERATIONS):
-        standing = _turned(stem[None, :], _ACROSS, hinge)
-        tips = [_turned(_turned(arm[None, :], stem, twist), _ACROSS, hinge) for arm in arms]
-        links = [end - tip for end, tip in zip(ends, tips, strict=True)]
-        off = np.stack([_dot(link, link) - length**2 for link, length in zip(links, lengths, strict=True)], axis=1)
-        slopes = np.stack(
-            [
-                np.stack([-2.0 * _dot(link, np.cross(axis, tip)) for axis in (_ACROSS, standing)], axis=1)
-                for link, tip in zip(links, tips, strict=True)
-            ],
-            axis=1,
-        )
-        if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
-            break
-        step = _solved(slopes, -off)
-        hinge, twist = hinge + step[:, 0], twist + step[:, 1]
-    twist = np.where(np.max(np.abs(off), axis=1) < _CLOSED, twist, np.nan)  # the links do not reach
-    torque = stiffness * twist
-    along = [link / length for link, length in zip(links, lengths, strict=True)]
-    levers = np.stack(  # rows: about the hinge, about the stem; columns: left and right link
-        [
-            np.stack([_dot(way, np.cross(axis, tip)) for way, tip in zip(along, tips, strict=True)], axis=1)
-            for axis in (_ACROSS, standing)
-        ],
-        axis=1,
+    arms, far = (
+        np.stack([one.point(f"arb_{name}") - pivot for one in sides], axis=1) for name in ("arm_end", "link_end")
     )
-    pulls = _solved(levers, np.stack([np.zeros_like(torque), torque], axis=1))
-    for i, (way, rate) in enumerate(zip(along, rates, strict=True)):
+    known = [wheel.ends.bar for wheel in sides if wheel.ends and wheel.ends.bar]
+    ends, rates = [end - pivot for end, _ in known], [rate for _, rate in known]
+    count = len(ends[0])
+    each = [np.tile(part, (1, count)) for part in (stem[:, None], arms, far)]
+    parts = t_bar_function().map(count)(*each, np.stack(ends, axis=2).transpose(1, 0, 2).reshape(3, 2 * count))
+    hinge, twist = (part.full()[0] for part in parts[:2])
+    tips, ways = (part.full().reshape(3, count, 2).transpose(2, 1, 0) for part in parts[2:4])  # (2, n, 3)
+    levers = parts[4].full().reshape(2, count, 2).transpose(1, 2, 0)  # (n, motion, link)
+    torque = stiffness * twist
+    held = np.isfinite(levers).all(axis=(1, 2)) & np.isfinite(twist)
+    pulls = np.full((count, 2), np.nan)
+    asked = np.stack([np.zeros_like(torque), torque], axis=1)
+    pulls[held] = np.linalg.solve(levers[held], asked[held][:, :, None])[:, :, 0]
+    for i, (way, rate) in enumerate(zip(ways, rates, strict=True)):
         found.forces[i] = found.forces[i] + pulls[:, i] * _dot(way, rate)
         found.links.append(np.asarray(pulls[:, i], dtype=np.float64))
         found.arm_ends.append(pivot + tips[i])
-    found.stem_end = np.asarray(pivot + size * _turned(stem[None, :], _ACROSS, hinge))
+    over = np.stack([np.cos(hinge), np.zeros(count), np.sin(hinge)], axis=1)
+    found.stem_end = pivot + stem[0] * over * [1.0, 1.0, -1.0] + stem[2] * over[:, ::-1]
     found.add("anti_roll_bar_hinge_angle", hinge, "rad", "turn of the T-bar about its hinge", "positive: about +y")
     _add_bar(found, twist, torque)
-
-
-def _solved(matrices: Array, right: Array) -> Array:
-    """Solve for the two motions of a T-bar at each pose; a bar that its links cannot hold is refused."""
-    known = np.isfinite(matrices).all(axis=(1, 2))
-    if np.any(np.linalg.cond(matrices[known]) > _LOOSE):
-        raise SimulationError(
-            "the links of the T-bar cannot hold it: they pass its hinge or its stem",
-            hint="Move hardpoints.arb_arm_end or arb_link_end.",
-        )
-    found = np.full_like(right, np.nan)
-    found[known] = np.linalg.solve(matrices[known], right[known][:, :, None])[:, :, 0]
-    return found
 
 
 def _third(found: Connection, rig: Corner, model: KinematicModel, numbers: Array, wheels: tuple[Wheel, Wheel]) -> None:
@@ -202,13 +164,6 @@ def _third(found: Connection, rig: Corner, model: KinematicModel, numbers: Array
     text = "compression of the third spring from design"
     found.add("third_spring_deflection", design - length, "m", text, "positive: compression")
     found.add("third_spring_force", force, "N", "force of the third spring", "positive: compression")
-
-
-def _turned(vectors: Array, axis: Array, angle: Array) -> Array:
-    """Vectors (n, 3) or (1, 3) turned about an axis (3,) by angles (n,)."""
-    c, s = np.cos(angle)[:, None], np.sin(angle)[:, None]
-    along = (vectors @ axis)[:, None] * axis
-    return np.asarray(along + (vectors - along) * c + np.cross(axis, vectors) * s)
 
 
 def _dot(a: Array, b: Array) -> Array:

@@ -15,14 +15,14 @@ import casadi as ca
 from jounce.mechanics import Mechanism, Track
 from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
-from jounce.mechanics.rotations import unit
+from jounce.mechanics.rotations import turned, unit
 from jounce.models.attachments import (
     Line,
     bar_angle,
     bar_axis,
-    bar_carrier,
     bar_stiffness,
     line_of,
+    link_end,
     spring_law,
     stop_law,
     third_damper_law,
@@ -408,10 +408,7 @@ class CornerView:
         hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, bar_axis(self.linkage)
         pivot = hardpoint("arb_pivot")
         arm = hardpoint("arb_arm_end") - pivot
-        along = ca.dot(axis, arm) * axis
-        turned = along + (arm - along) * ca.cos(angle) + ca.cross(axis, arm) * ca.sin(angle)
-        link_end = bar_carrier(self.linkage).frame.point(hardpoint("arb_link_end")).value
-        moved = {"arb_arm_end": pivot + turned, "arb_link_end": link_end}
+        moved = {"arb_arm_end": pivot + turned(arm, axis, angle), "arb_link_end": link_end(self.linkage).value}
         if self._is_t_bar:
             stem = hardpoint("arb_axis") - pivot
             moved["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
@@ -429,7 +426,7 @@ class CornerView:
             return ca.SX(0.0)
         if bar.kind == "u":
             return 2.0 * self.slope(self.bar_angle)
-        link, moving = self._bar_link, bar_carrier(self.linkage).frame.point(self.linkage.hardpoint("arb_link_end"))
+        link, moving = self._bar_link, link_end(self.linkage)
         lever = self.bar_points["arb_arm_end"] - self.linkage.hardpoint("arb_pivot")
         return ca.dot(link, moving.rate) / ca.dot(link, ca.cross(self._stem, lever))
 
@@ -442,8 +439,7 @@ class CornerView:
     def _stem(self) -> ca.SX:
         """Direction of a T-bar's stem, hinged over with the bar."""
         design = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
-        axis, angle = bar_axis(self.linkage), self.bar_angle
-        return design * ca.cos(angle) + ca.cross(axis, design) * ca.sin(angle)  # it is across the axis
+        return turned(design, bar_axis(self.linkage), self.bar_angle)
 
     @property
     def _bar_link(self) -> ca.SX:
@@ -503,7 +499,7 @@ class CornerView:
         """
         ends = []
         if self._is_t_bar:
-            ends.append(bar_carrier(self.linkage).frame.point(self.linkage.hardpoint("arb_link_end")))
+            ends.append(link_end(self.linkage))
         if self.linkage.rig.third_spring is not None:
             ends.append(third_end(self.linkage))
         seen = [self._mirrored(end) for end in ends]

@@ -36,6 +36,12 @@ def unit(a: ca.SX) -> ca.SX:
     return a / ca.sqrt(ca.dot(a, a))
 
 
+def turned(vector: ca.SX, axis: ca.SX, angle: ca.SX) -> ca.SX:
+    """Vector turned about a unit axis, right-handed, rad."""
+    along = ca.dot(axis, vector) * axis
+    return along + (vector - along) * ca.cos(angle) + ca.cross(axis, vector) * ca.sin(angle)
+
+
 def normals(axis: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Two unit vectors that form a right-handed frame ``(n1, n2, axis)`` with a unit vector.
 

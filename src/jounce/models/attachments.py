@@ -18,6 +18,7 @@ from jounce.mechanics.elements import (
 )
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
+from jounce.models.bars import Swing, TBar, t_bar
 from jounce.models.linkage import Linkage
 from jounce.parts.elements import CoilSpring, MapDamper
 from jounce.parts.leverage import AXES
@@ -166,6 +167,11 @@ def bar_carrier(linkage: Linkage) -> Body:
     return linkage.carriers[str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))]
 
 
+def link_end(linkage: Linkage) -> Moving:
+    """End of the anti-roll bar's link on the suspension."""
+    return bar_carrier(linkage).frame.point(linkage.hardpoint("arb_link_end"))
+
+
 def bar_axis(linkage: Linkage) -> ca.SX:
     """Direction of the anti-roll bar's axis on the car's body, to the left (of one across to the left: as given).
 
@@ -180,20 +186,19 @@ def bar_axis(linkage: Linkage) -> ca.SX:
 
 def bar_angle(linkage: Linkage) -> ca.SX:
     """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
-    axis, chassis = bar_axis(linkage), linkage.chassis.frame
-    pivot, arm_end, link_end = (linkage.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
-    arm, link = arm_end - pivot, link_end - arm_end
-    reach = bar_carrier(linkage).frame.point(link_end).value - chassis.point(pivot).value
-    away, away_design = chassis.orientation.unrotate(reach), link_end - pivot
-    along = ca.dot(axis, arm)
+    pivot, arm, far = (linkage.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
+    chassis = linkage.chassis.frame
+    end = chassis.orientation.unrotate(link_end(linkage).value - chassis.point(pivot).value)
+    return Swing.of(bar_axis(linkage), arm - pivot, far - pivot, end).angle
 
-    def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
-        return ca.dot(arm - along * axis, d), ca.dot(ca.cross(axis, arm), d)
 
-    a, b = parts(away)
-    needed = 0.5 * (ca.dot(arm, arm) + ca.dot(away, away) - ca.dot(link, link)) - along * ca.dot(axis, away)
-    branch = ca.sign(parts(away_design)[1])
-    return ca.atan2(b, a) - branch * ca.acos(needed / ca.sqrt(a**2 + b**2))
+def t_bar_of(left: Linkage, right: Linkage) -> tuple[TBar, ca.SX]:
+    """T-bar between two suspensions that hang in the same axes, and the rate of its twist, rad/s."""
+    pivot = left.hardpoint("arb_pivot")
+    arms, far = ([one.hardpoint(f"arb_{name}") - pivot for one in (left, right)] for name in ("arm_end", "link_end"))
+    ends = [link_end(one) for one in (left, right)]
+    found = t_bar(left.hardpoint("arb_axis") - pivot, arms, far, [end.value - pivot for end in ends])
+    return found, found.twist_rate([end.rate for end in ends])
 
 
 def bar_stiffness(linkage: Linkage) -> ca.SX:

@@ -18,6 +18,7 @@ from jounce.models.attachments import (
     add_tyre,
     bar_angle,
     bar_stiffness,
+    t_bar_of,
     third_damper_law,
     third_end,
     third_law,
@@ -135,7 +136,13 @@ def _anti_roll_bar(mechanism: Mechanism, pair: list[_Wheel], rate: ca.SX) -> Non
 def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     """Let the anti-roll bar that the corner describes twist by the difference of its ends, a Z-bar by their sum."""
     bar = pair[0].linkage.rig.anti_roll_bar
-    if bar is None or bar.kind == "t":
+    if bar is None:
+        return
+    if bar.kind == "t":
+        held, rate = t_bar_of(pair[0].linkage, pair[1].linkage)
+        torque = bar_stiffness(pair[0].linkage) * held.twist
+        mechanism.load(rate, -torque)
+        show_bar(mechanism, held.twist, torque)
         return
     one, other = (bar_angle(wheel.linkage) for wheel in pair)
     twist = other + one if bar.kind == "z" else other - one

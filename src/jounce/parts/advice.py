@@ -34,6 +34,8 @@ INDICES = (0.4, 2.0)
 """Dynamic indices (pitch inertia over mass and both distances, 1) that road vehicles have."""
 FREQUENCIES = (0.6, 6.0)
 """Hz, of the body on one axle: from the softest coach to a race car."""
+_LEVER = 0.02
+"""Lever of a T-bar's link over the length of the arm, below which it holds nothing."""
 RATIOS = (0.05, 1.5)
 """Damping ratios (1) of the body on one axle."""
 
@@ -65,8 +67,8 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     """
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
-        checks = (_estimated, _order, _wheel, _strut, _bodies, _sprung, _statics)
-        checks = checks[:3] if rig.lacks else checks  # what it does not say cannot be wrong
+        checks = (_estimated, _order, _wheel, _bars, _strut, _bodies, _sprung, _statics)
+        checks = checks[:4] if rig.lacks else checks  # what it does not say cannot be wrong
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]
@@ -197,6 +199,20 @@ def _bodies(rig: Corner) -> Iterator[Finding]:
                 f"({1e3 * reach:.4g} mm); are the units right (kg m^2, about the centre of mass)?"
             )
             yield _warn(f"bodies.{name}.inertia", text, gyration)
+
+
+def _bars(rig: Corner) -> Iterator[Finding]:
+    """Whether the links of a T-bar hold its hinge and its stem."""
+    if rig.anti_roll_bar is None or rig.anti_roll_bar.kind != "t":
+        return
+    points = {name: np.array(point) for name, point in rig.hardpoints.given().items() if name.startswith("arb_")}
+    arm, stem = (points[name] - points["arb_pivot"] for name in ("arb_arm_end", "arb_axis"))
+    link = points["arb_link_end"] - points["arb_arm_end"]
+    for axis, name in ((np.array([0.0, 1.0, 0.0]), "its hinge"), (stem / np.linalg.norm(stem), "its stem")):
+        lever = float(abs(link @ np.cross(axis, arm)) / np.linalg.norm(link))
+        if lever < _LEVER * np.linalg.norm(arm):
+            text = f"passes {name} at {1e3 * lever:.2g} mm: the links hardly hold the T-bar. Move arb_arm_end."
+            yield _warn("hardpoints.arb_link_end", text, lever)
 
 
 def _sprung(rig: Corner) -> Iterator[Finding]:

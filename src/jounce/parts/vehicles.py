@@ -258,8 +258,8 @@ class SpatialAxle(Description):
         The left corner; its own ``sprung`` and ``guide`` do not matter here. In a file also the name of a shipped rig
         or the path of a rig file, from the vehicle file's folder.
     anti_roll_bar_rate : float
-        Force on a wheel for each metre by which it travels further than the other one, N/m. A U-bar that the corner
-        describes works by itself; of a T-bar this is the rate.
+        Force on a wheel for each metre by which it travels further than the other one, N/m, where the corner describes
+        no U- or T-bar, which work through their links; a Z-bar, which lets the car roll, may stand beside it.
     """
 
     distance: PositiveLength
@@ -273,16 +273,10 @@ class SpatialAxle(Description):
         if self.corner.lacks:
             raise misplaced(("corner",), f"of a car needs all its parts; it has no {', '.join(self.corner.lacks)}")
         bar = self.corner.anti_roll_bar
-        if bar is not None and bar.kind == "u" and self.anti_roll_bar_rate > 0.0:
+        if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
             raise misplaced(
                 ("anti_roll_bar_rate",),
                 "the corner describes this bar, too, and both would count; allowed: one of them",
-            )
-        if bar is not None and bar.kind == "t" and self.anti_roll_bar_rate == 0.0:
-            raise misplaced(
-                ("anti_roll_bar_rate",),
-                "missing; a T-bar of a car works by its rate at the wheel: half of the row anti_roll_bar_rate of its "
-                "corner",
             )
         return self
 

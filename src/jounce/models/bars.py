@@ -1,0 +1,126 @@
+"""Where anti-roll bars stand: an arm about an axis that a link holds, and a T-bar, held by the links of both wheels.
+
+A T-bar is a stem, hinged across the car, with a bar across its end. Its hinge and twist follow from the places where
+both links end on the suspensions. There is no closed formula, so that a fixed number of Newton's steps is written out;
+rates are those of links that keep their lengths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import casadi as ca
+
+from jounce.mechanics.rotations import turned, unit
+
+_STEPS = 6  # the error of a start within half a radian is below rounding after five
+_CLOSED = 1e-9  # m^2
+_ACROSS = ca.SX([0.0, 1.0, 0.0])
+
+
+@dataclass(frozen=True)
+class Swing:
+    """Angles (rad) of an arm about an axis at which a link of fixed length reaches a place.
+
+    They are ``middle`` and to one ``branch`` (1, -1) of it the arc whose cosine is ``cosine``.
+    """
+
+    middle: ca.SX
+    cosine: ca.SX
+    branch: ca.SX
+
+    @classmethod
+    def of(cls, axis: ca.SX, arm: ca.SX, far: ca.SX, end: ca.SX) -> Swing:
+        """Arm and far end of its link at design, and where that end is now, all in m from a point of the axis."""
+        link, along = far - arm, ca.dot(axis, arm)
+
+        def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
+            return ca.dot(arm - along * axis, d), ca.dot(ca.cross(axis, arm), d)
+
+        a, b = parts(end)
+        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(end, end) - ca.dot(link, link)) - along * ca.dot(axis, end)
+        return cls(ca.atan2(b, a), needed / ca.sqrt(a**2 + b**2), ca.sign(parts(far)[1]))
+
+    @property
+    def angle(self) -> ca.SX:
+        """Turn since design, right-handed; no number where the link does not reach."""
+        return self.middle - self.branch * ca.acos(self.cosine)
+
+    @property
+    def nearest(self) -> ca.SX:
+        """Turn at which the link reaches, or comes nearest."""
+        return self.middle - self.branch * ca.acos(ca.fmin(ca.fmax(self.cosine, -1.0), 1.0))
+
+
+@dataclass(frozen=True)
+class TBar:
+    """Pose of a T-bar, in axes of the car's body from where its stem is hinged.
+
+    ``hinge`` (rad, about +y) and ``twist`` (rad, about the stem) are no numbers where the links do not reach. ``tips``
+    are the ends of the bar (m), ``ways`` unit vectors along the links from there on, left and right; ``levers`` (2, 2)
+    say what a unit rate of hinge and twist (columns) makes of the distance of each link's far end (rows), m/rad.
+    """
+
+    hinge: ca.SX
+    twist: ca.SX
+    tips: tuple[ca.SX, ca.SX]
+    ways: tuple[ca.SX, ca.SX]
+    levers: ca.SX
+
+    def twist_rate(self, rates: Sequence[ca.SX]) -> ca.SX:
+        """Rate of the twist, rad/s, for velocities of the links' far ends, m/s: the links keep their lengths."""
+        along = [ca.dot(way, rate) for way, rate in zip(self.ways, rates, strict=True)]
+        (a, b), (c, d) = (ca.horzsplit(row) for row in ca.vertsplit(self.levers))
+        return (a * along[1] - c * along[0]) / (a * d - b * c)
+
+
+def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequence[ca.SX]) -> TBar:
+    """Close a T-bar.
+
+    ``stem``, its ``arms`` (ends of the bar) and ``far`` (the links' far ends) are places at design, ``ends`` those
+    where the far ends are; all in m from where the stem is hinged, left before right.
+    """
+    along = unit(stem)
+    lengths = [ca.dot(end - arm, end - arm) for arm, end in zip(arms, far, strict=True)]
+    swings = [Swing.of(_ACROSS, *one) for one in zip(arms, far, ends, strict=True)]
+    hinge, twist = 0.5 * sum((swing.nearest for swing in swings), ca.SX(0.0)), ca.SX(0.0)
+    for _ in range(_STEPS):
+        tips, links, levers = _posed(along, arms, ends, hinge, twist)
+        off = [0.5 * (ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)]
+        (a, b), (c, d) = levers
+        gap = a * d - b * c
+        hinge, twist = hinge + (d * off[0] - b * off[1]) / gap, twist + (a * off[1] - c * off[0]) / gap
+    tips, links, levers = _posed(along, arms, ends, hinge, twist)
+    left = [ca.fabs(ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)]
+    closed = ca.fmax(*left) < _CLOSED
+    hinge, twist = (ca.if_else(closed, angle, ca.SX.nan()) for angle in (hinge, twist))
+    sizes = [ca.sqrt(length) for length in lengths]
+    ways = [link / size for link, size in zip(links, sizes, strict=True)]
+    rows = [ca.horzcat(*row) / size for row, size in zip(levers, sizes, strict=True)]
+    return TBar(hinge, twist, (tips[0], tips[1]), (ways[0], ways[1]), ca.vertcat(*rows))
+
+
+@cache
+def t_bar_function() -> ca.Function:
+    """The same in numbers: hinge, twist, tips, ways (3, 2) and levers, of the arguments as (3, 2)."""
+    stem = ca.SX.sym("stem", 3)
+    pairs = [ca.SX.sym(name, 3, 2) for name in ("arms", "far", "ends")]
+    found = t_bar(stem, *(ca.horzsplit(pair) for pair in pairs))
+    made = [found.hinge, found.twist, ca.horzcat(*found.tips), ca.horzcat(*found.ways), found.levers]
+    return ca.Function("t_bar", [stem, *pairs], [ca.densify(part) for part in made])
+
+
+def _posed(
+    along: ca.SX, arms: Sequence[ca.SX], ends: Sequence[ca.SX], hinge: ca.SX, twist: ca.SX
+) -> tuple[list[ca.SX], list[ca.SX], list[tuple[ca.SX, ca.SX]]]:
+    """Ends of the bar, links from there, and what hinge and twist do to half of each link's squared length, negated."""
+    stem = turned(along, _ACROSS, hinge)
+    tips = [turned(turned(arm, along, twist), _ACROSS, hinge) for arm in arms]
+    links = [end - tip for end, tip in zip(ends, tips, strict=True)]
+    levers = [
+        (ca.dot(link, ca.cross(_ACROSS, tip)), ca.dot(link, ca.cross(stem, tip)))
+        for link, tip in zip(links, tips, strict=True)
+    ]
+    return tips, links, levers
