@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.kinematics.clearances import PosedCorner
+from jounce.kinematics.model import kinematic_model
 
 RIG = "formula-student-front"
 
@@ -84,6 +86,43 @@ def test_a_rod_in_the_rim_as_its_samples(rig, side: str) -> None:
                 past = np.clip(along, -0.08, 0.03) - along
                 apart = np.hypot(out - 0.12, past).min() - (0.01 if name == "ball" else 0.0)
                 assert float(found[name][i, j]) == pytest.approx(apart, abs=3e-6), (name, travel, rack)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_slopes_of_clearances_are_those_of_whole_sweeps(rig, side: str) -> None:
+    """Bars that cross, that are nearest at an end, a frame tube, a sphere, a rod in the rim: against differences."""
+    corner = rig if side == "left" else rig.mirrored()
+    y, rim = corner.sign, jn.Rim(radius="120 mm", inner="-80 mm", outer="30 mm")
+    rods = {
+        "crossing": (("pushrod_outer", "pushrod_inner"), ("upper_arm_front", "upper_ball_joint")),
+        "end": (("pushrod_outer", "pushrod_inner"), ("lower_arm_front", "lower_arm_rear")),
+        "sphere": (("wheel_centre",), ("tie_rod_inner", "tie_rod_outer")),
+        "arm": (("upper_arm_front", "upper_ball_joint", "upper_arm_rear"), ("pushrod_outer", "pushrod_inner")),
+    }
+    pairs = {name: tuple(jn.Solid(points=one, radius=0.006) for one in pair) for name, pair in rods.items()}
+    rod = jn.Solid(points=("tie_rod_inner", "tie_rod_outer"))
+    pairs["tube"] = rod, jn.Solid(places=[(0.065, y * 0.245, 0.1), (0.065, y * 0.245, 0.2)])
+    pairs["rim"] = rod, rim
+    pairs["ball in the rim"] = rim, jn.Solid(points=("lower_ball_joint",))
+    model = kinematic_model(corner)
+    numbers = model.parameter_values(corner)
+    paths = [i for i, path in enumerate(model.parameters) if path.startswith(("hardpoints.", "wheel."))]
+    directions = np.zeros((2 + len(numbers), len(paths)))
+    directions[2 + np.array(paths), np.arange(len(paths))] = 1.0
+    poses = np.array([-0.02, 0.0, 0.02]), y * np.array([0.0, 0.0, 0.012])
+    names = set(corner.hardpoints.given())
+    exact = PosedCorner.along(corner, names, poses, numbers, directions)
+    found = {name: exact.apart(*pair)[1] for name, pair in pairs.items()}
+    for j, i in enumerate(paths):
+        ends = []
+        for sign in (1.0, -1.0):
+            moved = numbers.copy()
+            moved[i] += sign * 1e-6
+            ends.append(PosedCorner.along(corner, names, poses, moved))
+        for name, pair in pairs.items():
+            one, other = (end.apart(*pair)[0] for end in ends)
+            assert found[name][j] == pytest.approx((one - other) / 2e-6, abs=2e-6), (name, model.parameters[i])
+    assert all(np.abs(slope).max() > 0.2 for slope in found.values())
 
 
 def test_lengths_of_links_are_kept_by_a_sweep(rig) -> None:

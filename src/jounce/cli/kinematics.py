@@ -337,7 +337,8 @@ def adjust(
         typer.Option("--set", metavar="SETTING=VALUE", help='Adjust a setting: upper_arm_length="10 mm". Repeat it.'),
     ] = None,
     camber: Annotated[
-        str | None, typer.Option(help='Find the arm length for this camber, top outward positive: "-2 deg".')
+        str | None,
+        typer.Option(help='Find the length of an arm or link for this camber, top outward positive: "-2 deg".'),
     ] = None,
     toe: Annotated[
         str | None, typer.Option(help='Find the tie-rod length for this toe, toe-in positive: "0.5 deg".')
@@ -361,12 +362,12 @@ def adjust(
         check_writable(out, what="rigs", suffixes=(".toml",), force=force)
     chosen, lengths = chosen_rig(rig, {}), None
     if camber is not None or toe is not None:
-        for name in ("lower_arm_length", "upper_arm_length", "tie_rod_length"):
-            if name in given:
-                hint = "Leave it out, or --camber and --toe."
-                raise DescriptionError("a length to be found is also given", where=f"--set {name}", hint=hint)
         wished = ((camber, "--camber"), (toe, "--toe"))
         lengths = lengths_for(chosen, *(optional_quantity(text, "rad", name, most=ANGLE) for text, name in wished))
+        for name in given:
+            if name == "camber_plate" or (name.endswith("_length") and name != "pushrod_length"):
+                hint = "Leave it out, or --camber and --toe."
+                raise DescriptionError("a length to be found is also given", where=f"--set {name}", hint=hint)
         given |= lengths.settings()
     if out is not None and not given:
         raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")

@@ -16,7 +16,7 @@ from jounce.core.units import to_si
 from jounce.design.poses import spin_axis
 from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, rods, triple
 from jounce.kinematics import sweep_travel
-from jounce.parts import Corner, DoubleWishbone, McPherson, Rig
+from jounce.parts import Corner, DoubleWishbone, FiveLink, McPherson, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
 from jounce.simulation import equilibrium
@@ -495,19 +495,26 @@ class AdjustReport(Shown):
     findings: tuple[Finding, ...] = field(default_factory=tuple)
 
 
+_LENGTHS = ("lower_arm_length", "upper_arm_length", "tie_rod_length")
+
+
 @dataclass(frozen=True)
 class Lengths(Shown):
-    """Lengthenings that reach a camber and a toe, m, and what they reach, rad."""
+    """Lengthenings that reach a camber and a toe, m, and what they reach, rad.
+
+    ``others`` are those of what a double wishbone does not have: a strut's top mount, links.
+    """
 
     lower_arm_length: float
     upper_arm_length: float
     tie_rod_length: float
     camber: float
     toe: float
+    others: Mapping[str, float] = field(default_factory=dict)
 
     def settings(self) -> dict[str, float]:
         """Those that are not zero, as ``adjusted`` takes them."""
-        found = {name: getattr(self, name) for name in ("lower_arm_length", "upper_arm_length", "tie_rod_length")}
+        found = {name: getattr(self, name) for name in _LENGTHS} | dict(self.others)
         return {name: value for name, value in found.items() if value != 0.0}
 
 
@@ -588,15 +595,17 @@ def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
 
 
 def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None) -> Lengths:
-    """Find the lengths of arms and tie rod that give a wanted camber and toe.
+    """Find the lengths of arms, links and tie rod that give a wanted camber and toe.
 
-    One arm is lengthened, the upper one for more camber, the lower one for less, and the tie rod sets the toe. Without
-    a wanted toe the tie rod is left alone, and the toe comes out as it does; without a wanted camber the arms are.
+    Of a double wishbone one arm is lengthened, the upper one for more camber, the lower one for less; of a McPherson
+    strut the top mount is moved; of five links the one is set that tilts the wheel most for its length. Tie rod or toe
+    link set the toe. Without a wanted toe they are left alone, and the toe comes out as it does; without a wanted
+    camber the others are.
 
     Parameters
     ----------
     rig : Rig
-        A double wishbone; it is not changed.
+        A corner whose upright hangs on rods: a double wishbone, a McPherson strut, five links; it is not changed.
     camber : str or float, optional
         Wanted static camber, text with a unit or rad, top outward positive.
     toe : str or float, optional
@@ -610,7 +619,8 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     Raises
     ------
     DescriptionError
-        When no target is given, or when it is out of what the published lengths reach.
+        When no target is given, for a trailing arm, whose arm carries the wheel itself, or when the target is out of
+        what the lengths reach.
 
     Examples
     --------
@@ -621,32 +631,54 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     """
     if camber is None and toe is None:
         raise DescriptionError("no target is given", where="lengths_for", allowed="camber, toe, or both")
-    if not isinstance(rig, DoubleWishbone):
+    corner = _corner(rig)
+    if not rods(corner):
         raise DescriptionError(
-            "lengths for a camber and a toe are found for a double wishbone",
+            "no length of it sets camber or toe",
             where="rig",
             found=f'model = "{getattr(rig, "model", "")}"',
-            allowed='model = "double-wishbone"; others by settings, or `jounce design kinematics`',
+            allowed="double-wishbone, mcpherson, five-link",
+            hint="Use wedges (camber_wedge, toe_wedge).",
         )
     wished = {
         name: to_si(value, "rad", where=name) for name, value in (("camber", camber), ("toe", toe)) if value is not None
     }
-    arms = ["lower_arm_length", "upper_arm_length"]
-    if wished.get("camber", rig.wheel.camber) >= rig.wheel.camber:
-        arms.reverse()
-    for arm in arms if camber is not None else arms[:1]:  # the tie rod turns the wheel a little, too
-        names = [{"camber": arm, "toe": "tie_rod_length"}[name] for name in wished]
-        lengths = _solve(rig, wished, names)
+    ways, turning = _cambering(corner, wished.get("camber")), _TOE_LENGTHS[type(corner)]
+    for way in ways if camber is not None else ways[:1]:  # the tie rod turns the wheel a little, too
+        names = [{"camber": way, "toe": turning}[name] for name in wished]
+        lengths = _solve(corner, wished, names)
         if lengths is not None:
             break
     else:
-        raise _out_of_reach(rig, wished)
-    wheel = adjusted(rig, lengths).wheel
-    every = {name: lengths.get(name, 0.0) for name in (*sorted(arms), "tie_rod_length")}
-    return Lengths(**every, camber=wheel.camber, toe=wheel.toe)
+        raise _out_of_reach(corner, wished, {"camber": ways, "toe": [turning]})
+    wheel = adjusted(corner, lengths).wheel
+    every = {name: lengths.pop(name, 0.0) for name in _LENGTHS}
+    return Lengths(**every, camber=wheel.camber, toe=wheel.toe, others=lengths)
 
 
-def _solve(rig: DoubleWishbone, wished: Mapping[str, float], names: list[str]) -> dict[str, float] | None:
+_TOE_LENGTHS: Mapping[type[Corner], str] = {
+    DoubleWishbone: "tie_rod_length",
+    McPherson: "tie_rod_length",
+    FiveLink: "link_5_length",
+}
+_PROBE = 1e-4  # m
+
+
+def _cambering(rig: Corner, camber: float | None) -> list[str]:
+    """Lengths that set the camber, those first that are taken first."""
+    if isinstance(rig, McPherson):
+        return ["camber_plate"]
+    if isinstance(rig, DoubleWishbone):
+        arms = ["lower_arm_length", "upper_arm_length"]
+        return arms[::-1] if camber is None or camber >= rig.wheel.camber else arms
+    tilts = {}
+    for name in (f"link_{i}_length" for i in range(1, 5)):
+        ends = [adjusted(rig, {name: length}).wheel.camber for length in (-_PROBE, _PROBE)]
+        tilts[name] = abs(ends[1] - ends[0])
+    return sorted(tilts, key=lambda name: -tilts[name])
+
+
+def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[str, float] | None:
     """Newton with bounds; None when it ends at a bound or the linkage does not go together."""
     low, high = (np.array([getattr(SETTINGS[name], end) for name in names]) for end in ("lowest", "highest"))
     target = np.array(list(wished.values()))
@@ -673,22 +705,27 @@ def _named(names: list[str], lengths: Array) -> dict[str, float]:
     return {name: float(value) for name, value in zip(names, lengths, strict=True)}
 
 
-def _out_of_reach(rig: DoubleWishbone, wished: Mapping[str, float]) -> DescriptionError:
-    """Say what the published lengths reach."""
-    longest = {
-        "camber": ({"lower_arm_length": 0.020}, {"upper_arm_length": 0.020}),
-        "toe": ({"tie_rod_length": -0.020}, {"tie_rod_length": 0.020}),
-    }
-    texts = []
+def _out_of_reach(rig: Corner, wished: Mapping[str, float], ways: Mapping[str, list[str]]) -> DescriptionError:
+    """Say what the lengths reach."""
+    texts, used = [], list[str]()
     for name in wished:
-        ends = sorted(getattr(adjusted(rig, lengths).wheel, name) for lengths in longest[name])
-        texts.append(f"{name} from {shown(ends[0], 'rad')} to {shown(ends[1], 'rad')}")
+        ends = []
+        for way in ways[name]:
+            for end in (SETTINGS[way].lowest, SETTINGS[way].highest):
+                try:
+                    ends.append(float(getattr(adjusted(rig, {way: end}).wheel, name)))
+                except JounceError:
+                    continue
+            used.append(f"{way} {shown(SETTINGS[way].lowest, 'm')} to {shown(SETTINGS[way].highest, 'm')}")
+        texts.append(f"{name} from {shown(min(ends), 'rad')} to {shown(max(ends), 'rad')}" if ends else f"no {name}")
     found = ", ".join(f"{name} {shown(value, 'rad')}" for name, value in wished.items())
     return DescriptionError(
-        "the published adjustment range does not reach this",
+        "the published adjustment range does not reach this"
+        if isinstance(rig, DoubleWishbone)
+        else "the lengths do not reach this",
         where=", ".join(wished),
         found=found,
-        allowed=f"about {' and '.join(texts)}, each by itself (arms up to 20 mm longer, tie rod 20 mm to either side)",
+        allowed=f"about {' and '.join(texts)}, each by itself ({', '.join(used)})",
         hint="Use wedges (camber_wedge, toe_wedge) for the rest.",
     )
 

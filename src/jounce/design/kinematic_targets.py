@@ -417,23 +417,15 @@ class Evaluator:
         return np.full(count, length), np.tile(away @ moves / length, (count, 1))
 
     def _clearance(self, item: Wanted, numbers: Array, *, slopes: bool) -> tuple[Array, Array | None]:
-        """Distance of two bodies, and its differences along each direction: its nearest places jump."""
+        """Distance of two bodies."""
+        assert item.pair is not None
         travel, rack = item.poses[:, 0].copy(), item.poses[:, 1].copy()
-
-        def at(other: Array) -> Array:
-            assert item.pair is not None
-            key = other.tobytes() + travel.tobytes() + rack.tobytes()
-            if key not in self._posed:
-                self._posed[key] = PosedCorner.along(self.rig, self._solid, travel, rack, other)
-            return self._posed[key].apart(*item.pair)
-
-        if not slopes:
-            return at(numbers), None
-        along = np.empty((len(travel), self.directions.shape[1]))
-        for k, length in enumerate(self.lengths):
-            step = _SHARE * length * self.directions[:, k]
-            along[:, k] = (at(numbers + step) - at(numbers - step)) / (2.0 * _SHARE * length)
-        return at(numbers), along
+        key = travel.tobytes() + rack.tobytes()
+        if key not in self._posed:
+            directions = self._padded if slopes else None
+            self._posed[key] = PosedCorner.along(self.rig, self._solid, (travel, rack), numbers, directions)
+        found, along = self._posed[key].apart(*item.pair)
+        return found, None if along is None else along.T
 
     # axles ---------------------------------------------------------------------------------------------------------
 

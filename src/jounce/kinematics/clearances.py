@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, Self, TypeAlias
 
@@ -14,8 +14,10 @@ from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength
+from jounce.kernel.poses import REACHED
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, path_sweep, prepare_sweep
+from jounce.kinematics.tangents import Tangents
 from jounce.parts import Corner, Rig
 from jounce.parts.bodies import Point, distance
 
@@ -69,7 +71,7 @@ class Rim(Description):
 
 
 Shape: TypeAlias = Solid | Rim
-_SAMPLES, _ROUNDS = 33, 4
+_SAMPLES, _ROUNDS = 33, 7  # to 1e-9 of a length: slopes need the place itself
 _ANGLES = ("camber", "steer")
 _POINT = 1e-12  # m: length below which a bar is a sphere
 
@@ -124,10 +126,10 @@ def clearances(
     if not np.isfinite(rows["wheel_travel"]).any():
         raise no_pose(sweep.ends())
     places = _places(sweep, sweep.model.point_names)
-    wheel = places["wheel_centre"], _axis(corner, rows)
+    posed = PosedCorner(places, _axis(corner, rows))
     variables = {}
     for name, (one, other) in pairs.items():
-        found = _apart(one, other, places, wheel)
+        found = posed.apart(one, other)[0]
         what = {"units": "m", "long_name": f"clearance: {name}", "sign": "positive: apart"}
         variables[name] = (("wheel_travel", "rack_travel"), found.reshape(sweep.layout.shape), what)
     at = [np.unique(sweep.layout.targets[:, i]) for i in (0, 1)]
@@ -153,21 +155,127 @@ def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
 
 @dataclass(frozen=True)
 class PosedCorner:
-    """Places of points (poses, 3) and of the wheel's axis along pairs of travel and rack; NaN out of reach, m."""
+    """Places of points (poses, 3) and of the wheel's axis along pairs of travel and rack; NaN out of reach, m.
+
+    ``moved`` are the slopes of each place and ``turned`` that of the axis along some directions, (directions, poses,
+    3), where they are known.
+    """
 
     places: dict[str, Array]
     axis: Array
+    moved: dict[str, Array] = field(default_factory=dict)
+    turned: Array | None = None
 
-    @staticmethod
-    def along(rig: Corner, names: Collection[str], travel: Array, rack: Array, numbers: Array) -> PosedCorner:
-        """Pose a corner with other numbers of its model; ``names`` are the hardpoints that are needed."""
-        sweep, values = path_sweep(rig, travel, rack, numbers)
+    @classmethod
+    def along(
+        cls,
+        rig: Corner,
+        names: Collection[str],
+        poses: tuple[Array, Array],
+        numbers: Array,
+        directions: Array | None = None,
+    ) -> PosedCorner:
+        """Pose a corner at pairs of travel and rack with other numbers of its model.
+
+        ``names`` are the hardpoints that are needed; ``directions`` (tracks and parameters, n) those along which
+        slopes are (see ``tangents``).
+        """
+        sweep, values = path_sweep(rig, *poses, numbers)
         rows = {row.name: value for row, value in zip(sweep.model.rows, values, strict=True) if row.name in _ANGLES}
-        return PosedCorner(_places(sweep, {"wheel_centre", *names}), _axis(rig, rows))
+        known = {"wheel_centre", *names}
+        places, axis = _places(sweep, known), _axis(rig, rows)
+        if directions is None:
+            return cls(places, axis)
+        slopes = Tangents(sweep, directions, places=True).run()
+        reached = sweep.found.outcome == REACHED
+        ordered = sweep.in_place(slopes.reshape(-1, slopes.shape[2]), reached).reshape(slopes.shape)
+        at = {name: 3 * i for i, name in enumerate(sweep.model.point_names)}
+        moved = {name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in known}
+        return cls(places, axis, moved, _axis_slope(rig, rows, ordered[-2], ordered[-1]))
 
-    def apart(self, one: Shape, other: Shape) -> Array:
-        """Shortest distance of two bodies at each pose, m."""
-        return _apart(one, other, self.places, (self.places["wheel_centre"], self.axis))
+    def apart(self, one: Shape, other: Shape) -> tuple[Array, Array | None]:
+        """Shortest distance of two bodies at each pose, m, and its slopes (directions, poses), where they are known.
+
+        Where two places are equally near the slope is that of one of them.
+        """
+        if isinstance(other, Rim):
+            one, other = other, one
+        assert isinstance(other, Solid)
+        if isinstance(one, Rim):
+            gaps = [self._to_rim(one, bar) for bar in self._bars(other)]
+            gone = other.radius
+        else:
+            gaps = [self._between(bar, rod) for bar in self._bars(one) for rod in self._bars(other)]
+            gone = one.radius + other.radius
+        distances = np.array([distance for distance, _ in gaps])
+        nearest = np.argmin(np.nan_to_num(distances, nan=np.inf), axis=0)
+        poses = np.arange(distances.shape[1])
+        if self.turned is None:
+            return np.asarray(distances[nearest, poses] - gone), None
+        slopes = np.array([slope() for _, slope in gaps])
+        return np.asarray(distances[nearest, poses] - gone), np.asarray(slopes[nearest, :, poses].T)
+
+    def _bars(self, solid: Solid) -> list[_Bar]:
+        """Straight pieces of a bar; of a sphere one that has no length."""
+        if solid.places:
+            like = next(iter(self.places.values()))
+            ends = [(np.broadcast_to(np.array(place), like.shape), np.zeros((1, 1, 3))) for place in solid.places]
+        else:
+            ends = [(self.places[name], self.moved.get(name, np.zeros((1, 1, 3)))) for name in solid.points]
+        return [_Bar(a, b, u, v) for (a, u), (b, v) in pairwise(ends if len(ends) > 1 else ends * 2)]
+
+    def _between(self, one: _Bar, other: _Bar) -> _Gap:
+        """Distance of two pieces: at the feet of the common normal, or at ends."""
+        s, t = _feet(one, other)
+        away = one.at(s) - other.at(t)
+        distance = np.linalg.norm(away, axis=1)
+        return distance, lambda: _over(np.einsum("ni,kni->kn", away, one.moved(s) - other.moved(t)), distance)
+
+    def _to_rim(self, rim: Rim, bar: _Bar) -> _Gap:
+        """Distance of a piece from the rim's cylinder."""
+        centre, axis = self.places["wheel_centre"], self.axis
+        share = _nearest_to_rim(rim, bar, centre, axis)
+        place = bar.at(share) - centre
+        along = np.einsum("ni,ni->n", place, axis)
+        out = np.linalg.norm(place - along[:, None] * axis, axis=1)
+        beyond = np.minimum(along - rim.inner, 0.0) + np.maximum(along - rim.outer, 0.0)
+        distance = np.hypot(out - rim.radius, beyond)
+
+        def slope() -> Array:
+            assert self.turned is not None
+            moved = bar.moved(share) - self.moved["wheel_centre"]
+            slid = np.einsum("ni,kni->kn", axis, moved) + np.einsum("ni,kni->kn", place, self.turned)
+            grown = _over(np.einsum("ni,kni->kn", place, moved) - along * slid, out)
+            return _over((out - rim.radius) * grown + beyond * slid, distance)
+
+        return distance, slope
+
+
+_Gap: TypeAlias = "tuple[Array, Callable[[], Array]]"
+"""Distance of two pieces at each pose, m, and what gives its slopes (directions, poses)."""
+
+
+@dataclass(frozen=True)
+class _Bar:
+    """A straight piece from ``a`` to ``b`` (poses, 3), and the slopes of its ends (directions, poses, 3)."""
+
+    a: Array
+    b: Array
+    a_moved: Array
+    b_moved: Array
+
+    def at(self, share: Array) -> Array:
+        """Places at shares (poses,) of its length."""
+        return np.asarray(self.a + share[:, None] * (self.b - self.a))
+
+    def moved(self, share: Array) -> Array:
+        """Slopes of what lies there."""
+        return np.asarray(self.a_moved + share[:, None] * (self.b_moved - self.a_moved))
+
+
+def _over(values: Array, size: Array) -> Array:
+    """Values (directions, poses) over a size (poses,); none where there is no size."""
+    return np.asarray(np.divide(values, size, out=np.zeros_like(values), where=size != 0.0))
 
 
 def link_lengths(rig: Rig) -> dict[str, float]:
@@ -217,31 +325,18 @@ def _axis(rig: Corner, rows: dict[str, Array]) -> Array:
     return np.stack([-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=1)
 
 
-def _apart(one: Shape, other: Shape, places: dict[str, Array], wheel: tuple[Array, Array]) -> Array:
-    """Shortest distance of two surfaces at all poses, m."""
-    if isinstance(other, Rim):
-        one, other = other, one
-    assert isinstance(other, Solid)
-    if isinstance(one, Rim):
-        near = np.min([_to_rim(one, *bar, *wheel) for bar in _bars(other, places)], axis=0)
-        return np.asarray(near - other.radius)
-    found = [_between(*bar, *rod) for bar in _bars(one, places) for rod in _bars(other, places)]
-    return np.asarray(np.min(found, axis=0) - one.radius - other.radius)
+def _axis_slope(rig: Corner, rows: dict[str, Array], camber_slope: Array, steer_slope: Array) -> Array:
+    """Slope of that axis along directions, (directions, poses, 3)."""
+    camber, steer = rows["camber"].ravel(), rows["steer"].ravel()
+    side = rig.sign
+    x = side * (np.sin(steer) * np.sin(camber) * camber_slope - np.cos(steer) * np.cos(camber) * steer_slope)
+    y = -side * (np.cos(steer) * np.sin(camber) * camber_slope + np.sin(steer) * np.cos(camber) * steer_slope)
+    return np.stack([x, y, -np.cos(camber) * camber_slope], axis=-1)
 
 
-def _bars(solid: Solid, places: dict[str, Array]) -> list[tuple[Array, Array]]:
-    """Straight pieces of a bar; of a sphere one that has no length."""
-    if solid.places:
-        like = next(iter(places.values()))
-        ends = [np.broadcast_to(np.array(place), like.shape) for place in solid.places]
-        return list(pairwise(ends if len(ends) > 1 else ends * 2))
-    names = solid.points if len(solid.points) > 1 else solid.points * 2
-    return [(places[a], places[b]) for a, b in pairwise(names)]
-
-
-def _between(a: Array, b: Array, c: Array, d: Array) -> Array:
-    """Distance of the pieces a-b and c-d, each end of shape (n, 3): at the feet of the common normal, or at ends."""
-    u, v, w = b - a, d - c, a - c
+def _feet(one: _Bar, other: _Bar) -> tuple[Array, Array]:
+    """Shares of the lengths of two pieces at which they are nearest."""
+    u, v, w = one.b - one.a, other.b - other.a, one.a - other.a
     uu, uv, vv, uw, vw = (np.sum(x * y, axis=1) for x, y in ((u, u), (u, v), (v, v), (u, w), (v, w)))
     skew = uu * vv - uv**2
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -251,21 +346,20 @@ def _between(a: Array, b: Array, c: Array, d: Array) -> Array:
         t = np.clip(t, 0.0, 1.0)
         s = np.where(uu > _POINT**2, (uv * t - uw) / uu, 0.0)
         s = np.clip(s, 0.0, 1.0)
-    return np.asarray(np.linalg.norm(w + s[:, None] * u - t[:, None] * v, axis=1))
+    return s, t
 
 
-def _to_rim(rim: Rim, a: Array, b: Array, centre: Array, axis: Array) -> Array:
-    """Distance of the piece a-b from the rim's cylinder: its nearest place by a grid that closes in on it."""
-    share = np.linspace(0.0, 1.0, _SAMPLES)[None, :] * np.ones((len(a), 1))
+def _nearest_to_rim(rim: Rim, bar: _Bar, centre: Array, axis: Array) -> Array:
+    """Share of a piece's length at which it is nearest to the rim's cylinder, by a grid that closes in on it."""
+    share = np.linspace(0.0, 1.0, _SAMPLES)[None, :] * np.ones((len(bar.a), 1))
     step = 1.0 / (_SAMPLES - 1)
     for _ in range(_ROUNDS):
-        places = a[:, None, :] + share[:, :, None] * (b - a)[:, None, :] - centre[:, None, :]
+        places = bar.a[:, None, :] + share[:, :, None] * (bar.b - bar.a)[:, None, :] - centre[:, None, :]
         along = np.einsum("nki,ni->nk", places, axis)
         out = np.sqrt(np.maximum(np.sum(places**2, axis=2) - along**2, 0.0)) - rim.radius
         past = np.maximum(np.maximum(rim.inner - along, along - rim.outer), 0.0)
-        away = np.hypot(out, past)
-        best = np.take_along_axis(share, np.argmin(np.nan_to_num(away, nan=np.inf), axis=1)[:, None], axis=1)
-        nearest = np.min(away, axis=1)
+        away = np.nan_to_num(np.hypot(out, past), nan=np.inf)
+        best = np.take_along_axis(share, np.argmin(away, axis=1)[:, None], axis=1)
         share = np.clip(best + np.linspace(-step, step, _SAMPLES)[None, :], 0.0, 1.0)
         step *= 2.0 / (_SAMPLES - 1)
-    return np.asarray(nearest)
+    return np.asarray(best[:, 0])

@@ -69,12 +69,21 @@ class KinematicModel:
         Its first argument holds the coordinates of a pose, the change of the tracks, and that of ``parameters``. The
         pose follows, so that the loops stay closed.
         """
+        return self._moved(self.functions["output"])
+
+    @cached_property
+    def place_tangents(self) -> Native:
+        """The same of ``points``, and of the rows camber and steer after them, which say how the wheel's axis turns."""
+        angles = [next(i for i, row in enumerate(self.rows) if row.name == name) for name in ("camber", "steer")]
+        return self._moved(lambda *at: ca.vertcat(self.functions["points"](*at), self.functions["output"](*at)[angles]))
+
+    def _moved(self, values: Callable[..., ca.SX]) -> Native:
         q, u, p, m = (ca.SX.sym(name, n) for name, n in zip("qupm", self._sizes, strict=True))
         inputs = ca.vertcat(u, p)
         change = ca.SX.sym("change", inputs.shape[0])
         opened = ca.jtimes(self.functions["closure"](q, u, p, m), inputs, change)
         moved = self.functions["yielding"](q, u, p, m, opened)
-        slopes = ca.jtimes(self.functions["output"](q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(moved, change))
+        slopes = ca.jtimes(values(q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(moved, change))
         made = ca.Function("output", [ca.vertcat(q, change), u, p, m], [ca.cse(ca.densify(slopes))])
         return compile_functions({"output": made})
 

@@ -1,4 +1,4 @@
-"""Slopes of every row of the catalogue along changes of the description: exact, at all poses of a sweep at once."""
+"""Slopes of every row of the catalogue, or of places, along changes of the description: exact, at all poses at once."""
 
 from __future__ import annotations
 
@@ -18,20 +18,23 @@ class Tangents:
     """Slopes at the poses of a sweep, whose last run they belong to.
 
     ``directions`` (tracks and parameters, n) holds in each column how travel and rack (m) and the numbers of the
-    model's ``parameters`` change; the loops stay closed.
+    model's ``parameters`` change; the loops stay closed. ``places`` asks for those of the model's ``points`` (x, y, z
+    of each), camber and steer in place of the rows.
     """
 
-    def __init__(self, sweep: PreparedSweep, directions: Array) -> None:
-        self.sweep = sweep
+    def __init__(self, sweep: PreparedSweep, directions: Array, *, places: bool = False) -> None:
+        self.sweep, self._places = sweep, places
         self.count, self.poses = directions.shape[1], len(sweep.layout.place)
         size = len(sweep.walk.start)
         self._states = np.empty((size + len(directions), self.count, self.poses))
         self._states[size:] = directions[:, :, None]
-        self._out = np.empty((len(sweep.model.rows), self.count, self.poses))
+        rows = 3 * len(sweep.model.point_names) + 2 if places else len(sweep.model.rows)
+        self._out = np.empty((rows, self.count, self.poses))
 
     @cached_property
     def _evaluate(self) -> ctypes._FuncPointer:
-        return _MANY(self.sweep.model.tangents.address["output"])
+        model = self.sweep.model
+        return _MANY((model.place_tangents if self._places else model.tangents).address["output"])
 
     def run(self) -> Array:
         """Compute the slopes, shape (rows, directions, targets of the walk), NaN where a pose is out of reach."""

@@ -249,6 +249,27 @@ def test_lengths_of_a_car_are_found_too():
     assert (degrees(wheel.camber), degrees(wheel.toe)) == pytest.approx((-2.0, 0.1), abs=1e-7)
 
 
+@pytest.mark.parametrize(
+    ("name", "camber", "toe", "used"),
+    [
+        ("generic-mcpherson", -1.2, 0.1, {"camber_plate", "tie_rod_length"}),
+        ("generic-mcpherson", 1.0, None, {"camber_plate"}),
+        ("sedan-multi-link", -1.5, 0.15, {"link_5_length"}),
+    ],
+)
+def test_lengths_of_other_suspensions(name, camber, toe, used):
+    rig = jn.load(name)
+    found = lengths_for(rig, *(None if value is None else f"{value} deg" for value in (camber, toe)))
+    wheel = adjusted(rig, found.settings()).wheel
+    assert degrees(wheel.camber) == pytest.approx(camber, abs=1e-7)
+    assert used <= set(found.settings())
+    assert len(found.settings()) == (1 if toe is None else 2)
+    if toe is not None:
+        assert degrees(wheel.toe) == pytest.approx(toe, abs=1e-7)
+    with pytest.raises(DescriptionError, match=r"lengths do not reach this.* deg to .* deg.*wedges"):
+        lengths_for(rig, camber="-25 deg")
+
+
 @pytest.mark.parametrize("wished", [{"camber": "7 deg"}, {"camber": "-8 deg", "toe": 0.0}, {"toe": "15 deg"}])
 def test_what_the_published_lengths_do_not_reach_is_refused_with_their_range(wished):
     with pytest.raises(DescriptionError, match=r"does not reach this.* deg to .* deg.*wedges"):
@@ -279,8 +300,8 @@ def test_settings_that_cannot_be_made_are_refused(settings, message):
 def test_other_rigs_are_refused():
     with pytest.raises(DescriptionError, match="only a rig with hardpoints"):
         adjust_report(jn.load("kart-quarter-car"))
-    with pytest.raises(DescriptionError, match="are found for a double wishbone"):
-        lengths_for(jn.load("generic-mcpherson"), camber="-1 deg")
+    with pytest.raises(DescriptionError, match=r"no length of it sets camber.*wedges"):
+        lengths_for(jn.load("semi-trailing-arm"), camber="-1 deg")
     with pytest.raises(DescriptionError, match=r"nothing to set there.*allowed: lower_arm_length, tie_rod_length"):
         adjusted(jn.load("generic-mcpherson"), {"pushrod_length": "1 mm"})
 
