@@ -109,3 +109,71 @@ def test_slopes_of_targets_are_those_of_their_values(target: dict) -> None:
         difference = (ends[0] - ends[1]) / (2.0 * step)
         scale = np.max(np.abs(slopes[0])) + 1e-9
         assert slopes[0][:, j] / scale == pytest.approx(difference / scale, abs=2e-6), paths[j]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "pose"),
+    [
+        ("roll_centre_height", {"at": "1.5 deg"}),
+        ("roll_moment", {"at": "1.5 deg"}),
+        ("right.camber_to_ground", {"over": "-1 deg:1 deg:1 deg"}),
+        ("right.wheel_travel", {"at": "1.5 deg"}),
+        ("ackermann", {"at": {"rack": "15 mm"}}),
+    ],
+)
+def test_an_axle_of_two_corners(quantity: str, pose: dict) -> None:
+    """Values are those of the sweep of both; slopes along numbers of either side are those of the values."""
+    left = jn.load("formula-student-front")
+    moved = {"hardpoints.upper_arm_front[2]": 0.265, "hardpoints.wheel_centre[1]": -0.61, "wheel.radius": 0.230}
+    rigs = {"left": left, "right": left.mirrored().with_changes({**moved, "strut.spring.rate": 30e3})}
+    car = jn.AxleLayout(axle="front", wheelbase=1.55, centre_of_mass_height=0.3, brake_share=0.6)
+    target = {"quantity": quantity, **pose, "at_least": -1e9, "tolerance": 0.1, "rig": "left", "right": "right"}
+    extra = [{**target, "quantity": f"{side}.wheel_travel"} for side in rigs] if quantity != "ackermann" else []
+    wanted = read_targets(rigs, [KinematicTarget(**one) for one in [target, *extra]], {"left": car})
+    numbering = Numbering.of(rigs)
+    paths = ["left.hardpoints.tie_rod_inner[2]", "right.hardpoints.upper_ball_joint[1]", "right.wheel.radius"]
+    directions = np.array([[float(path == one) for one in paths] for path in numbering.paths])
+    evaluator = Evaluators(numbering, wanted, directions, np.full(3, 0.01), {"left": car})
+    numbers = numbering.values()
+    values, slopes = evaluator.at(numbers)
+    if quantity == "ackermann":
+        swept = jn.sweep_axle(left, right=rigs["right"], left_travel=0.0, right_travel=0.0, rack=0.015, vehicle=car)
+    else:
+        swept = jn.sweep_axle(left, right=rigs["right"], left_travel=values[1], right_travel=values[2])
+        assert np.degrees(swept["roll_angle"].to_numpy()) == pytest.approx(np.degrees(wanted[0].at), abs=1e-7)
+    if quantity in swept:
+        assert values[0] == pytest.approx(swept[quantity].to_numpy(), rel=1e-7)
+    alone = read_targets({"": left}, [KinematicTarget(**{**target, "rig": None, "right": None})], {"": car})
+    mirrored = Evaluators(Numbering.of({"": left}), alone, np.zeros((len(numbers) // 2, 0)), np.zeros(0), {"": car})
+    assert (
+        np.max(np.abs(values[0] - mirrored.at(kinematic_model(left).parameter_values(left), slopes=False)[0][0])) > 1e-4
+    )
+    step = 2e-5
+    for j, path in enumerate(paths):
+        ends = [evaluator.at(numbers + sign * step * directions[:, j], slopes=False)[0][0] for sign in (1.0, -1.0)]
+        scale = np.max(np.abs(slopes[0])) + 1e-9
+        assert slopes[0][:, j] / scale == pytest.approx((ends[0] - ends[1]) / (2.0 * step) / scale, abs=3e-6), path
+    assert np.abs(slopes[0][:, 1:]).max() > 0.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"right": "rihgt"}, "rihgt"),
+        ({"right": "left"}, "not a right corner"),
+        ({"rig": "right", "right": "left"}, "not a left corner"),
+        ({"quantity": "camber", "at": "10 mm"}, "rolled or steered"),
+    ],
+)
+def test_corners_that_are_no_axle_are_refused(changes: dict, words: str) -> None:
+    left = jn.load("formula-student-front")
+    target = {
+        "quantity": "track",
+        "at": "1 deg",
+        "value": "1.2 m",
+        "tolerance": "1 mm",
+        "rig": "left",
+        "right": "right",
+    }
+    with pytest.raises(jn.DescriptionError, match=words):
+        read_targets({"left": left, "right": left.mirrored()}, [KinematicTarget(**{**target, **changes})], {})

@@ -61,7 +61,8 @@ class KinematicTarget(Description):
     range, of wheel travel (m) or of roll (an angle), or of the rack with ``along = "rack"``. Without both it is the
     design pose. ``slope`` wants the value of the slope of a straight line through the curve instead. ``weight``
     multiplies its share in a compromise, ``must`` makes it a constraint that holds in one. ``goal`` names what it
-    belongs to where goals compete. ``rig`` says whose target it is in a study of several.
+    belongs to where goals compete. ``rig`` says whose target it is in a study of several; ``right`` names the right
+    corner of a rolled or steered axle that is not the mirror image of it.
     """
 
     quantity: str
@@ -78,6 +79,7 @@ class KinematicTarget(Description):
     must: bool = False
     goal: str | None = None
     rig: str | None = None
+    right: str | None = None
 
     @model_validator(mode="after")
     def _asks_one_thing(self) -> KinematicTarget:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from jounce.design.kinematic_study import KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
 from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, steering_rows
+from jounce.kinematics.both_wheels import check_pair_of_corners
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
 from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, prepare_sweep, shares, sweep_values
@@ -41,7 +43,8 @@ class Wanted:
     """A target in SI: the values of ``quantity`` at ``poses`` (k, 3: travel m, rack m, roll rad), along one of them.
 
     ``low`` and ``high`` (n,) bound what is wanted, and are the same where it is a value; n is 1 for a slope, else k.
-    ``rig`` names the rig of a study of several, ``pair`` the bodies of a clearance.
+    ``rig`` names the rig of a study of several, ``right`` the right corner of its axle where it is one of its own,
+    ``pair`` the bodies of a clearance.
     """
 
     text: KinematicTarget
@@ -54,6 +57,7 @@ class Wanted:
     tolerance: float
     rig: str = ""
     pair: tuple[Shape, Shape] | None = None
+    right: str = ""
 
     @property
     def at(self) -> Array:
@@ -114,7 +118,9 @@ def _read(
         raise unknown(name, rigs, what="rig", where=f"{where}.rig")
     rig, vehicle = rigs[name], vehicles.get(name)
     poses, along = _poses(rig, target, where)
-    unit = quantity_unit(rig, target.quantity, along if _is_of_axle(target, along) else "", vehicle, where)
+    of_axle = _is_of_axle(target, along)
+    other = _right(rigs, rig, target, of_axle, where)
+    unit = quantity_unit(rig, target.quantity, along if of_axle else "", vehicle, where, other)
     if target.slope:
         unit = {"1": f"1/{_UNITS[along]}"}.get(unit, f"{unit}/{_UNITS[along]}")
     count = 1 if target.slope else len(poses)
@@ -140,7 +146,27 @@ def _read(
             raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
     tolerance = positive_si(target.tolerance, unit, where=f"{where}.tolerance")
     pair = _pair(rig, target.quantity, along, shapes, where)
-    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name, pair)
+    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name, pair, target.right or "")
+
+
+def _right(rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, where: str) -> Corner | None:
+    """Right corner of the axle of a target, where it is one of its own."""
+    if target.right is None:
+        return None
+    if target.right not in rigs:
+        raise unknown(target.right, rigs, what="rig", where=f"{where}.right")
+    if not of_axle:
+        text, hint = "only a rolled or steered axle has two corners", "Leave it out, or ask over roll."
+        raise DescriptionError(text, where=f"{where}.right", found=target.quantity, hint=hint)
+    if rig.side != "left":
+        raise DescriptionError(
+            "not a left corner", where=f"{where}.rig", found=f'side = "{rig.side}"', allowed='"left" beside right'
+        )
+    other = rigs[target.right]
+    check_pair_of_corners(rig, other, f"{where}.right")
+    if has_rack(rig) and not has_rack(other):
+        raise DescriptionError("no rack moves this wheel", where=f"{where}.right", found=target.right)
+    return other
 
 
 def _pair(
@@ -221,7 +247,9 @@ _ROLLED = {"track": "m", "roll_centre_height": "m", "roll_centre_y": "m", "roll_
 _EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1", "roll_caster": "1"}
 
 
-def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None, where: str) -> str:
+def quantity_unit(
+    rig: Corner, name: str, along: str, vehicle: AxleLayout | None, where: str, right: Corner | None = None
+) -> str:
     """SI unit of a quantity that a target may have; an unknown one is refused."""
     rows = {row.name: row.unit for row in kinematic_model(rig).rows}
     known = dict(rows)
@@ -236,8 +264,13 @@ def quantity_unit(rig: Corner, name: str, along: str, vehicle: AxleLayout | None
     if _CLEARANCE.match(name):
         return "m"
     if along == "roll":
-        each = {name: unit for name, unit in _EACH.items() if name != "roll_caster" or "caster" in rows}
-        both = {f"{side}.{row}": unit for side in ("left", "right") for row, unit in {**rows, **each}.items()}
+        others = rows if right is None else {row.name: row.unit for row in kinematic_model(right).rows}
+        both = {
+            f"{side}.{row}": unit
+            for side, own in (("left", rows), ("right", others))
+            for row, unit in {**own, **_EACH}.items()
+            if row != "roll_caster" or "caster" in own
+        }
         known = {**_ROLLED, **both}
         if reaches_over(rig):  # its forces need more than the rows of both wheels
             known.pop("roll_moment")
@@ -277,17 +310,26 @@ class _CornerPoses:
 class Evaluator:
     """Values of all targets for the numbers of a rig, and their slopes along ``directions`` (parameters, n).
 
-    ``lengths`` (n,) are how far each direction may go.
+    ``lengths`` (n,) are how far each direction may go. Where the axle has a ``right`` corner of its own, its numbers
+    (parameters) come after those of the left one.
     """
 
     def __init__(
-        self, rig: Corner, wanted: Sequence[Wanted], directions: Array, lengths: Array, vehicle: AxleLayout | None
+        self,
+        rig: Corner,
+        wanted: Sequence[Wanted],
+        directions: Array,
+        lengths: Array,
+        vehicle: AxleLayout | None,
+        right: Corner | None = None,
     ) -> None:
-        self.rig, self.wanted, self.vehicle = rig, list(wanted), vehicle
+        self.rig, self.wanted, self.vehicle, self.right = rig, list(wanted), vehicle, right
         self.model: KinematicModel = kinematic_model(rig)
         self.names = {row.name: i for i, row in enumerate(self.model.rows)}
-        self.directions, self.lengths = directions, lengths
-        self._padded = np.vstack([np.zeros((len(self.model.tracks), directions.shape[1])), directions])
+        self._cut = len(self.model.parameters)
+        self.directions, self.lengths = directions[: self._cut], lengths
+        self._padded = self._with_tracks(rig, self.directions)
+        self._every = directions  # of both sides
         self._posed: dict[bytes, PosedCorner] = {}
         shapes = [shape for item in wanted for shape in item.pair or () if not isinstance(shape, Rim)]
         self._solid = {point for shape in shapes for point in shape.points}
@@ -300,9 +342,10 @@ class Evaluator:
         """Values of all targets one after the other, see ``parts``, and slopes (all, directions), when wanted."""
         count = self.parts[-1].stop
         values, along = np.empty(count), np.empty((count if slopes else 0, self.directions.shape[1]))
+        own = numbers[: self._cut]
         moved: dict[tuple[str, float], Array | None] = {}
         for key, grid in self._grids.items():
-            grid.sweep.walk.p[:] = numbers
+            grid.sweep.walk.p[:] = own
             grid.sweep.run()
             found = moved[key] = grid.tangents.run() if slopes else None
             into, rows, columns = self._plain[key]
@@ -317,9 +360,9 @@ class Evaluator:
             if kind == "corner":
                 one, slope = self._of_corner(item, moved[self._key(item)])
             elif kind == "distance":
-                one, slope = self._distance(item, numbers)
+                one, slope = self._distance(item, own)
             elif kind == "clearance":
-                one, slope = self._clearance(item, numbers, slopes=slopes)
+                one, slope = self._clearance(item, own, slopes=slopes)
             else:
                 one, slope = self._of_axle(item, kind, numbers, axles, slopes=slopes)
             values[part] = item.weights @ one
@@ -445,11 +488,11 @@ class Evaluator:
     def _steered(
         self, numbers: Array, racks: Array, travel: float, names: set[str], slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
-        axle = Axle(self.rig, numbers, self._padded if slopes else None)
+        axle = self._axle(numbers, self._everywhere if slopes else None)
         left, right = (axle.wheel(side, travel, racks) for side in (1.0, -1.0))
 
         def rows(one: WheelRows, other: WheelRows, numbers: Array) -> dict[str, Array]:
-            found = steering_rows(Axle(self.rig, numbers), one, other, racks, self.vehicle).values
+            found = steering_rows(self._axle(numbers), one, other, racks, self.vehicle).values
             return {name: found[name] for name in names}
 
         values = rows(left, right, numbers)
@@ -460,13 +503,13 @@ class Evaluator:
     def _rolled(
         self, numbers: Array, roll: Array, rack: float, names: set[str], slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
-        rising = np.eye(len(self._padded))[:, :1]  # travel alone
-        axle = Axle(self.rig, numbers, np.hstack([self._padded, rising]) if slopes else None)
+        rising = tuple(np.hstack([part, np.eye(len(part))[:, :1]]) for part in self._everywhere)  # travel, too
+        axle = self._axle(numbers, (rising[0], rising[1]) if slopes else None)
         left, right = axle.level(roll, rack)
 
         def rows(one: WheelRows, other: WheelRows, numbers: Array, roll: Array) -> dict[str, Array]:
             sides = Ground(one, roll, 1.0), Ground(other, roll, -1.0)
-            found = roll_rows(Axle(self.rig, numbers), *sides, np.zeros_like(roll)).values
+            found = roll_rows(self._axle(numbers), *sides, np.zeros_like(roll)).values
             return {name: found[name] for name in names}
 
         values = rows(left.wheel, right.wheel, numbers, roll)
@@ -500,18 +543,35 @@ class Evaluator:
                 wheels = [
                     WheelRows(
                         {name: value + sign * step * axle.slopes[side][name][k] for name, value in wheel.rows.items()},
-                        wheel.radius + sign * step * self._radius_slope(k),
+                        wheel.radius + sign * step * self._radius_slope(side, k),
                     )
                     for side, wheel in ((1.0, left), (-1.0, right))
                 ]
-                ends.append(rows(*wheels, numbers + sign * step * self.directions[:, k], roll))
+                ends.append(rows(*wheels, numbers + sign * step * self._every[:, k], roll))
             for name in ends[0]:
                 found.setdefault(name, []).append((ends[0][name] - ends[1][name]) / (2.0 * step))
         return {name: np.array(slopes) for name, slopes in found.items()}
 
-    def _radius_slope(self, k: int) -> float:
-        index = self.model.parameters.index("wheel.radius") if "wheel.radius" in self.model.parameters else None
-        return 0.0 if index is None else float(self.directions[index, k])
+    def _radius_slope(self, side: float, k: int) -> float:
+        own = self._everywhere[0 if side > 0.0 else 1]
+        model = self.model if side > 0.0 or self.right is None else kinematic_model(self.right)
+        return float(own[len(model.tracks) + model.parameters.index("wheel.radius"), k])
+
+    def _axle(self, numbers: Array, directions: tuple[Array, Array] | None = None) -> Axle:
+        """Axle with these numbers of both sides."""
+        own = numbers[: self._cut]
+        return Axle(self.rig, (own, own if self.right is None else numbers[self._cut :]), directions, self.right)
+
+    @cached_property
+    def _everywhere(self) -> tuple[Array, Array]:
+        """Directions of both sides, with those of the tracks, which do not move."""
+        if self.right is None:
+            return self._padded, self._padded
+        return self._padded, self._with_tracks(self.right, self._every[self._cut :])
+
+    @staticmethod
+    def _with_tracks(rig: Corner, directions: Array) -> Array:
+        return np.vstack([np.zeros((len(kinematic_model(rig).tracks), directions.shape[1])), directions])
 
 
 class Evaluators:
@@ -533,13 +593,20 @@ class Evaluators:
         ends = np.cumsum([len(item.low) for item in wanted])
         self.parts = [slice(int(end) - len(item.low), int(end)) for item, end in zip(wanted, ends, strict=True)]
         self._members = []
-        for name, rig in numbering.rigs.items():
-            part = numbering.parts[name]
-            mine = [i for i, item in enumerate(wanted) if item.rig == name]
-            if mine:
-                into = np.concatenate([np.arange(self.parts[i].start, self.parts[i].stop) for i in mine])
-                own = [wanted[i] for i in mine]
-                self._members.append((part, into, Evaluator(rig, own, directions[part], lengths, vehicles.get(name))))
+        for name, right in dict.fromkeys((item.rig, item.right) for item in wanted):
+            mine = [i for i, item in enumerate(wanted) if (item.rig, item.right) == (name, right)]
+            into = np.concatenate([np.arange(self.parts[i].start, self.parts[i].stop) for i in mine])
+            sides = [name, right] if right else [name]
+            part = np.concatenate([np.arange(numbering.parts[one].start, numbering.parts[one].stop) for one in sides])
+            member = Evaluator(
+                numbering.rigs[name],
+                [wanted[i] for i in mine],
+                directions[part],
+                lengths,
+                vehicles.get(name),
+                numbering.rigs[right] if right else None,
+            )
+            self._members.append((part, into, member))
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
         """Values of all targets one after the other, NaN out of reach, and slopes (all, directions), when wanted."""

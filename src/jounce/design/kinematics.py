@@ -55,7 +55,8 @@ class TargetResult(Plain):
 
     ``wanted`` is a value, a list of them, or the limits ``[at_least, at_most]`` (None where there is none); ``at`` is
     where the curve's values stand (m or rad), along ``along``. ``must`` says whether it is a constraint, ``rig`` whose
-    it is in a study of several, ``limits`` whether ``wanted`` are limits.
+    it is in a study of several, ``right`` the right corner of its axle where it is not the mirror image, ``limits``
+    whether ``wanted`` are limits.
     """
 
     quantity: str
@@ -71,6 +72,7 @@ class TargetResult(Plain):
     must: bool = False
     rig: str = ""
     limits: bool = False
+    right: str = ""
 
     def bounds(self) -> tuple[Array, Array]:
         """Give the least and the greatest value wanted at each pose, SI; infinite where there is no limit."""
@@ -372,7 +374,9 @@ class Task:
         """Refuse a spread that these rigs cannot have."""
         for name, rig in self.rigs.items() if self.spread is not None else ():
             assert self.spread is not None
-            Workshop(rig, wanted_of(wanted, name), self.spread, self.vehicles.get(name))
+            own = wanted_of(wanted, name)
+            if own:
+                Workshop(rig, own, self.spread, self.vehicles.get(name))
 
     def search(self) -> Search:
         """Lay out a search."""
@@ -471,8 +475,8 @@ def design(task: Task, starts: int, seed: int) -> KinematicDesign:
 
 
 def wanted_of(wanted: Sequence[Wanted], name: str) -> list[Wanted]:
-    """Targets of one rig."""
-    return [item for item in wanted if item.rig == name]
+    """Targets of one rig alone."""
+    return [item for item in wanted if item.rig == name and not item.right]
 
 
 def values_before(search: Search) -> list[Array]:
@@ -556,9 +560,9 @@ def _result(
         spread={
             name: spread_of(rig, wanted_of(search.wanted, name), task.spread, task.vehicles.get(name))
             for name, rig in moved.items()
-            if task.spread is not None
+            if task.spread is not None and wanted_of(search.wanted, name)
         },
-        findings=tuple(_findings(search, x, targets)),
+        findings=(*_findings(search, x, targets), *_unspread(task, search.wanted)),
     )
 
 
@@ -585,6 +589,7 @@ def told(item: Wanted, before: Array, after: Array) -> TargetResult:
         text.must,
         item.rig,
         limits,
+        item.right,
     )
 
 
@@ -685,6 +690,13 @@ def identifiability(search: Search, slopes: list[Array]) -> tuple[tuple[Identifi
         kept = {label: float(share) for label, share in zip(labels, shares, strict=True) if abs(share) > _PART}
         combinations.append(OpenCombination(float(seen[k]) if told_apart[k] else 0.0, kept))
     return numbers, tuple(combinations)
+
+
+def _unspread(task: Task, wanted: Sequence[Wanted]) -> list[Finding]:
+    """Targets that a spread does not know."""
+    text = "is not in the spread, which builds one corner and its mirror image."
+    several = [i for i, item in enumerate(wanted) if task.spread is not None and item.right]
+    return [Finding(f"target[{i}] {wanted[i].label}", "note", text) for i in several]
 
 
 def _findings(search: Search, x: Array, targets: Sequence[TargetResult]) -> list[Finding]:

@@ -44,10 +44,15 @@ def refitted(rig: C, changes: Changes) -> C:
     given = rig.hardpoints.given()
     shimmed = dict(given) | {name: triple(np.array(given[name]) + shift) for name, shift in changes.shims.items()}
     places: dict[str, Triple] = {**shimmed, **changes.inner}
-    places |= _upright_places(rig, places, changes.lengths)
-    outer = _outer(rig)
-    turn, shift = rigid_motion(*(np.array([points[name] for name in outer]) for points in (shimmed, places)))
-    places |= {name: triple(turn @ np.array(given[name]) + shift) for name in points_on(rig, "upright")}
+    if rods(rig):
+        places |= _upright_places(rig, places, changes.lengths)
+        outer = _outer(rig)
+        turn, shift = rigid_motion(*(np.array([points[name] for name in outer]) for points in (shimmed, places)))
+        carried = points_on(rig, "upright")
+    else:
+        turn, shift = _arm_motion(given, places)
+        carried = ["arm_inner", "arm_outer", "wheel_centre", *points_on(rig, "arm")]
+    places |= {name: triple(turn @ np.array(given[name]) + shift) for name in carried}
     for body, names in BODY_POINTS.items():
         if body.endswith("_arm") or body.startswith("link_"):
             places |= _carried(rig, body, names, given, places)
@@ -154,6 +159,22 @@ def _upright_places(rig: Corner, places: Mapping[str, Triple], lengths: Mapping[
     return {name: triple(found[:, i]) for i, name in enumerate(_outer(rig))}
 
 
+def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tuple[Array, Array]:
+    """Rotation and shift of an arm with the wheel whose axis goes elsewhere; the wheel centre keeps its height."""
+    pivots = [np.array([points["arm_inner"], points["arm_outer"]]) for points in (before, after)]
+    turn, shift = rigid_motion(*pivots)
+    middle, axis = pivots[1].mean(axis=0), pivots[1][1] - pivots[1][0]
+    axis = axis / np.linalg.norm(axis)
+    away = turn @ np.array(before["wheel_centre"]) + shift - middle
+    along = (away @ axis) * axis
+    height = before["wheel_centre"][2] - middle[2] - along[2]
+    angle = _least_angle(float((away - along)[2]), float(np.cross(axis, away)[2]), float(height))
+    if angle is None:
+        raise AssemblyError("the arm does not reach the height of its wheel centre", where="hardpoints.arm_inner")
+    about = np.array([_turned(one, axis, angle) for one in np.eye(3)]).T
+    return about @ turn, middle + about @ (shift - middle)
+
+
 # what hangs on it -----------------------------------------------------------------------------------------------------
 
 
@@ -207,9 +228,15 @@ def _turn_to(arm: Array, axis: Array, end: Array, length: float) -> float | None
     # |arm turned - end| = length is a cos(turn) + b sin(turn) = needed
     a, b = float(flat @ end), float(np.cross(axis, flat) @ end)
     needed = 0.5 * float(arm @ arm + end @ end - length**2) - float(along @ end)
-    if abs(needed) > np.hypot(a, b):
+    return _least_angle(a, b, needed)
+
+
+def _least_angle(a: float, b: float, needed: float) -> float | None:
+    """Least angle (rad) where a cos + b sin is what is needed; None without."""
+    size = float(np.hypot(a, b))
+    if abs(needed) > size:
         return None
-    middle, half = np.arctan2(b, a), np.arccos(needed / np.hypot(a, b))
+    middle, half = np.arctan2(b, a), np.arccos(needed / size)
     turns = [(middle + sign * half + np.pi) % (2.0 * np.pi) - np.pi for sign in (1.0, -1.0)]
     return cast(float, min(turns, key=abs))
 

@@ -209,19 +209,15 @@ class Workshop:
     def _sources(self) -> None:
         """What deviates: coordinates of points by their names, lengths of links by their inner points."""
         given = self.rig.hardpoints.given()
-        held = [*rods(self.rig), *(name for name in ("strut_top", "spring_top", "damper_top") if name in given)]
+        held = [
+            *(rods(self.rig) or ("arm_inner", "arm_outer")),
+            *(name for name in ("strut_top", "spring_top", "damper_top") if name in given),
+        ]
         joints = [name for name in dict.fromkeys(rods(self.rig).values()) if name != "wheel_centre"]
         self._inner, self._joints = held, joints
         self._rocker = [name for name in _ROCKER if has_rocker(self.rig) and name in given]
         links = [*rod_lengths(self.rig), *([_PUSHROD] if has_rocker(self.rig) else [])]
         names = [*held, *joints, *(name for name in self._rocker if name not in joints)]
-        if not rods(self.rig):
-            raise DescriptionError(
-                "nothing of it is put together from links",
-                where="spread",
-                found=str(getattr(self.rig, "model", "")),
-                allowed="double-wishbone, mcpherson, five-link",
-            )
         known = [*names, *(f"{name} length" for name in links)]
         for name in self.spread.exact:
             if name not in known:

@@ -195,28 +195,39 @@ def _dot(a: Array, b: Array) -> Array:
     return np.asarray(np.einsum("ij,ij->i", a, b))
 
 
+def _by_side(given: Array | tuple[Array, Array] | None) -> dict[float, Array]:
+    """What is known of each side: 1 left, -1 right."""
+    both = given if isinstance(given, tuple) else (given, given)
+    return {side: own for side, own in zip((1.0, -1.0), both, strict=True) if own is not None}
+
+
 class Axle:
     """Both wheels of an axle, from the description of one of them, or of each where ``right`` is given.
 
     ``numbers`` are those of the model's ``parameters`` where they are not the description's own. With ``directions``
-    (tracks and parameters, n; see ``tangents``) each wheel keeps its rows' slopes along them in ``slopes``.
+    (tracks and parameters, n; see ``tangents``) each wheel keeps its rows' slopes along them in ``slopes``. Of a right
+    corner of its own both are the second of a pair.
     """
 
     def __init__(
-        self, rig: Corner, numbers: Array | None = None, directions: Array | None = None, right: Corner | None = None
+        self,
+        rig: Corner,
+        numbers: Array | tuple[Array, Array] | None = None,
+        directions: Array | tuple[Array, Array] | None = None,
+        right: Corner | None = None,
     ) -> None:
         self.rig, self.right = rig, rig if right is None else right
         self.ends: list[End] = []
         self.slopes: dict[float, dict[str, Array]] = {}
-        self._numbers, self._directions = numbers, directions
-        self._values = rig.parameters()
-        if numbers is not None:
-            self._values |= dict(zip(kinematic_model(rig).parameters, numbers.tolist(), strict=True))
+        self._numbers, self._directions = _by_side(numbers), _by_side(directions)
+        self._values = {side: self.of(side).parameters() for side in (1.0, -1.0)}
+        for side, own in self._numbers.items():
+            self._values[side] |= dict(zip(kinematic_model(self.of(side)).parameters, own.tolist(), strict=True))
         self.radius = self.number("wheel.radius")
 
     def number(self, path: str) -> float:
         """A number of the (left) description, SI."""
-        return float(self._values[path])
+        return float(self._values[1.0][path])
 
     def of(self, side: float) -> Corner:
         """Description of the wheel on a side: 1 left, -1 right."""
@@ -226,10 +237,10 @@ class Axle:
         """One wheel at pairs of travel and rack travel (m); either of them may be one value for all."""
         rig = self.of(side)
         turned = side * rig.sign * np.asarray(rack, dtype=float)
-        travel = np.asarray(travel, dtype=float)
+        travel, numbers = np.asarray(travel, dtype=float), self._numbers.get(side)
         if travel.ndim and turned.ndim:
             kept = np.flatnonzero(np.isfinite(travel + turned))
-            sweep = path_sweep(rig, travel[kept], turned[kept], self._numbers)[0] if len(kept) else None
+            sweep = path_sweep(rig, travel[kept], turned[kept], numbers)[0] if len(kept) else None
             count = len(travel)
         else:
             swept, other = (travel, turned) if turned.ndim == 0 else (turned, travel)
@@ -237,8 +248,8 @@ class Axle:
             kept, count = order[np.isfinite(swept[order])], len(swept)
             pair = (swept[kept], float(other)) if turned.ndim == 0 else (float(other), swept[kept])
             sweep = prepare_sweep(rig, *pair) if len(kept) else None
-            if sweep is not None and self._numbers is not None:
-                sweep.walk.p[:] = self._numbers
+            if sweep is not None and numbers is not None:
+                sweep.walk.p[:] = numbers
             if sweep is not None:
                 sweep.run()
         if sweep is None:
@@ -248,8 +259,8 @@ class Axle:
         values[:, kept] = sweep.in_place(sweep.found.outputs, reached).reshape(len(values), -1)
         self.note(sweep)
         names = [row.name for row in sweep.model.rows]
-        if self._directions is not None:
-            self.slopes[side] = self._sloped(sweep, names, kept, count)
+        if side in self._directions:
+            self.slopes[side] = self._sloped(sweep, side, names, kept, count)
         rows = self._flipped(dict(zip(names, values, strict=True)), rig)
         return WheelRows(
             rows,
@@ -272,19 +283,22 @@ class Axle:
     def connection(self, left: WheelRows, right: WheelRows) -> Connection:
         """Give what connects both wheels at pairs of poses."""
         model = kinematic_model(self.rig)
-        numbers = model.parameter_values(self.rig) if self._numbers is None else self._numbers
-        own = self._values if self.right is self.rig else self.right.parameters()
-        one = Wheel(left.rows, left.ends, self._values, self.rig.sign)
-        return connect(self.rig, model, numbers, one, Wheel(right.rows, right.ends, own, -self.right.sign))
+        numbers = self._numbers.get(1.0, model.parameter_values(self.rig))
+        one, other = (
+            Wheel(wheel.rows, wheel.ends, self._values[side], side * self.of(side).sign)
+            for side, wheel in ((1.0, left), (-1.0, right))
+        )
+        return connect(self.rig, model, numbers, one, other)
 
-    def _sloped(self, sweep: PreparedSweep, names: list[str], kept: NDArray[np.intp], count: int) -> dict[str, Array]:
+    def _sloped(
+        self, sweep: PreparedSweep, side: float, names: list[str], kept: NDArray[np.intp], count: int
+    ) -> dict[str, Array]:
         """Slopes of the rows just found, each (directions, poses), in the axes of a left wheel."""
-        assert self._directions is not None
-        found = Tangents(sweep, self._directions).run()
+        found = Tangents(sweep, self._directions[side]).run()
         ordered = sweep.in_place(found.reshape(-1, found.shape[2]), sweep.found.outcome == REACHED)
         slopes = np.full((*found.shape[:2], count), np.nan)
         slopes[:, :, kept] = ordered.reshape(*found.shape[:2], -1)
-        return self._flipped(dict(zip(names, slopes, strict=True)), self.rig)
+        return self._flipped(dict(zip(names, slopes, strict=True)), self.of(side))
 
     def _flipped(self, rows: dict[str, Array], rig: Corner) -> dict[str, Array]:
         return {name: rig.sign * value if name in _ODD else value for name, value in rows.items()}
@@ -430,7 +444,8 @@ _AGAINST = "positive: against the roll"
 def _add_roll_moments(found: AxleVariables, axle: Axle, wheels: tuple[Ground, Ground], bend: Array) -> None:
     """Moments of springs and of what connects both wheels, and the roll stiffness of the springs."""
     left, right = (ground.wheel for ground in wheels)
-    if "wheel_force" not in left.rows or (reaches_over(axle.rig) and left.ends is None):  # nothing is known of forces
+    forces = "wheel_force" in left.rows and "wheel_force" in right.rows
+    if not forces or (reaches_over(axle.rig) and left.ends is None):  # nothing is known of forces
         return
     gain = _gain(*wheels)
     force = right.rows["wheel_force"] - left.rows["wheel_force"]
@@ -449,7 +464,7 @@ def _add_roll_stiffness(
 ) -> None:
     """Roll stiffness of what connects both wheels, of all springs, and with the tyres."""
     left, right = (ground.wheel for ground in wheels)
-    if "wheel_force" not in left.rows:
+    if "roll_stiffness_springs" not in found.values:
         return
     gain, bar = _gain(*wheels), axle.rig.anti_roll_bar
     springs, twisted = found.values["roll_stiffness_springs"], np.zeros_like(roll)

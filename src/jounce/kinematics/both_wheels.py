@@ -145,15 +145,20 @@ def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
     if right is None:
         return corner, None
     other = check_corner(right)
-    if other.side != "right":
-        raise DescriptionError("not a right corner", where="right", found=f'side = "{other.side}"', allowed='"right"')
+    check_pair_of_corners(corner, other)
+    return corner, other
+
+
+def check_pair_of_corners(left: Corner, right: Corner, where: str = "right") -> None:
+    """Refuse corners that are not both sides of an axle."""
+    if right.side != "right":
+        raise DescriptionError("not a right corner", where=where, found=f'side = "{right.side}"', allowed='"right"')
     for name in ("anti_roll_bar", "third_spring"):
-        one, another = getattr(corner, name), getattr(other, name)
+        one, another = getattr(left, name), getattr(right, name)
         if (one is None) != (another is None) or getattr(one, "kind", "") != getattr(another, "kind", ""):
             raise DescriptionError(
                 "both corners of an axle need their end of it", where=name, allowed="a table in both files, or in none"
             )
-    return corner, other
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.design.refitting import rod_lengths
+from jounce.design.kinematic_study import Spread
+from jounce.design.kinematics import read_task
+from jounce.design.refitting import Changes, refitted, rod_lengths
 
 TOE = {"quantity": "toe", "over": "-20 mm:20 mm:20 mm", "value": 0.0, "tolerance": "0.05 deg"}
 RATIO = {"quantity": "motion_ratio", "value": 0.59, "tolerance": 0.01}
@@ -70,9 +74,43 @@ def test_a_rocker_that_is_off_changes_the_motion_ratio_alone() -> None:
         (FRONT, {"exact": {"tie_rod_iner": "1 mm"}}, "tie_rod_inner"),
         (FRONT, {"points": "1 mm", "adjust": ["strut_angle"]}, "tie_rod_length"),
         (FRONT, {"points": "1 mm", "adjust": ["tie_rod_lenght"]}, "tie_rod_length"),
-        ("semi-trailing-arm", {"points": "1 mm"}, "put together from links"),
+        ("semi-trailing-arm", {"links": "1 mm"}, "nothing deviates"),  # it has none
     ],
 )
 def test_what_cannot_be_asked_of_a_spread(rig: str, made: dict, words: str) -> None:
     with pytest.raises(jn.DescriptionError, match=words):
         jn.kinematic_spread(rig, [{"quantity": "camber", "value": 0.0, "tolerance": "1 deg"}], made)
+
+
+def test_a_trailing_arm_hangs_on_the_brackets_that_were_made() -> None:
+    """The arm keeps its shape and lies with its eyes on the line of both brackets; the wheel stands on its height."""
+    rig = jn.load("semi-trailing-arm")
+    away = {"arm_inner": np.array([0.003, -0.002, 0.004]), "arm_outer": np.array([-0.002, 0.001, -0.003])}
+    given = rig.hardpoints.given()
+    brackets = {name: np.array(given[name]) + shift for name, shift in away.items()}
+    built = refitted(rig, Changes({name: tuple(place.tolist()) for name, place in brackets.items()}))
+    points = {name: np.array(place) for name, place in built.hardpoints.given().items()}
+    own = ("arm_inner", "arm_outer", "wheel_centre", "strut_bottom")
+    for one in own:
+        for other in own:
+            drawn = np.linalg.norm(np.subtract(given[one], given[other]))
+            assert np.linalg.norm(points[one] - points[other]) == pytest.approx(drawn, abs=1e-13)
+    line = brackets["arm_outer"] - brackets["arm_inner"]
+    for name in away:
+        off = points[name] - brackets["arm_inner"]
+        assert np.linalg.norm(np.cross(off, line)) / np.linalg.norm(line) < 1e-13
+    assert points["wheel_centre"][2] == pytest.approx(given["wheel_centre"][2], abs=1e-14)
+    toe = {"quantity": "toe", "over": "-20 mm:20 mm:20 mm", "value": "0 deg", "tolerance": "0.1 deg"}
+    found = jn.kinematic_spread(rig, [toe], {"points": "1 mm", "cars": 40})
+    assert found.failed == 0
+    assert set(found.targets[0].causes) >= {"arm_inner", "arm_outer"}
+    assert found.targets[0].low[1] < found.targets[0].drawn[1] < found.targets[0].high[1]
+
+
+def test_a_spread_passes_over_a_rig_without_targets() -> None:
+    rigs = {"front": jn.load(FRONT), "rear": jn.load(FRONT)}
+    task = read_task(rigs, {"front.hardpoints.tie_rod_inner": "5 mm"}, [{**TOE, "rig": "front"}])
+    spread = Spread(points="1 mm", cars=2)
+    replace(task, spread=spread).check_spread(task.read()[2])
+    with pytest.raises(jn.DescriptionError, match="nothing deviates"):
+        replace(task, spread=Spread(points=0.0)).check_spread(task.read()[2])
