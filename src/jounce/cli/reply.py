@@ -11,6 +11,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO, cast
@@ -192,9 +193,10 @@ class Elapsed:
         self.said, self._heard = text, self.clock()
         phase = _SHARE.sub("", text).partition(":")[0]
         if phase != self._phase:
-            self._phase, self._since, self._from = phase, self._heard, self._share() or 0.0
+            self._phase, self._since, self._from = phase, self._heard, self.share() or 0.0
 
-    def _share(self) -> float | None:
+    def share(self) -> float | None:
+        """Share done of what is being done, 0 to 1; None where its words do not say."""
         found = _SHARE.search(self.said)
         if found is None:
             return None
@@ -214,14 +216,20 @@ class Elapsed:
         >>> line.text()   # 2 s each, of which this one has had 1 s
         'testing 5 of 10 · 9 s, 40 %, about 11 s left'
         """
-        now = self.clock()
-        line = f"{self.waits or self.said} · {_duration(now - self.started)}"
-        share = self._share()
+        line = f"{self.waits or self.said} · {_duration(self.clock() - self.started)}"
+        share, left = self.share(), self.left()
         if not share:
             return line
-        done = share - self._from
-        left = (1.0 - share) * (self._heard - self._since) / done - (now - self._heard) if done > 0.0 else 0.0
-        return f"{line}, {100.0 * share:.0f} %" + (f", about {_duration(left)} left" if left >= 1.0 else "")
+        return f"{line}, {100.0 * share:.0f} %" + (f", about {_duration(left)} left" if left and left >= 1.0 else "")
+
+    def left(self) -> float | None:
+        """Time (s) that what is being done still takes, judged by its share done; None where nothing tells."""
+        share = self.share()
+        done = (share or 0.0) - self._from
+        if share is None or done <= 0.0:
+            return None
+        now = self.clock()
+        return max(0.0, (1.0 - share) * (self._heard - self._since) / done - (now - self._heard))
 
     def __rich__(self) -> Text:
         """The same line for a console that draws it again and again."""
@@ -246,15 +254,28 @@ def _duration(seconds: float) -> str:
 
 
 _WORTH_TELLING = 2.0  # s
+_FOLLOWER: ContextVar[Callable[[Elapsed], None] | None] = ContextVar("follower", default=None)
+
+
+@contextmanager
+def followed_by(follower: Callable[[Elapsed], None]) -> Iterator[None]:
+    """Have a function called whenever a command in the block says what it does, or waits for, from whichever thread."""
+    before = _FOLLOWER.set(follower)
+    try:
+        yield
+    finally:
+        _FOLLOWER.reset(before)
 
 
 @contextmanager
 def progress() -> Iterator[Callable[[str], None]]:
     """Give a function that shows one line of text as the work goes on: on stderr, and only on a terminal.
 
-    Time passed stands behind it; share and time left, too, where the text says ``3 of 10`` or ``30 %``.
+    Time passed stands behind it; share and time left, too, where the text says ``3 of 10`` or ``30 %``. Whoever runs
+    the command for somebody else is told instead (`followed_by`).
     """
-    if not sys.stderr.isatty():
+    follower = _FOLLOWER.get()
+    if follower is None and not sys.stderr.isatty():
         yield lambda _: None
         return
     from jounce.core.waiting import heard_by
@@ -263,7 +284,18 @@ def progress() -> Iterator[Callable[[str], None]]:
 
     def wait(text: str | None) -> None:
         line.waits = text.rpartition(",")[0] if text else ""
+        if follower is not None:
+            follower(line)
 
+    if follower is not None:
+
+        def say(text: str) -> None:
+            line.say(text)
+            follower(line)
+
+        with heard_by(wait):
+            yield say
+        return
     shown = console(stderr=True)
     with shown.status(line, refresh_per_second=4.0), heard_by(wait):
         yield line.say

@@ -17,7 +17,7 @@ from jounce.core.errors import DescriptionError, JounceError, nearest
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
     """Give the path of a file; where there is none, the error says so."""
     file = Path(path)
-    root = _ROOT.get()
+    root = _ROOT.get() or _ALWAYS.get("root")
     if root is not None and not _lies_in(file, root):
         raise error("outside of the folder that may be read", where=str(file), allowed=f"files below {root.name}")
     if not _is_file(file):
@@ -26,6 +26,12 @@ def existing_file(path: Path | str, error: type[JounceError] = DescriptionError)
 
 
 _ROOT: ContextVar[Path | None] = ContextVar("root", default=None)
+_ALWAYS: dict[str, Path] = {}
+
+
+def always_below(folder: Path) -> None:
+    """Let what this process reads lie below a folder from now on, in all of its threads: it works for others."""
+    _ALWAYS["root"] = folder.resolve()
 
 
 @contextmanager

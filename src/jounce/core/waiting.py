@@ -9,8 +9,9 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from typing import Any
 
 LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s
 _LOG = logging.getLogger("jounce")
@@ -66,3 +67,27 @@ def heard_by(listener: Callable[[str | None], None]) -> Iterator[None]:
         yield
     finally:
         _listeners.remove(listener)
+
+
+_watchers: list[Callable[[Mapping[str, Any]], None]] = []
+
+
+def reached(numbers: Callable[[], Mapping[str, Any]]) -> None:
+    """Tell how far a search has come, where somebody watches; only then its numbers are put together."""
+    for watcher in _watchers:
+        watcher(numbers())
+
+
+@contextmanager
+def watched_by(watcher: Callable[[Mapping[str, Any]], None]) -> Iterator[None]:
+    """Have a function called with the numbers of every step of a search in the block.
+
+    >>> with watched_by(lambda numbers: print(numbers["objective"])):
+    ...     reached(lambda: {"objective": 0.5})
+    0.5
+    """
+    _watchers.append(watcher)
+    try:
+        yield
+    finally:
+        _watchers.remove(watcher)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -17,6 +18,7 @@ from jounce.core.errors import DescriptionError, FitError, SimulationError, unkn
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
+from jounce.core.waiting import reached
 from jounce.identify.lags import Shifted, best_lag
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
@@ -234,7 +236,22 @@ class UpdateProblem:
         if self._last is None or self._last[0] != key:
             self._last = (key, self._evaluate(np.asarray(scaled, dtype=float)))
             self.evaluations += 1
+            reached(self._step)
         return self._last[1]
+
+    def _step(self) -> dict[str, Any]:
+        """The last evaluation for whoever watches: objective, and parameters within their bounds (SI)."""
+        assert self._last is not None
+        key, found = self._last
+        values = self.values(np.frombuffer(key))
+        return {
+            "evaluation": self.evaluations,
+            "objective": float(found.vector @ found.vector),
+            "parameters": {
+                one.path: {"value": float(value), "initial": one.initial, "lower": one.lower, "upper": one.upper}
+                for one, value in zip(self.free, values, strict=True)
+            },
+        }
 
     def objective(self, scaled: Array) -> tuple[float, Array]:
         """Sum of squared residuals (Eq. 2 when unweighted) and its gradient."""

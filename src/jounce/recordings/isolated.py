@@ -261,7 +261,7 @@ def serve(readers: Sequence[Reader]) -> None:
         answer: dict[str, Any] = {}
         try:
             os.chdir(told["folder"])
-            _limit(told["memory"], told["seconds"])
+            limit(told["memory"], told["seconds"])
             answer["signals"] = _plain_signals(_read(readers, told), arrays)
         except JounceError as error:
             answer, arrays = {"error": _plain_error(error)}, []
@@ -291,7 +291,7 @@ def _read(readers: Sequence[Reader], told: Mapping[str, Any]) -> SignalTable:
     return reader.read(Path(told["path"]), ReaderOptions(told["variable"], told["header"], database))
 
 
-def _limit(memory: float, seconds: float) -> None:
+def limit(memory: float, seconds: float) -> None:
     """Bound memory and computing time from now on, where the system can."""
     try:
         import resource

@@ -12,8 +12,10 @@ from pydantic import BaseModel, ConfigDict, Field
 from jounce.core.errors import JounceError, OutputError, unforeseen
 from jounce.core.optional import require
 from jounce.web import answers
+from jounce.web.jobs import Jobs
 from jounce.web.project import Project, Text
 from jounce.web.safety import Guard
+from jounce.web.working import routes
 
 require("fastapi", "web")  # ruff: isort: split
 from fastapi import FastAPI, Request  # noqa: E402
@@ -69,12 +71,14 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     from contextlib import asynccontextmanager
 
     project = Project(folder)
+    jobs = Jobs(project)
     version = metadata.version("jounce")
 
     @asynccontextmanager
     async def living(_: FastAPI) -> Any:
         ready()
         yield
+        jobs.end()
 
     app = FastAPI(title="jounce workbench", version=version, docs_url=None, redoc_url=None, lifespan=living)
 
@@ -157,6 +161,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         """A sweep over wheel travel as curves of the viewer, as for a run."""
         return _told(answers.swept(project, asked.rig, asked.changes, asked.travel, asked.channels), request)
 
+    app.include_router(routes(project, jobs))
     for path, (name, kind) in _STATIC.items():
         app.add_api_route(path, _static(name, kind), include_in_schema=False)
     return Guard(app, token=token, port=port)

@@ -17,8 +17,9 @@ _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are liste
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
-_RECORDS = (".nc", ".csv", ".mat", ".mf4", ".parquet", ".tdms", ".uff", ".unv", ".txt", ".dat")
-_PAGES, _RESULTS = (".html", ".pdf"), ("results.json",)
+RECORDS = (".nc", ".csv", ".mat", ".mf4", ".parquet", ".tdms", ".uff", ".unv", ".txt", ".dat")
+"""Suffixes of files that were measured, or simulated."""
+_PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
 _LONGEST = 2_000_000  # bytes of a description
 
 
@@ -129,4 +130,6 @@ def _kind(file: Path) -> str:
         return "road"
     if suffix in _PAGES:
         return "page"
-    return "results" if file.name in _RESULTS else "record" if suffix in _RECORDS else ""
+    if suffix in _STORES:
+        return "store"
+    return "results" if file.name in _RESULTS else "record" if suffix in RECORDS else ""

@@ -13,7 +13,7 @@ from urllib.parse import parse_qs
 
 _POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; "
-    "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
+    "connect-src 'self'; frame-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
 )
 HEADERS = {
     "Content-Security-Policy": _POLICY,
@@ -26,6 +26,7 @@ HEADERS = {
 _OPEN = ("/", "/app.js", "/app.css", "/icon.svg")
 """The page itself, which holds nothing of anybody's."""
 _LARGEST = 4_000_000  # bytes of a request
+UPLOAD, _LARGEST_UPLOAD = "/api/upload", 250_000_000
 
 
 class Guard:
@@ -60,8 +61,9 @@ class Guard:
         length = headers.get("content-length", "0").strip()
         if not length.isdecimal() or not length.isascii():
             return 400, "The length of the request is no number."
-        if int(length[:20]) > _LARGEST or "transfer-encoding" in headers:
-            return 413, f"A request has {_LARGEST} bytes at most, and says how many."
+        most = _LARGEST_UPLOAD if scope["path"] == UPLOAD else _LARGEST
+        if int(length[:20]) > most or "transfer-encoding" in headers:
+            return 413, f"A request has {most} bytes at most, and says how many."
         if scope["path"] == "/" and scope["query_string"]:
             given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
             return None if self._is_token(given) else (401, "This address is not the one that was printed.")
@@ -104,10 +106,10 @@ async def _answer(send: Any, status: int, body: bytes, headers: Mapping[str, str
 def _with_headers(send: Any) -> Any:
     async def sending(message: Any) -> None:
         if message["type"] == "http.response.start":
-            message["headers"] = [
-                *message.get("headers", []),
-                *((name.encode(), value.encode()) for name, value in HEADERS.items()),
-            ]
+            own = list(message.get("headers", []))  # a report says more narrowly what it may do
+            said = {name.lower() for name, _ in own}
+            every = ((name.encode(), value.encode()) for name, value in HEADERS.items())
+            message["headers"] = [*own, *(one for one in every if one[0].lower() not in said)]
         await send(message)
 
     return sending

@@ -46,7 +46,9 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     token = secrets.token_urlsafe(32)
     address = f"http://127.0.0.1:{number}/?token={token}"
     app = create_app(folder, token=token, port=number, ready=lambda: ready(address, token) if ready else None)
-    config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="none")
+    require("websockets", "web")
+    config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="websockets-sansio",
+                            timeout_graceful_shutdown=1)  # fmt: skip
     try:
         uvicorn.Server(config).run(sockets=[listening])
     except KeyboardInterrupt:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 import jounce as jn
+from jounce.core.waiting import watched_by
 
 RIG = jn.load("kart-quarter-car")
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.3 s")
@@ -50,6 +53,17 @@ def test_recordings_that_cannot_be_compared_are_refused(trials):
             jn.update_model([jn.FitTrial("one", RIG, TRIAL, changed)], all_free, **more)
     with pytest.raises(jn.FitError, match="no trial to fit"):
         jn.update_model([], free)
+
+
+def test_steps_of_a_search_are_told_to_who_watches(trials):
+    steps: list[dict[str, Any]] = []
+    with watched_by(steps.append):
+        found = jn.update_model(trials, {"strut.spring.rate": "10 %"})
+    assert [one["evaluation"] for one in steps] == list(range(1, found.evaluations + 1))
+    assert steps[-1]["objective"] <= min(one["objective"] for one in steps) * (1.0 + 1e-6)
+    last = steps[-1]["parameters"]["strut.spring.rate"]
+    assert last["value"] == pytest.approx(found.parameters["strut.spring.rate"].value, rel=1e-3)
+    assert last["lower"] < last["value"] < last["upper"]
 
 
 def test_a_weight_of_zero_leaves_a_channel_out(trials):

@@ -1,0 +1,336 @@
+"""Long work in processes of its own, which goes on when the page is closed or the server ends.
+
+All that is known of a job lies in a folder ``.jounce/jobs/ID`` of the project (see `jounce.web.worker`); the server
+only begins jobs, reads how they are, and asks them to stop.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import secrets
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from jounce.core.errors import DescriptionError, JounceError, OutputError
+from jounce.web.project import Project
+from jounce.web.tasks import AnyTask, Doing, doing_of
+from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESULT, locked, put
+
+PLACE = (".jounce", "jobs")
+_MOST_RUNNING, _MOST_KEPT = 8, 200
+_JUST_BEGUN = 5.0  # s in which a process has locked what says that it lives
+_LONGEST_RESULT = 20_000_000  # bytes
+_FREE = 50  # looks at a file that nobody holds
+_LOOKED = 0.1  # s for which what was read of all jobs is new
+
+
+class Jobs:
+    """The jobs of a project."""
+
+    def __init__(self, project: Project) -> None:
+        self.project, self.folder = project, project.root.joinpath(*PLACE)
+        self.processes: dict[str, subprocess.Popen[bytes]] = {}
+        self.ended: dict[str, dict[str, Any]] = {}
+        self.ready: subprocess.Popen[bytes] | None = None
+        self.lock, self.read, self.known = threading.Lock(), 0.0, []  # type: tuple[Any, float, list[dict[str, Any]]]
+
+    def begin(self, task: AnyTask) -> dict[str, Any]:
+        """Begin a job; give its state."""
+        doing = doing_of(task, self.project)
+        with self.lock:
+            running = [one for one in self._all() if one["state"] == "running"]
+            if len(running) >= _MOST_RUNNING:
+                hint = "Wait for one of them, or cancel it."
+                raise OutputError("too many jobs run", where="jobs", found=len(running), hint=hint)
+            clash = next((one for one in running if doing.out and one["out"] == doing.out), None)
+            if clash is not None:
+                hint = "Wait for it, or choose another folder."
+                raise OutputError("a job writes there already", where=doing.out, found=clash["title"], hint=hint)
+            self._forget_old()
+            now = time.time()
+            begun = time.strftime("%Y%m%d-%H%M%S", time.localtime(now))
+            name = f"{begun}-{int(1e3 * now) % 1000:03d}-{secrets.token_hex(3)}"
+            folder = self._made(self.folder / name, doing, task)
+            self.processes[name] = _started(folder)
+            self.read = 0.0
+            return self.state(name)
+
+    def ask(self, doing: Doing) -> dict[str, Any]:
+        """Do something that does not last, in a process of its own with limits, and wait for what comes of it."""
+        with tempfile.TemporaryDirectory(prefix="jounce-") as place:
+            folder = self._made(Path(place) / "asked", doing, None)
+            self._apart(folder)
+            if not _is_over(folder, doing.patience):
+                (folder / CANCEL).touch()
+                found = f"more than {doing.patience:.0f} s"
+                raise DescriptionError("this takes too long", where=doing.title, found=found)
+            told = _told(folder, _read(folder / END).get("code", -1))
+            if told["error"] is not None:
+                raise Refused(told["error"])
+            page = folder / "report.html"
+            text = page.read_text(encoding="utf-8") if page.is_file() else ""
+            return {"result": _result(folder), "page": text, **ways(doing)}
+
+    def prepare(self) -> None:
+        """Have a process ready from which others split off for quick questions: what takes long is its start."""
+        with self.lock:
+            if _SPLITS and (self.ready is None or self.ready.poll() is not None):
+                self.ready = _waiting()
+
+    def _apart(self, folder: Path) -> None:
+        """Have a process work on a folder."""
+        self.prepare()
+        with self.lock:
+            if self.ready is not None and self.ready.stdin is not None:
+                with contextlib.suppress(OSError):  # it has ended
+                    self.ready.stdin.write(f"{folder}\n".encode())
+                    self.ready.stdin.flush()
+                    return
+        _started(folder)
+
+    def end(self) -> None:
+        """End what waits; jobs go on."""
+        if self.ready is not None:
+            self.ready.kill()
+            self.ready.wait()
+
+    def all(self) -> list[dict[str, Any]]:
+        """How every job is, the newest first."""
+        with self.lock:
+            if time.monotonic() - self.read > _LOOKED:
+                self.known, self.read = self._all(), time.monotonic()
+            return self.known
+
+    def state(self, name: str) -> dict[str, Any]:
+        """How a job is."""
+        if name in self.ended:
+            return self.ended[name]
+        folder = self._place(name)
+        job = _read(folder / JOB)
+        end, progress = _read(folder / END), _read(folder / PROGRESS)
+        shown = ("kind", "asked", "title", "python", "command", "files", "out", "page", "begun")
+        found = {"id": name, **{key: job.get(key) for key in shown}}
+        found |= {"error": None, "ended": end.get("ended"), "said": progress.get("said", "")}
+        found |= {"share": progress.get("share"), "left": progress.get("left"), "steps": progress.get("steps", [])}
+        if not end and self._lives(name, folder, float(job.get("begun") or 0.0)):
+            return found | {"state": "cancelling" if (folder / CANCEL).exists() else "running"}
+        end = end or _read(folder / END)  # which it may have written between the two looks
+        told = _told(folder, end.get("code"))
+        state = told["state"] if not (folder / CANCEL).exists() or told["state"] == "done" else "cancelled"
+        error = told["error"] and told["error"]["text"]
+        found |= {"state": state, "code": end.get("code"), "error": error if state == "failed" else None}
+        if not end:
+            found["error"] = "The process that worked on it was ended, or the computer was."
+            found["ended"] = progress.get("at")
+        self.ended[name] = found
+        return found
+
+    def result(self, name: str) -> Any:
+        """What the command of a job printed."""
+        return _result(self._place(name))
+
+    def cancel(self, name: str) -> dict[str, Any]:
+        """Ask a job to stop; what it has finished stays."""
+        (self._place(name) / CANCEL).touch()
+        self.read = 0.0
+        return self.state(name)
+
+    def again(self, name: str) -> AnyTask:
+        """What a job was asked to do, to be done once more: a sweep goes on where it was stopped."""
+        from jounce.web.tasks import task_of
+
+        job = _read(self._place(name) / JOB)
+        task = task_of(job.get("asked") or {})
+        if hasattr(task, "resume") and self.state(name)["state"] != "done":
+            return task.model_copy(update={"resume": True, "force": False})
+        return task.model_copy(update={"force": True}) if hasattr(task, "force") else task
+
+    def forget(self, name: str) -> None:
+        """Take a job that has ended off the list; what it wrote into the project stays."""
+        if self.state(name)["state"] in ("running", "cancelling"):
+            raise OutputError("the job runs", where=name, hint="Cancel it first.")
+        shutil.rmtree(self._place(name))
+        self.ended.pop(name, None)
+        self.read = 0.0
+
+    def page(self, name: str) -> Path | None:
+        """The report that a job wrote, where it is one."""
+        own = self._place(name) / "report.html"
+        if own.is_file():
+            return own
+        page = self.state(name).get("page")
+        file = self.project.inside(str(page)) if page else None
+        return file if file is not None and file.is_file() else None
+
+    def _all(self) -> list[dict[str, Any]]:
+        if not self.folder.is_dir():
+            return []
+        names = sorted((one.name for one in self.folder.iterdir() if (one / JOB).is_file()), reverse=True)
+        return [self.state(name) for name in names[:_MOST_KEPT]]
+
+    def _forget_old(self) -> None:
+        for one in self._all()[_MOST_KEPT // 2 :]:
+            if one["state"] not in ("running", "cancelling"):
+                shutil.rmtree(self.folder / one["id"], ignore_errors=True)
+                self.ended.pop(one["id"], None)
+
+    def _place(self, name: str) -> Path:
+        folder = self.folder / name
+        if "/" in name or "\\" in name or name.startswith(".") or not (folder / JOB).is_file() or folder.is_symlink():
+            raise DescriptionError("no such job", where="job", found=name)
+        return folder
+
+    def _lives(self, name: str, folder: Path, begun: float) -> bool:
+        process = self.processes.get(name)
+        if process is not None:
+            if process.poll() is None:
+                return True
+            del self.processes[name]
+            return False
+        if 0.0 <= time.time() - begun < _JUST_BEGUN:
+            return True
+        held = locked(folder / ALIVE)
+        if held is None:
+            return True
+        held.close()
+        return False
+
+    def _made(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
+        """Write down what is to be done, and with which words."""
+        folder.mkdir(parents=True, mode=0o700)
+        own = [word.replace("{folder}", str(folder)) for word in doing.own]
+        about = {"kind": task and task.kind, "asked": task and task.model_dump(), "title": doing.title}
+        about |= {
+            "root": str(self.project.root),
+            "begun": time.time(),
+            "out": doing.out,
+            "page": doing.page,
+            **ways(doing),
+        }
+        does = {"question": doing.question} if doing.question else {"words": doing.words, "own": own}
+        put(folder / JOB, about | does | {"limits": doing.limits})
+        return folder
+
+
+class Refused(JounceError):
+    """What a command in another process said was wrong, in its own words."""
+
+    def __init__(self, error: Mapping[str, Any]) -> None:
+        self.text = str(error["text"])
+        words = {name: str(error.get(name) or "") for name in ("where", "allowed", "hint")}
+        super().__init__(str(error.get("what") or self.text), found=error.get("found"), **words)
+
+    def _text(self) -> str:
+        return self.text
+
+
+def ways(doing: Doing) -> dict[str, Any]:
+    """The same in Python and on the command line."""
+    return {"python": doing.python, "command": shlex.join(["jounce", *doing.words]) if doing.words else doing.command,
+            "files": doing.files}  # fmt: skip
+
+
+def _started(folder: Path) -> subprocess.Popen[bytes]:
+    """A process that works on what a folder says, and outlives this one; the page goes before it."""
+    with (folder / RESULT).open("wb") as out, (folder / PROBLEMS).open("wb") as problems:
+        apart: dict[str, Any] = {"start_new_session": True}
+        if sys.platform == "win32":
+            apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP | subprocess.BELOW_NORMAL_PRIORITY_CLASS}
+        try:
+            process = subprocess.Popen(
+                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path), str(folder)],
+                stdin=subprocess.DEVNULL, stdout=out, stderr=problems, env=os.environ | {"PYTHONUTF8": "1"}, **apart,
+            )  # fmt: skip
+        except OSError as error:
+            what = f"no process to work in could be started ({error.strerror or error})"
+            raise OutputError(what, where="jobs", hint="Close other programs.") from None
+    threading.Thread(target=process.wait, daemon=True).start()  # it is noticed when it ends, whoever looks
+    return process
+
+
+_SPLITS = sys.platform.startswith("linux")
+"""Whether a process can split: elsewhere libraries do not survive it."""
+
+
+def _waiting() -> subprocess.Popen[bytes]:
+    """A process that loads what commands need, and then splits for every folder that it is told."""
+    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+    return subprocess.Popen(
+        [sys.executable, "-P", "-c", _WAITING, json.dumps(sys.path)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=os.environ | threads | {"PYTHONUTF8": "1"},
+        start_new_session=True,
+    )
+
+
+def _is_over(folder: Path, patience: float) -> bool:
+    """Wait until the work on a folder has ended, however that was; False where it goes on."""
+    end, free = time.monotonic() + patience, 0
+    while time.monotonic() < end:
+        if (folder / END).exists():
+            return True
+        held = locked(folder / ALIVE) if (folder / ALIVE).exists() else None
+        if held is not None:
+            held.close()
+        free = 0 if held is None else free + 1
+        if free > _FREE:  # longer than one that begins leaves it
+            return True
+        time.sleep(_LOOKED / 5.0)
+    return False
+
+
+_WAITING = """import json, pathlib, sys
+sys.path[:] = json.loads(sys.argv[1])
+from jounce.web.worker import split_when_told
+split_when_told()"""
+_CHILD = """import json, os, pathlib, sys
+sys.path[:] = json.loads(sys.argv[1])
+if hasattr(os, "nice"): os.nice(5)
+from jounce.web.worker import work
+sys.exit(work(pathlib.Path(sys.argv[2])))"""
+
+
+def _told(folder: Path, code: int | None) -> dict[str, Any]:
+    """What the end of a command means, and its error as it was said."""
+    said = (folder / PROBLEMS).read_text(encoding="utf-8", errors="replace") if (folder / PROBLEMS).is_file() else ""
+    plain = _result(folder)
+    own = plain.get("error") if isinstance(plain, Mapping) else None
+    if code == 130:
+        return {"state": "cancelled", "error": None}
+    if isinstance(plain, Mapping) and code in (0, 1, 2) and set(plain) != {"error"}:
+        return {"state": "done", "error": None}  # with another code than 0 something in it failed, which it says
+    if isinstance(own, Mapping):
+        message = str(own.get("message", ""))
+        return {"state": "failed", "error": {**own, "text": message}}
+    if code is None:
+        return {"state": "stopped", "error": None}
+    text = said.strip().splitlines()[-1] if said.strip() else f"The process ended (exit code {code})."
+    return {"state": "failed", "error": {"text": text.removeprefix("jounce: "), "what": text}}
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def _result(folder: Path) -> Any:
+    file = folder / RESULT
+    try:
+        return json.loads(file.read_text(encoding="utf-8")) if file.stat().st_size < _LONGEST_RESULT else None
+    except (OSError, ValueError):
+        return None

@@ -1,0 +1,93 @@
+"""What no command answers, but the page asks: what would be read of a file, before it is read for good."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import JounceError, unforeseen
+from jounce.core.findings import Finding
+from jounce.core.serialise import to_json, to_plain
+from jounce.core.types import Array
+
+_MOST_COLUMNS, _MOST_POINTS = 200, 2000
+
+
+def answer(question: Mapping[str, Any]) -> int:
+    """Print the answer as one JSON object; give the exit code."""
+    try:
+        sys.stdout.write(to_json(preview(question)))
+    except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
+        known = unforeseen(error)
+        plain = {"message": str(known), "what": known.what, "where": known.where, "hint": known.hint or None}
+        sys.stdout.write(to_json({"error": plain}))
+        return 2
+    return 0
+
+
+def preview(asked: Mapping[str, Any]) -> dict[str, Any]:
+    """Give the columns of a file as they are written, and what is read of them with the names and signs given.
+
+    Where they cannot be read so, the reason stands in ``problem``, beside the columns that there are.
+    """
+    from jounce.recordings.reader import ReaderOptions
+    from jounce.recordings.readers import read_signals
+
+    file = Path(asked["files"][0])
+    table = read_signals(file, ReaderOptions(asked["variable"]))
+    columns = [
+        {"name": one.written or one.name, "unit": one.unit, **_ends(one.values)}
+        for part in table.tables
+        for one in part
+    ]
+    found: dict[str, Any] = {"columns": columns[:_MOST_COLUMNS], "more": max(0, len(columns) - _MOST_COLUMNS)}
+    try:
+        read = _force_deflection if asked["form"] == "force-deflection" else _recording
+        shown, findings = read(file, asked)
+    except JounceError as error:
+        return found | {"problem": str(error), "findings": [], "content": None, "points": None}
+    return found | {"problem": None, "findings": to_plain(findings)} | shown
+
+
+def _recording(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], list[Finding]]:
+    from jounce.identify.signs import compression_positive
+    from jounce.recordings import read_recording
+    from jounce.report.live import Viewer, live_data
+    from jounce.report.recordings import curve_blocks
+
+    given = {name: asked[name] or None for name in ("columns", "sample_time", "resample")}
+    record, findings = read_recording(file, variable=asked["variable"], **given)
+    record = compression_positive(record, asked["stroke_positive"] or None, asked["force_positive"] or None)
+    blocks = curve_blocks({"": {file.name: record}})
+    return {"content": live_data([one for one in blocks if isinstance(one, Viewer)]), "points": None}, findings
+
+
+def _force_deflection(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], list[Finding]]:
+    from jounce.campaign.characterise import read_force_deflection
+    from jounce.identify.signs import sign_of
+    from jounce.recordings.formats import TableFormat
+
+    told = TableFormat(columns=asked["columns"], variable=asked["variable"])
+    trials, findings = read_force_deflection(
+        [file], told, asked["stroke_positive"] or None, asked["force_positive"] or None
+    )
+    deflection, force = trials[0].arrays()
+    deflection = deflection * sign_of(asked["stroke_positive"] or None, "stroke")
+    force = force * sign_of(asked["force_positive"] or None, "force")
+    step = max(1, -(-len(deflection) // _MOST_POINTS))
+    points = {"x": (1e3 * deflection[::step]).tolist(), "y": force[::step].tolist(), "count": len(deflection)}
+    return {"content": None, "points": points}, findings
+
+
+def _ends(values: Array) -> dict[str, float | int | None]:
+    """Least and greatest of a column, where it holds numbers."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiub" or not array.size:
+        return {"count": int(array.size), "least": None, "greatest": None}
+    finite = array[np.isfinite(array)] if array.dtype.kind == "f" else array
+    ends = (float(finite.min()), float(finite.max())) if finite.size else (None, None)
+    return {"count": int(array.size), "least": ends[0], "greatest": ends[1]}

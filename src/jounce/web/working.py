@@ -1,0 +1,166 @@
+"""The interface for what takes long and for files that come and go: jobs, quick questions, uploads, reports."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import secrets
+from collections import OrderedDict
+from pathlib import Path
+from typing import Any
+
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.optional import require
+from jounce.core.writing import temporary_beside
+from jounce.web.jobs import Jobs
+from jounce.web.project import RECORDS, Project
+from jounce.web.tasks import Asked, doing_of
+
+require("fastapi", "web")  # ruff: isort: split
+from fastapi import APIRouter, Request, WebSocket, WebSocketDisconnect  # noqa: E402
+from fastapi.responses import Response  # noqa: E402
+
+_BETWEEN = 0.25  # s between two looks at the jobs, for whoever follows them
+_MOST_PAGES = 16  # reports of quick questions that are kept
+_UPLOADED = (*RECORDS, ".crg", ".dbc")
+_ALONE = (
+    "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+    "img-src data: blob:; font-src data:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
+)
+"""What a report may do: run its own script, in a place of its own from which nothing here can be asked or read."""
+_KINDS = {".html": "text/html; charset=utf-8", ".pdf": "application/pdf", ".png": "image/png", ".svg": "image/svg+xml"}
+
+
+def routes(project: Project, jobs: Jobs) -> APIRouter:
+    """Give the routes over a project."""
+    router = APIRouter()
+    pages: OrderedDict[str, str] = OrderedDict()
+
+    @router.get("/api/jobs")
+    def every() -> list[dict[str, Any]]:
+        """How every job is, the newest first."""
+        return jobs.all()
+
+    @router.post("/api/jobs")
+    def begin(asked: Asked) -> dict[str, Any]:
+        """Begin a job: a command in a process of its own."""
+        return jobs.begin(asked)
+
+    @router.get("/api/jobs/{name}")
+    def one(name: str) -> dict[str, Any]:
+        """How a job is, and what its command gave."""
+        state = jobs.state(name)
+        finished = state["state"] == "done"
+        return {**state, "result": jobs.result(name) if finished else None, "has_page": jobs.page(name) is not None}
+
+    @router.post("/api/jobs/{name}/cancel")
+    def cancel(name: str) -> dict[str, Any]:
+        """Ask a job to stop; what it has finished stays."""
+        return jobs.cancel(name)
+
+    @router.post("/api/jobs/{name}/again")
+    def again(name: str) -> dict[str, Any]:
+        """Begin a job once more; a sweep goes on where it was stopped, what others wrote is replaced."""
+        return jobs.begin(jobs.again(name))
+
+    @router.delete("/api/jobs/{name}")
+    def forget(name: str) -> dict[str, str]:
+        """Take a job that has ended off the list; what it wrote into the project stays."""
+        jobs.forget(name)
+        return {"forgotten": name}
+
+    @router.get("/api/jobs/{name}/report")
+    def report(name: str) -> Response:
+        """The report of a job."""
+        file = jobs.page(name)
+        if file is None:
+            raise DescriptionError("the job wrote no report", where="job", found=name)
+        return _alone(file.read_bytes(), ".html")
+
+    @router.websocket("/api/live")
+    async def live(socket: WebSocket) -> None:
+        """Tell how the jobs are, now and whenever that changes."""
+        await socket.accept()
+        await asyncio.to_thread(jobs.prepare)
+        before = ""
+        try:
+            while True:
+                now = json.dumps(await asyncio.to_thread(jobs.all))
+                if now != before:
+                    await socket.send_text(now)
+                    before = now
+                with contextlib.suppress(TimeoutError):
+                    await asyncio.wait_for(socket.receive_text(), _BETWEEN)
+        except (WebSocketDisconnect, RuntimeError):
+            return
+
+    @router.post("/api/ask")
+    def ask(asked: Asked) -> dict[str, Any]:
+        """Have a command done that does not last, and wait for what it gives."""
+        found = jobs.ask(doing_of(asked, project))
+        text = found.pop("page")
+        key = ""
+        if text:
+            key = secrets.token_hex(8)
+            pages[key] = text
+            while len(pages) > _MOST_PAGES:
+                pages.popitem(last=False)
+        return {**found, "report": f"/api/reports/{key}" if key else ""}
+
+    @router.get("/api/reports/{key}")
+    def kept(key: str) -> Response:
+        """The report of a quick question, as long as it is kept."""
+        if key not in pages:
+            raise DescriptionError("the report is not kept any more", where="report", hint="Ask again.")
+        return _alone(pages[key].encode(), ".html")
+
+    @router.get("/api/document")
+    def document(path: str) -> Response:
+        """A page or picture of the project, in a place of its own."""
+        file = project.inside(path)
+        if file.suffix.lower() not in _KINDS or not file.is_file():
+            raise DescriptionError("not a page or a picture", where="path", found=path, allowed=", ".join(_KINDS))
+        return _alone(file.read_bytes(), file.suffix.lower())
+
+    @router.put("/api/upload")
+    async def upload(request: Request, path: str) -> dict[str, Any]:
+        """Put a measured file into the project as it is; one that is there is never replaced."""
+        file = project.inside(path)
+        if file.suffix.lower() not in _UPLOADED:
+            raise OutputError("no file of measurements", where=path, allowed=", ".join(_UPLOADED))
+        if file.exists():
+            raise OutputError("the file exists", where=path, hint="Choose another name.")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        temporary = temporary_beside(file)
+        expected, size = int(request.headers.get("content-length", "0")), 0
+        try:
+            with temporary.open("wb") as stream:
+                async for part in request.stream():
+                    size += len(part)
+                    await asyncio.to_thread(stream.write, part)
+            if size != expected:
+                raise OutputError("the file did not arrive whole", where=path, found=f"{size} of {expected} bytes")
+            _put_new(temporary, file)
+        finally:
+            temporary.unlink(missing_ok=True)
+        return {"path": path, "size": size}
+
+    return router
+
+
+def _put_new(temporary: Path, file: Path) -> None:
+    """Give a file its name, unless another has it meanwhile."""
+    taken = OutputError("the file exists", where=file.name, hint="Choose another name.")
+    try:
+        file.hardlink_to(temporary)
+    except FileExistsError:
+        raise taken from None
+    except OSError:  # a disk without links
+        if file.exists():
+            raise taken from None
+        temporary.replace(file)
+
+
+def _alone(content: bytes, suffix: str) -> Response:
+    return Response(content, media_type=_KINDS[suffix], headers={"Content-Security-Policy": _ALONE})

@@ -1,0 +1,329 @@
+"""Long work of the workbench: in processes of its own, known from the disk, and kept to the folder."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from jounce.cli.reply import followed_by, progress
+from jounce.core.errors import DescriptionError, JounceError, OutputError
+from jounce.core.files import always_below, existing_file
+from jounce.web.project import Project
+from jounce.web.tasks import doing_of, task_of
+
+uvicorn = pytest.importorskip("uvicorn")
+client = pytest.importorskip("websockets.sync.client")
+TOKEN = "a-token-of-these-tests"
+STUDY = """schema = "jounce.sweep/1"
+rig = "kart-quarter-car"
+metrics = ["max sprung.az"]
+trial = {speed = "2 m/s", duration = "1 s", road = {kind = "half-sine", height = "10 mm", length = "60 mm"}}
+design = {kind = "monte-carlo", count = COUNT}
+vary = {"strut.spring.rate" = "20 %"}
+"""
+
+
+def _jobs(folder: Path) -> Any:
+    from jounce.web.jobs import Jobs
+
+    return Jobs(Project(folder))
+
+
+def _ended(jobs: Any, name: str, seconds: float = 120.0) -> dict[str, Any]:
+    end = time.monotonic() + seconds
+    while (state := jobs.state(name))["state"] in ("running", "cancelling"):
+        assert time.monotonic() < end
+        time.sleep(0.05)
+    return dict(state)
+
+
+SWEEP = {"kind": "sweep", "study": "study.toml", "out": "swept"}
+HOSTILE = ["--help", "--out=/etc", "$(id)", "; rm -rf .", "\n--force", "../../x"]
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_what_a_field_holds_is_never_another_option(tmp_path, text):
+    (tmp_path / "a.csv").write_text("")
+    project = Project(tmp_path)
+    fields = {"vehicle": "kart-quarter-car", "road": text, "speed": text, "duration": text, "control": [text]}
+    for task in (
+        {"kind": "compare", **fields, "changes": {text: text}},
+        {"kind": "pareto", "vehicle": "kart-quarter-car", "free": {text: text}, "road": text, "speed": text},
+        {"kind": "evaluate", "records": ["a.csv"], "tester": text, "plate": text, "methods": [text]},
+        {"kind": "decay", "files": ["a.csv"], "mass": text, "channel": text, "columns": {text: text}},
+    ):
+        doing = doing_of(task_of(task), project)
+        options = [word for word in doing.words if text in word]
+        assert options
+        assert all(word.startswith("--") and "=" in word.partition(text)[0] for word in options)
+
+
+@pytest.mark.parametrize("path", ["../study.toml", "/etc/hostname", "link.toml", "", "."])
+def test_jobs_keep_to_the_folder(tmp_path, path):
+    folder = tmp_path / "project"
+    folder.mkdir()
+    for name in ("study.toml", "a.csv"):
+        (folder / name).write_text("")
+        (tmp_path / name).write_text("secret")
+    (folder / "link.toml").symlink_to(tmp_path / "study.toml")
+    project = Project(folder)
+    for task in (
+        {"kind": "sweep", "study": path, "out": "swept"},
+        {"kind": "sweep", "study": "study.toml", "out": path},
+        {"kind": "campaign", "campaign": path, "out": "out"},
+        {"kind": "design", "study": "study.toml", "out": path},
+        {"kind": "evaluate", "records": [path], "tester": "eusama"},
+        {"kind": "search", "store": path},
+        {"kind": "preview", "files": [path]},
+        {"kind": "new-campaign", "out": path},
+    ):
+        with pytest.raises(JounceError):
+            doing_of(task_of(task), project)
+
+
+def test_bad_requests_of_jobs_are_told(tmp_path):
+    with pytest.raises(DescriptionError, match="nothing of a job"):
+        task_of({"kind": "shell", "command": "ls"})
+    with pytest.raises(DescriptionError, match="nothing of a job"):
+        task_of({**SWEEP, "more": 1})
+    (tmp_path / "swept").write_text("")
+    (tmp_path / "study.toml").write_text("")
+    with pytest.raises(DescriptionError, match="a file, not a folder"):
+        doing_of(task_of(SWEEP), Project(tmp_path))
+    for name in ("../jobs", "x/y", ".hidden", "none"):
+        with pytest.raises(DescriptionError, match="no such job"):
+            _jobs(tmp_path).state(name)
+
+
+def test_a_process_that_works_for_others_reads_below_a_folder_in_every_thread(tmp_path, monkeypatch):
+    monkeypatch.setattr("jounce.core.files._ALWAYS", {})
+    inside = tmp_path / "project" / "a.toml"
+    inside.parent.mkdir()
+    for file in (inside, tmp_path / "secret.toml"):
+        file.write_text("")
+    always_below(inside.parent)
+    found: list[object] = []
+
+    def read() -> None:
+        found.append(existing_file(inside))
+        try:
+            existing_file(tmp_path / "secret.toml")
+        except DescriptionError as error:
+            found.append(error.what)
+
+    thread = threading.Thread(target=read)
+    thread.start()
+    thread.join()
+    assert found == [inside, "outside of the folder that may be read"]
+
+
+def test_whoever_runs_a_command_for_others_is_told_how_far_it_is():
+    heard: list[tuple[str, float | None]] = []
+    with followed_by(lambda line: heard.append((line.said, line.share()))), progress() as say:
+        say("testing 1 of 4")
+        say("testing 3 of 4")
+    assert heard == [("testing 1 of 4", 0.0), ("testing 3 of 4", 0.5)]
+
+
+def test_a_job_fails_with_its_reason_and_another_ends_well(tmp_path):
+    """A server that was begun since knows both from the disk."""
+    jobs = _jobs(tmp_path)
+    (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "3").replace("kart-quarter-car", "kart-quarter"))
+    failed = jobs.begin(task_of(SWEEP))
+    assert (failed["state"], failed["command"]) == ("running", "jounce sweep study.toml --out=swept")
+    with pytest.raises(OutputError, match="writes there already"):
+        jobs.begin(task_of(SWEEP))
+    well = jobs.begin(task_of({"kind": "new-campaign", "out": "mine"}))
+    state = _ended(jobs, failed["id"])
+    assert state["state"] == "failed"
+    assert "kart-quarter-car" in state["error"]
+    assert "Traceback" not in state["error"]
+    assert _ended(jobs, well["id"])["state"] == "done"
+    again = _jobs(tmp_path)
+    assert [(one["state"], one["title"]) for one in again.all()] == [
+        ("done", "Campaign to start from in mine"), ("failed", "Sweep study"),
+    ]  # fmt: skip
+    assert "campaign.toml" in again.result(well["id"])["files"]
+    assert again.again(failed["id"]).resume
+    again.forget(failed["id"])
+    assert [one["id"] for one in again.all()] == [well["id"]]
+    assert (tmp_path / "mine" / "campaign.toml").is_file()
+
+
+def test_a_job_whose_process_is_gone_is_stopped_not_running(tmp_path):
+    folder = tmp_path / ".jounce" / "jobs" / "20260101-000000-abcdef"
+    folder.mkdir(parents=True)
+    about = {"kind": "sweep", "asked": SWEEP, "title": "Sweep", "begun": 1.0, "out": "swept", "page": ""}
+    (folder / "job.json").write_text(json.dumps(about))
+    (folder / "progress.json").write_text(json.dumps({"at": 5.0, "said": "simulating", "share": 0.25}))
+    (folder / "alive").touch()
+    (state,) = _jobs(tmp_path).all()
+    assert (state["state"], state["share"], state["ended"]) == ("stopped", 0.25, 5.0)
+    assert "was ended" in state["error"]
+    (folder / "progress.json").write_text("half a f")  # nothing on the disk is trusted to be whole
+    (folder / "end.json").write_text("[1, 2]")
+    (state,) = _jobs(tmp_path).all()
+    assert state["state"] == "stopped"
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    from jounce.web.app import create_app
+    from jounce.web.serving import _listening
+
+    folder = tmp_path_factory.mktemp("project")
+    listening = _listening(0)
+    port = listening.getsockname()[1]
+    ready = threading.Event()
+    app = create_app(folder, token=TOKEN, port=port, ready=ready.set)
+    config = uvicorn.Config(app, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
+    running = uvicorn.Server(config)
+    thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]}, daemon=True)
+    thread.start()
+    assert ready.wait(30)
+    yield folder, port
+    running.should_exit = True
+    thread.join(10)
+    listening.close()
+
+
+def _asked(port: int, method: str, path: str, body: Any = None, token: str | None = TOKEN) -> tuple[int, Any]:
+    import http.client
+
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
+    headers = {"Authorization": f"Bearer {token}"} if token else {}
+    if isinstance(body, dict):
+        body, headers["Content-Type"] = json.dumps(body), "application/json"
+    connection.request(method, path, body, headers)
+    answer = connection.getresponse()
+    content = answer.read()
+    connection.close()
+    is_json = (answer.getheader("content-type") or "").startswith("application/json")
+    return answer.status, json.loads(content) if is_json else (content, dict(answer.getheaders()))
+
+
+def test_uploads_are_kept_as_they_are_and_replace_nothing(server):
+    folder, port = server
+    content = b"time [s],sprung.z [mm]\n" + b"".join(b"%.3f,%d\n" % (0.001 * i, i % 7) for i in range(50))
+    assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200
+    assert (folder / "new" / "run.csv").read_bytes() == content
+    assert _asked(port, "PUT", "/api/upload?path=new/run.csv", b"other")[0] == 409
+    for path in ("../out.csv", "%2Fetc%2Fx.csv", "x.sh", "x.html", "x.toml", ".csv", "a%00b.csv"):
+        status, answer = _asked(port, "PUT", f"/api/upload?path={path}", b"x")
+        assert status in (409, 422), answer
+    assert (folder / "new" / "run.csv").read_bytes() == content
+    assert sorted(one.name for one in folder.rglob("*") if one.is_file()) == ["run.csv"]
+    with socket.create_connection(("127.0.0.1", port), timeout=10) as plain:
+        head = f"PUT /api/upload?path=big.csv HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nAuthorization: Bearer {TOKEN}\r\n"
+        plain.sendall(f"{head}Content-Length: 250000001\r\n\r\n".encode())
+        assert plain.recv(100).split()[1] == b"413"
+    assert _asked(port, "PUT", "/api/upload?path=y.csv", b"x", token=None)[0] == 401
+    assert [one["path"] for one in _asked(port, "GET", "/api/project")[1]["entries"]] == ["new/run.csv"]
+
+
+def test_what_would_be_read_is_shown_before_it_is_read(server):
+    folder, port = server
+    (folder / "spring.csv").write_text("way [mm];F [kN]\n" + "\n".join(f"{-i};{-0.02 * i}" for i in range(20)))
+    asked = {"kind": "preview", "form": "force-deflection", "files": ["spring.csv"]}
+    status, answer = _asked(port, "POST", "/api/ask", asked)
+    assert status == 200
+    found = answer["result"]
+    assert [(one["name"], one["unit"], one["least"]) for one in found["columns"]] == [
+        ("way", "mm", -19),
+        ("F", "kN", -0.38),
+    ]
+    assert "displacement" in found["problem"]
+    columns = {"displacement": "way", "force": "F"}
+    turned = {"stroke_positive": "extension", "force_positive": "tension"}
+    found = _asked(port, "POST", "/api/ask", asked | {"columns": columns} | turned)[1]["result"]
+    assert found["problem"] is None
+    assert (found["points"]["x"][10], found["points"]["y"][10]) == (pytest.approx(10.0), pytest.approx(200.0))
+    (folder / "bad.mat").write_bytes(b"\x00\xff" * 300)
+    status, answer = _asked(port, "POST", "/api/ask", {"kind": "preview", "files": ["bad.mat"]})
+    assert status == 422
+    assert "bad.mat" in answer["error"]["text"]
+    assert "Traceback" not in str(answer)
+
+
+def test_reports_stand_in_a_place_of_their_own(server):
+    folder, port = server
+    (folder / "evil.html").write_text("<script>fetch('/api/project')</script>")
+    status, (content, headers) = _asked(port, "GET", "/api/document?path=evil.html")
+    assert (status, content) == (200, b"<script>fetch('/api/project')</script>")
+    policy = {name.lower(): text for name, text in headers.items()}["content-security-policy"]
+    assert policy.startswith("sandbox allow-scripts;")
+    assert "allow-same-origin" not in policy
+    assert "default-src 'none'" in policy
+    assert "connect-src" not in policy
+    for path in ("spring.csv", "../x.html", "none.html"):
+        assert _asked(port, "GET", f"/api/document?path={path}")[0] == 422
+    assert _asked(port, "GET", "/api/reports/none")[0] == 422
+    assert _asked(port, "GET", "/api/document?path=evil.html", token=None)[0] == 401
+
+
+def test_jobs_are_followed_by_who_has_the_token_and_the_origin(server):
+    _, port = server
+    address = f"ws://127.0.0.1:{port}/api/live"
+    known = {"Authorization": f"Bearer {TOKEN}"}
+    for headers, origin in (({}, None), (known, "http://evil.example"), ({"Authorization": "Bearer x"}, None)):
+        with pytest.raises(Exception, match="403"), client.connect(address, additional_headers=headers, origin=origin):
+            pass
+    with client.connect(address, additional_headers=known, origin=f"http://127.0.0.1:{port}") as socket_:
+        assert json.loads(socket_.recv(timeout=10)) == []
+
+
+@pytest.mark.slow
+def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path):
+    """The server is killed while the job runs; the next one knows it, cancels it, and resumes it."""
+    (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "20000"))
+
+    def started() -> tuple[subprocess.Popen[str], int, str]:
+        command = [sys.executable, "-m", "jounce", "serve", str(tmp_path), "--no-open", "--json"]
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        assert process.stdout is not None
+        line = json.loads(process.stdout.readline())
+        return process, int(line["url"].split(":")[2].split("/")[0]), line["token"]
+
+    def until(good: Any) -> dict[str, Any]:
+        for _ in range(1200):
+            state = _asked(port, "GET", f"/api/jobs/{name}", token=token)[1]
+            if good(state):
+                return dict(state)
+            time.sleep(0.1)
+        raise AssertionError(state)
+
+    server, port, token = started()
+    try:
+        name = _asked(port, "POST", "/api/jobs", SWEEP, token=token)[1]["id"]
+        until(lambda state: state["share"])
+        server.send_signal(signal.SIGKILL)
+        server.wait()
+        server, port, token = started()
+        before = until(lambda state: (state["share"] or 0.0) > 0.05)
+        assert before["state"] == "running"
+        assert before["left"] > 0.0
+        _asked(port, "POST", f"/api/jobs/{name}/cancel", {}, token=token)
+        assert until(lambda state: state["state"] not in ("running", "cancelling"))["state"] == "cancelled"
+        kept = len(list((tmp_path / "swept" / "shards").glob("*.nc")))
+        assert kept
+        state = _asked(port, "POST", f"/api/jobs/{name}/again", {}, token=token)[1]
+        assert shlex.split(state["command"])[-1] == "--resume"
+        name = state["id"]
+        done = until(lambda state: state["state"] != "running")
+        assert (done["state"], done["has_page"]) == ("done", True)
+        assert done["result"]["summary"]["ran"] == 20000
+    finally:
+        server.kill()
+        server.wait()
+    assert os.listdir(tmp_path / ".jounce" / "jobs")  # noqa: PTH208
