@@ -12,7 +12,11 @@ import { say } from "./words";
 
 export interface Moment { body: number; travel: number; ground: number; load: number; time: number }
 
+/** What a corner turns about at each pose, mm: (y, z) in front view, (x, z) beside, the roll centre (y, z). */
+export interface Centres { front: ([number, number] | null)[]; side: ([number, number] | null)[]; roll: ([number, number] | null)[] }
+
 const UP = new Vector3(0, 1, 0);
+const NEAR = 16; // px to a point that is meant
 const SMALL = matchMedia("(max-width: 40rem)");
 const LINE = 13; // px from one name to the next
 type View = "space" | "front" | "side" | "top";
@@ -68,6 +72,14 @@ export class MechanismView {
   private isSeen = false;
   private size = 300;
   private reach: [number, number] = [300, 300];
+  private centres: Centres | null = null;
+  private turned: { line: Line; mark: Mesh; of: keyof Centres }[] = [];
+  private chosen: string | null = null;
+  private halo: Mesh | null = null;
+  /** Hears that a hardpoint is dragged, by how much (mm) from where it was taken, and whether it was let go. */
+  grabbed: ((name: string, by: [number, number, number], done: boolean) => void) | null = null;
+  /** Where a dragged point goes: in the plane of the picture, or along an axis. */
+  way: "view" | "x" | "y" | "z" = "view";
 
   /** `large`: the mechanism is what the page is about; its points are named, its parts listed and paths drawn at first. */
   constructor(large = false) {
@@ -95,6 +107,7 @@ export class MechanismView {
     this.canvas.addEventListener("pointerdown", () => this.canvas.focus());
     this.canvas.addEventListener("dblclick", () => this.look("space"));
     this.controls.addEventListener("change", () => { this.isDirty = true; });
+    this.canvas.parentElement!.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
     new IntersectionObserver((entries) => { this.isSeen = entries.some((entry) => entry.isIntersecting); }, { rootMargin: "300px" }).observe(this.element);
   }
@@ -140,6 +153,7 @@ export class MechanismView {
     const a = m.spin[k]!, b = m.spin[next]!;
     this.spin.set(a[0]! + share * (b[0]! - a[0]!), a[1]! + share * (b[1]! - a[1]!), a[2]! + share * (b[2]! - a[2]!)).normalize();
     for (const step of this.update) step();
+    this.turnAbout(share < 0.5 ? k : next);
     if (!this.isLost) this.state.textContent = moment.load > 0 ? "" : say("noContact");
     this.isDirty = true;
   }
@@ -150,6 +164,71 @@ export class MechanismView {
     this.isDirty = false;
     this.renderer!.render(this.space, this.camera);
     if (!this.names.hidden) this.place();
+  }
+
+  /** Draws what the corner turns about, or nothing. */
+  showCentres(centres: Centres | null): void {
+    this.centres = centres;
+    this.set(this.now);
+  }
+
+  /** Marks one hardpoint. */
+  choose(name: string | null): void {
+    this.chosen = name;
+    this.set(this.now);
+  }
+
+  private turnAbout(pose: number): void {
+    const m = this.shown!, contact = m.contact[pose];
+    for (const { line, mark, of } of this.turned) {
+      const place = this.centres?.[of][pose];
+      line.visible = mark.visible = !!place && !!contact;
+      if (!place || !contact) continue;
+      const start = new Vector3(contact[0]!, contact[1]!, contact[2]! + this.now.body);
+      const end = of === "side" ? new Vector3(place[0], start.y, place[1]) : new Vector3(start.x, place[0], place[1]);
+      end.z += this.now.body;
+      line.geometry.setFromPoints([start, end]);
+      mark.position.copy(end);
+    }
+    if (!this.halo) return;
+    const index = this.chosen === null ? -1 : m.names.indexOf(this.chosen);
+    this.halo.visible = index >= 0;
+    if (index >= 0) this.halo.position.copy(this.points[index]!);
+  }
+
+  /** Begins to drag the hardpoint under the pointer, where there is one. */
+  private take(event: PointerEvent): void {
+    const m = this.shown;
+    if (!this.grabbed || !m || event.button !== 0 || event.target !== this.canvas) return;
+    const box = this.canvas.getBoundingClientRect(), one = new Vector3();
+    let best = NEAR, found = -1;
+    m.names.forEach((_, i) => {
+      if (m.feet.includes(i)) return;
+      one.copy(this.points[i]!).project(this.camera);
+      const away = Math.hypot(box.left + (0.5 + 0.5 * one.x) * box.width - event.clientX, box.top + (0.5 - 0.5 * one.y) * box.height - event.clientY);
+      if (away < best) { best = away; found = i; }
+    });
+    if (found < 0) return;
+    event.stopPropagation();
+    event.preventDefault();
+    this.canvas.focus({ preventScroll: true });
+    const name = m.names[found]!, scale = (this.camera.right - this.camera.left) / this.camera.zoom / box.width;
+    const across = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0), upward = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    const moved = (now: PointerEvent): [number, number, number] => {
+      const x = scale * (now.clientX - event.clientX), y = -scale * (now.clientY - event.clientY);
+      if (this.way === "view") return across.clone().multiplyScalar(x).addScaledVector(upward, y).toArray();
+      const axis = "xyz".indexOf(this.way), a = across.getComponent(axis), b = upward.getComponent(axis), size = a * a + b * b;
+      const by: [number, number, number] = [0, 0, 0];
+      if (size > 0.02) by[axis] = (x * a + y * b) / size; // an axis that is looked along cannot be followed
+      return by;
+    };
+    const move = (now: PointerEvent) => this.grabbed?.(name, moved(now), false);
+    const end = (now: PointerEvent) => {
+      removeEventListener("pointermove", move); removeEventListener("pointerup", end); removeEventListener("pointercancel", end);
+      this.grabbed?.(name, now.type === "pointerup" ? moved(now) : [0, 0, 0], true);
+    };
+    addEventListener("pointermove", move); addEventListener("pointerup", end); addEventListener("pointercancel", end);
+    this.grabbed(name, [0, 0, 0], false);
   }
 
   look(name: View): void {
@@ -234,6 +313,7 @@ export class MechanismView {
     this.road(m);
     this.axis(m);
     this.paths(m);
+    this.marks(size);
     this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
     this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, m.names[i]!.replaceAll("_", " ")))));
     this.legend.replaceChildren(...[...m.parts, { words: say("strut"), colour: m.strut.colour }].map((part) => {
@@ -241,6 +321,22 @@ export class MechanismView {
       swatch.style.background = tint(part.colour);
       return make("li", {}, swatch, part.words);
     }));
+  }
+
+  /** What is drawn of centres and of a chosen point. */
+  private marks(size: number): void {
+    const colours: Record<keyof Centres, string> = { front: colour("other-1"), side: colour("other-3"), roll: colour("accent") };
+    this.turned = (Object.keys(colours) as (keyof Centres)[]).map((of) => {
+      const line = new Line(new BufferGeometry().setFromPoints([UP, UP]), new LineBasicMaterial({ color: new Color(colours[of]) }));
+      const mark = new Mesh(of === "roll" ? new BoxGeometry(3 * size, 3 * size, 3 * size) : new SphereGeometry(2 * size, 12, 8), new MeshLambertMaterial({ color: new Color(colours[of]) }));
+      line.frustumCulled = false;
+      line.visible = mark.visible = false;
+      this.group.add(line, mark);
+      return { line, mark, of };
+    });
+    this.halo = new Mesh(new SphereGeometry(2.6 * size, 16, 12), new MeshLambertMaterial({ color: new Color(colour("accent")), transparent: true, opacity: 0.7 }));
+    this.halo.visible = false;
+    this.group.add(this.halo);
   }
 
   /** The steering axis, where two points mark it. */

@@ -43,3 +43,13 @@ export function localised(text: string): string {
   const signed = text.replaceAll("-", "−");
   return isGerman ? signed.replace(".", ",") : signed;
 }
+
+const SAID: Record<string, string> = {};
+
+/** Adds German for English texts of a page. */
+export function translate(texts: Record<string, string>): void { Object.assign(SAID, texts); }
+
+/** An English text in the language of the page; `#` in it is what is given. */
+export function tr(text: string, given = ""): string {
+  return ((isGerman && SAID[text]) || text).replace("#", () => given);
+}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import tomlkit
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, JounceError
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from jounce.roads import Trial
 
 Changes = Mapping[str, float | str]
-_ONE = threading.Lock()  # a run takes milliseconds: the next request waits, and nothing is compiled twice
+ONE = threading.Lock()  # a run takes milliseconds: the next request waits, and nothing is compiled twice
 _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that somebody waits for
 
 
@@ -61,13 +61,27 @@ def rig_of(project: Project, name: str) -> Rig:
         return load(file)
 
 
-def described(project: Project, name: str) -> dict[str, Any]:
+def rig_in(project: Project, name: str, text: str) -> Rig:
+    """Give the rig of a text that is, or will be, the file of that path; nothing of it is saved."""
+    from jounce.core.description import toml_table
+    from jounce.core.files import only_below
+    from jounce.parts.files import rig_from_table
+
+    file = project.inside(name)
+    try:
+        table = toml_table(text)
+    except ValueError as error:
+        raise DescriptionError(f"not valid TOML: {error}", where=name) from None
+    with only_below(project.root):
+        return rig_from_table(table, where=str(file), text=text)
+
+
+def described(rig: Rig, name: str) -> dict[str, Any]:
     """Numbers of a rig by path: value (SI), unit, and the unit and factor that it is shown in."""
     from jounce.core.display import display_unit
     from jounce.parts import rig_findings
     from jounce.parts.rig import unit_of
 
-    rig = rig_of(project, name)
     numbers = []
     for path, value in rig.parameters().items():
         si = unit_of(rig, path)
@@ -83,46 +97,46 @@ def described(project: Project, name: str) -> dict[str, Any]:
 
 
 def simulated(
-    project: Project, name: str, changes: Changes, trial: Mapping[str, Any], channels: Sequence[str] | None
+    project: Project,
+    name: str,
+    changes: Changes,
+    trial: Mapping[str, Any],
+    channels: Sequence[str] | None,
+    *,
+    text: str | None = None,
 ) -> Shown:
     """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same."""
     import jounce as jn
 
     on = _trial(project, trial)
-    rigs = _variants(rig_of(project, name), changes)
-    with _ONE:
+    rigs = variants(project, name, changes, text)
+    with ONE:
         runs = {label: jn.simulate(rig, on, detail=_is_spatial(rig)) for label, rig in rigs.items()}
     road = dict(trial["road"])
     kind = road.pop("kind")
     python = (
-        f"import jounce as jn\n\nrig = jn.load({name!r}){_with(changes)}\n"
-        f"road = jn.{type(on.road).__name__}({_arguments(road)})\n"
+        f"import jounce as jn\n\nrig = jn.load({name!r}){changed_by(changes)}\n"
+        f"road = jn.{type(on.road).__name__}({arguments(road)})\n"
         f"run = jn.simulate(rig, jn.Trial(road=road, speed={trial['speed']!r}, duration={trial['duration']!r}))\n"
     )
-    command = ["jounce", "simulate", name, *_set(changes), "--road", "road.toml"]
+    command = ["jounce", "simulate", name, *set_by(changes), "--road", "road.toml"]
     command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
     table = tomlkit.dumps({"kind": kind, **road})
     answer = {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
     return Shown(_curves(runs, channels, rigs, on), answer)
 
 
-def swept(project: Project, name: str, changes: Changes, travel: str, channels: Sequence[str] | None) -> Shown:
-    """Sweep a 3-D corner over its travel, as it is and as it is changed: as :func:`simulated`."""
-    import jounce as jn
-
-    rigs = _variants(rig_of(project, name), changes)
-    with _ONE:
-        runs = {label: jn.sweep_travel(rig, travel, points=True) for label, rig in rigs.items()}
-    python = (
-        f"import jounce as jn\n\nrig = jn.load({name!r}){_with(changes)}\ncurves = jn.sweep_travel(rig, {travel!r})\n"
-    )
-    command = ["jounce", "kinematics", name, *_set(changes), f"--travel={travel}", "--out", "curves.csv"]
-    return Shown(_curves(runs, channels, rigs, None), {"python": python, "command": shlex.join(command), "files": {}})
-
-
-def _variants(rig: Rig, changes: Changes) -> dict[str, Rig]:
-    """The rig as the sliders have it, first, and as it is."""
-    return {"changed": rig.with_changes(dict(changes)), "as it is": rig} if changes else {"as it is": rig}
+def variants(project: Project, name: str, changes: Changes, text: str | None = None) -> dict[str, Rig]:
+    """Give the rig as text and sliders have it, first, and as it is saved, where that is another one."""
+    rig = rig_of(project, name) if text is None else rig_in(project, name, text)
+    saved = rig
+    if text is not None:
+        try:
+            saved = rig_of(project, name)
+        except JounceError:  # it could not be read as it was saved, which is no reason not to show what it has become
+            saved = rig
+    changed = rig.with_changes(dict(changes)) if changes else rig
+    return {"as it is": saved} if changed == saved else {"changed": changed, "as it is": saved}
 
 
 def _curves(
@@ -155,16 +169,20 @@ def _trial(project: Project, table: Mapping[str, Any]) -> Trial:
     return trial
 
 
-def _with(changes: Changes) -> str:
+def changed_by(changes: Changes) -> str:
+    """Python that changes a rig."""
     return f".with_changes({dict(changes)!r})" if changes else ""
 
 
-def _set(changes: Changes) -> list[str]:
+def set_by(changes: Changes) -> list[str]:
+    """Options that change a rig."""
     return [part for path, value in changes.items() for part in ("--set", f"{path}={value}")]
 
 
-def _arguments(given: Mapping[str, Any]) -> str:
-    return ", ".join(f"{name}={value!r}" for name, value in given.items())
+def arguments(given: Mapping[str, Any], before: str = "") -> str:
+    """Python of arguments by name, each of them behind ``before``."""
+    texts = [f"{name}={value!r}" for name, value in given.items()]
+    return "".join(f"{before}{text}" for text in texts) if before else ", ".join(texts)
 
 
 def _is_spatial(rig: Rig) -> bool:

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from importlib import metadata, resources
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from jounce.core.errors import JounceError, OutputError, unforeseen
 from jounce.core.optional import require
-from jounce.web import answers
+from jounce.web import answers, forms, sweeps
 from jounce.web.jobs import Jobs
-from jounce.web.project import Project, Text
+from jounce.web.project import LONGEST, Project, Text
 from jounce.web.safety import Guard
 from jounce.web.working import routes
 
@@ -44,10 +44,23 @@ class Started(_Asked):
     path: str
 
 
+class Edited(_Asked):
+    """A text of the project, whose values are set (as they are typed, by their keys) or changed (SI, by path)."""
+
+    path: str
+    text: str = Field(max_length=LONGEST)
+    sets: list[tuple[list[str | int], Any]] = Field(default_factory=list, max_length=200)
+    changes: dict[str, float] = Field(default_factory=dict, max_length=200)
+
+
 class Changed(_Asked):
-    """A rig (path in the project, or name in the library) with changed numbers (SI or with units, by path)."""
+    """A rig (path in the project, or name in the library) with changed numbers (SI or with units, by path).
+
+    ``text`` is what its file will be, where it is not saved yet.
+    """
 
     rig: str
+    text: str | None = Field(default=None, max_length=LONGEST)
     changes: dict[str, Any] = Field(default_factory=dict, max_length=200)
     channels: list[str] = Field(default_factory=list, max_length=60)
 
@@ -61,9 +74,18 @@ class Run(Changed):
 
 
 class Sweep(Changed):
-    """A sweep over wheel travel: first:last:step, each with its unit."""
+    """A sweep over wheel travel, rack or roll: first:last:step of that one, single values of others; with units.
 
-    travel: str
+    ``against`` is another rig, drawn beside it; ``targets`` have the keys of a study, ``study`` is the file of one.
+    """
+
+    travel: str = ""
+    over: Literal["travel", "rack", "roll"] = "travel"
+    rack: str = ""
+    roll: str = ""
+    against: str = ""
+    targets: list[dict[str, Any]] = Field(default_factory=list, max_length=60)
+    study: str = ""
 
 
 def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None) -> Guard:
@@ -148,18 +170,29 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/rig")
     def rig(name: str) -> dict[str, Any]:
         """Numbers of a rig with their units."""
-        return answers.described(project, name)
+        return answers.described(answers.rig_of(project, name), name)
+
+    @app.get("/api/schema")
+    def schema(model: str) -> dict[str, Any]:
+        """Schema of a model of rigs or vehicles."""
+        return forms.schema(model)
+
+    @app.post("/api/form")
+    def form(asked: Edited) -> forms.Form:
+        """A text of a rig as a form: its values, what is wrong with it, and what differs from the saved file."""
+        return forms.form_of(project, asked.path, asked.text, asked.sets, asked.changes)
 
     @app.post("/api/simulate")
     def simulate(asked: Run, request: Request) -> Response:
         """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
-        return _told(answers.simulated(project, asked.rig, asked.changes, trial, asked.channels), request)
+        shown = answers.simulated(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text)
+        return _told(shown, request)
 
     @app.post("/api/kinematics")
     def kinematics(asked: Sweep, request: Request) -> Response:
-        """A sweep over wheel travel as curves of the viewer, as for a run."""
-        return _told(answers.swept(project, asked.rig, asked.changes, asked.travel, asked.channels), request)
+        """A sweep of a corner as curves of the viewer, as for a run, with what it turns about and what is wanted."""
+        return _told(sweeps.swept(project, sweeps.Question(**asked.model_dump())), request)
 
     app.include_router(routes(project, jobs))
     for path, (name, kind) in _STATIC.items():

@@ -20,7 +20,7 @@ _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
 RECORDS = (".nc", ".csv", ".mat", ".mf4", ".parquet", ".tdms", ".uff", ".unv", ".txt", ".dat")
 """Suffixes of files that were measured, or simulated."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
-_LONGEST = 2_000_000  # bytes of a description
+LONGEST = 2_000_000  # bytes of a description
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Project:
         """Read a description."""
         file = self.inside(path)
         content = content_of(file)
-        if len(content) > _LONGEST:
+        if len(content) > LONGEST:
             raise DescriptionError("too long for a description", where=path, found=f"{len(content)} bytes")
         try:
             return Text(path, content.decode(), _digest(content))
@@ -94,7 +94,7 @@ class Project:
             what = "the file was changed meanwhile" if was else "the file exists"
             raise OutputError(what, where=path, hint=hint)
         content = text.encode()
-        if len(content) > _LONGEST:
+        if len(content) > LONGEST:
             raise OutputError("too long for a description", where=path, found=f"{len(content)} bytes")
         file.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(file, content, force=bool(was))

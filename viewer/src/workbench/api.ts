@@ -6,6 +6,9 @@ export interface Text { path: string; text: string; digest: string }
 export interface Checked { kind: string; what: string; problems: string[]; notes: string[] }
 export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
 export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: string[] }
+export interface Problem { path: string; line: number; text: string }
+/** A text of a rig beside what it says. */
+export interface Form { text: string; values: unknown; model: string; problems: Problem[]; rig: Rig | null; changed: string[] }
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
 export interface Answer { python: string; command: string; files: Record<string, string> }
 
@@ -33,4 +36,12 @@ export const check = (path: string) => get<Checked>(`/api/check?${query({ path }
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
 export const save = async (path: string, text: string, was: string) => (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
+const schemas = new Map<string, Promise<object>>();
+/** Schema of a model, asked for once. */
+export function schema(model: string): Promise<object> {
+  let found = schemas.get(model);
+  if (!found) { found = get<object>(`/api/schema?${query({ model })}`); schemas.set(model, found); found.catch(() => schemas.delete(model)); }
+  return found;
+}
+export const form = async (path: string, text: string, sets: unknown[], changes: Record<string, number>) => (await asked("POST", "/api/form", { path, text, sets, changes })).json() as Promise<Form>;
 export const curves = async (question: "simulate" | "kinematics", body: unknown) => (await asked("POST", `/api/${question}`, body, "application/octet-stream")).arrayBuffer();

@@ -1,37 +1,105 @@
-/** A rig as text, what is wrong with it, and its numbers. */
+/** A rig: its form and its text in step, its mechanism with hardpoints that are dragged, what a save would change. */
 
-import { make, written } from "../../page";
+import { Store } from "../../data";
+import { MechanismView } from "../../mechanism";
+import { make, whenColoursChange } from "../../page";
+import { tr } from "../../words";
 import * as api from "../api";
+import { Form, type Key, type Value } from "../form";
 import { problem } from "../parts";
+import { Points } from "../points";
 import { address, choose, type Page, type Values } from "../shell";
 
 export const rig: Page = { label: "Rig", show };
 
+/** Asks for one thing at a time, the newest next. */
+class Newest {
+  private busy = false;
+  private next: (() => Promise<void>) | null = null;
+  async ask(question: () => Promise<void>): Promise<void> {
+    this.next = question;
+    if (this.busy) return;
+    this.busy = true;
+    while (this.next) { const now: () => Promise<void> = this.next; this.next = null; await now(); }
+    this.busy = false;
+  }
+}
+
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("name");
-  if (!name) { await choose(place, "rig", "Rig", "name"); return; }
-  let saved = await api.file(name);
-  const text = make("textarea", { spellcheck: "false", "aria-label": `text of ${name}`, rows: "24" });
+  if (!name) { await choose(place, "rig", tr("Rig"), "name"); return; }
+  let saved = await api.file(name), state: api.Form | null = null;
+  const past: string[] = [], future: string[] = [];
+  const text = make("textarea", { spellcheck: "false", "aria-label": tr("text of #", name), rows: "28" });
   text.value = saved.text;
-  const told = make("div", { class: "told", "aria-live": "polite" }), numbers = make("div", {});
-  const save = make("button", { type: "button", class: "main", disabled: true }, "Save"), undo = make("button", { type: "button", disabled: true }, "Undo all");
-  const changed = () => { save.disabled = undo.disabled = text.value === saved.text; };
-  text.addEventListener("input", changed);
-  undo.addEventListener("click", () => { text.value = saved.text; changed(); });
-  const look = async () => {
-    const found = await api.check(name);
-    told.replaceChildren(...(found.problems.length ? found.problems.map(problem) : [make("p", { class: "good" }, `${found.what}: nothing is wrong with it.`)]), ...found.notes.map((note) => make("p", {}, note)));
-    if (found.problems.length) { numbers.replaceChildren(); return; }
-    const rig = await api.rig(name);
-    numbers.replaceChildren(make("h2", {}, "Numbers"), make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "numbers" }, make("table", {},
-      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "path"), make("th", { scope: "col", class: "right" }, "value"), make("th", { scope: "col" }, "unit"))),
-      make("tbody", {}, ...rig.numbers.map((one) => make("tr", {}, make("th", { scope: "row" }, one.path), make("td", { class: "right" }, written(one.value * one.factor)), make("td", {}, one.unit || "–")))))));
-  };
-  save.addEventListener("click", () => {
-    api.save(name, text.value, saved.digest).then(async (made) => { saved = made; changed(); await look(); }, (error) => told.replaceChildren(problem(error)));
+  let shown = saved.text; // what the form shows
+  const told = make("div", { class: "told", "aria-live": "polite" }), difference = make("div", {});
+  const save = make("button", { type: "button", class: "main", disabled: true }, tr("Save")), undo = make("button", { type: "button", disabled: true }, tr("Undo")), redo = make("button", { type: "button", disabled: true }, tr("Redo"));
+  const newest = new Newest(), pictures = new Newest();
+  const form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
+  const view = new MechanismView(true), stage = make("div", { class: "player bare", hidden: true }, view.element);
+  const points = new Points(view, (changes, done) => { if (done) void edit({ changes }); else void draw(changes); });
+  const picture = make("section", { hidden: true, "aria-label": tr("The mechanism") }, make("h2", {}, tr("The mechanism")), make("p", { class: "muted" }, tr("Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.")), points.element, stage);
+
+  const buttons = () => { save.disabled = text.value === saved.text; undo.disabled = !past.length; redo.disabled = !future.length; };
+  const draw = (changes: Record<string, number> = {}) => pictures.ask(async () => {
+    if (!state?.rig?.spatial) return;
+    try {
+      const store = Store.of(await api.curves("kinematics", { rig: name, text: text.value, changes, travel: "-20 mm:20 mm:10 mm", channels: ["camber"] }));
+      const motion = store.content.viewers[0]!.scenes[0]!.motion;
+      if (!motion) return;
+      picture.hidden = stage.hidden = false;
+      view.show(store.content.mechanisms[motion.mechanism]!, motion);
+      view.set({ body: 0, travel: 0, ground: store.content.mechanisms[motion.mechanism]!.contact[2]![2]!, load: 1, time: 0 });
+    } catch (error) { told.replaceChildren(problem(error)); }
   });
+  const take = async (found: api.Form, isNew: boolean) => {
+    if (isNew && found.text !== shown) { past.push(shown); future.length = 0; }
+    shown = found.text;
+    if (text.value !== found.text) text.value = found.text;
+    state = found;
+    buttons();
+    if (found.model) {
+      try { form.show(await api.schema(found.model), found.values as { [key: string]: Value }, found.problems); } catch { form.element.replaceChildren(); }
+    }
+    const all = found.problems.map((one) => problem(new Error(`${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
+    told.replaceChildren(...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...(found.rig?.findings ?? []).map((one) => make("p", {}, one)));
+    difference.replaceChildren();
+    if (found.rig) { points.set(found.rig.numbers); await draw(); }
+    if (found.rig && !found.rig.spatial) picture.hidden = true;
+  };
+  const edit = (what: { sets?: [Key[], Value][]; changes?: Record<string, number> }) => newest.ask(async () => {
+    try { await take(await api.form(name, text.value, what.sets ?? [], what.changes ?? {}), true); } catch (error) { told.replaceChildren(problem(error)); }
+  });
+  let typing = 0;
+  text.addEventListener("input", () => { save.disabled = text.value === saved.text; clearTimeout(typing); typing = setTimeout(() => void edit({}), 400); });
+  const back = (from: string[], to: string[]) => { const other = from.pop(); if (other === undefined) return; to.push(shown); shown = other; text.value = other; void newest.ask(async () => { await take(await api.form(name, other, [], {}), false); }); };
+  undo.addEventListener("click", () => back(past, future));
+  redo.addEventListener("click", () => back(future, past));
+  place.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.target === text) return;
+    if (event.key === "z" && !event.shiftKey) { event.preventDefault(); back(past, future); }
+    if (event.key === "y" || (event.key === "Z" && event.shiftKey)) { event.preventDefault(); back(future, past); }
+  });
+  save.addEventListener("click", () => {
+    const yes = make("button", { type: "button", class: "main" }, tr("Write it")), no = make("button", { type: "button" }, tr("Back"));
+    no.addEventListener("click", () => difference.replaceChildren());
+    yes.addEventListener("click", () => {
+      api.save(name, text.value, saved.digest).then(async (made) => { saved = made; buttons(); await take(await api.form(name, made.text, [], {}), false); told.prepend(make("p", { class: "good" }, tr("Saved."))); }, (error) => difference.replaceChildren(problem(error)));
+    });
+    void newest.ask(async () => {
+      const found = await api.form(name, text.value, [], {});
+      difference.replaceChildren(make("section", { class: "difference", "aria-label": tr("What is changed") }, make("h2", {}, tr("What is changed")), ...(found.problems.length ? [make("p", { class: "problem" }, tr("Something is still wrong with it; it can be saved all the same."))] : []),
+        make("pre", { tabindex: "0", "aria-label": tr("What is changed") }, ...found.changed.map((line) => make("span", { class: line.startsWith("+") ? "added" : line.startsWith("-") ? "removed" : line.startsWith("@@") ? "muted" : "" }, `${line}\n`))), make("div", { class: "bar" }, yes, no)));
+      yes.focus();
+    });
+  });
+  const step = () => { if (!place.isConnected) return; view.draw(); requestAnimationFrame(step); };
+  whenColoursChange(() => { view.repaint(); });
   place.replaceChildren(make("h1", {}, name),
-    make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, "Drive it over an obstacle"), make("a", { href: address("kinematics", { rig: name }) }, "Look at its kinematics")),
-    told, make("div", { class: "bar" }, save, undo), text, numbers);
-  await look();
+    make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), make("a", { href: address("kinematics", { rig: name }) }, tr("Look at its kinematics"))),
+    told, make("div", { class: "bar" }, save, undo, redo), difference, picture,
+    make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)));
+  await take(await api.form(name, saved.text, [], {}), false);
+  requestAnimationFrame(step);
 }

@@ -1,0 +1,144 @@
+"""A rig's text as a form: what may stand in it, what stands there, one value written with all comments kept."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import unified_diff
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+
+from jounce.core.description import toml_table
+from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.files import only_below
+from jounce.web.answers import described, rig_in
+from jounce.web.project import Project
+
+Key = str | int
+_PLACED = re.compile(r"^(?:.*?, line (?P<line>\d+): )?(?P<path>[A-Za-z_][\w.\[\]-]*): (?P<what>.*)$")
+_LINE = re.compile(r"at line (\d+)")
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is wrong with a text: the path of the value (empty where it is the whole), its line (0 for none), words."""
+
+    path: str
+    line: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Form:
+    """A text of a rig beside what it says.
+
+    ``values`` are as they are typed, ``rig`` the numbers by path where the text is right, ``changed`` the lines that
+    differ from the file as it is saved.
+    """
+
+    text: str
+    values: dict[str, Any]
+    model: str
+    problems: tuple[Problem, ...] = ()
+    rig: dict[str, Any] | None = None
+    changed: tuple[str, ...] = field(default=())
+
+
+@cache
+def schema(model: str) -> dict[str, Any]:
+    """Give the JSON schema of a model of rigs or vehicles."""
+    from jounce.core.errors import unknown
+    from jounce.parts.files import RIGS, VEHICLES
+
+    models = {**RIGS, **VEHICLES}
+    if model not in models:
+        raise unknown(model, models, what="model", where="model")
+    found: dict[str, Any] = models[model].model_json_schema(by_alias=True)
+    found["properties"].pop("without", None)  # what a text leaves out, it does not say
+    return found
+
+
+def form_of(
+    project: Project,
+    path: str,
+    text: str,
+    sets: Sequence[tuple[Sequence[Key], Any]] = (),
+    changes: Mapping[str, float] | None = None,
+) -> Form:
+    """Read a text that is, or will be, the file of that path.
+
+    ``sets`` puts values, as they are typed, to keys first (None takes one away), ``changes`` numbers in SI to paths.
+    """
+    file = project.inside(path)
+    try:
+        for keys, value in sets:
+            text = _with_value(text, keys, value)
+        values = toml_table(text)
+    except tomllib.TOMLDecodeError as error:
+        line = _LINE.search(str(error))
+        return Form(text, {}, "", (Problem("", int(line[1]) if line else 0, f"not valid TOML: {error}"),))
+    model = str(values.get("model", ""))
+    saved = project.read(path).text if file.is_file() else ""
+    try:
+        with only_below(project.root):
+            rig = rig_in(project, path, text)
+            if changes:
+                from jounce.parts.files import changed_text
+
+                text = changed_text(text, rig, dict(changes))
+                values, rig = toml_table(text), rig_in(project, path, text)
+            numbers = described(rig, path)
+    except JounceError as error:
+        return Form(text, values, model, _problems(error), None, _differing(saved, text))
+    return Form(text, values, model, (), numbers, _differing(saved, text))
+
+
+def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:
+    """Write one value where its keys lead, or take it away; everything else stays as it was typed."""
+    if not keys:
+        raise DescriptionError("no key", where="sets")
+    try:
+        document = tomlkit.parse(text)
+        here: Any = document
+        for key, following in pairwise(keys):
+            if isinstance(key, str) and key not in here:
+                here[key] = tomlkit.array() if isinstance(following, int) else tomlkit.table()
+            here = here[key]
+        last = keys[-1]
+        if value is None:
+            here.pop(last)
+        elif isinstance(last, int) and last == len(here):
+            here.append(value)
+        else:
+            here[last] = value
+    except TOMLKitError as error:
+        raise tomllib.TOMLDecodeError(str(error)) from None
+    except (KeyError, IndexError, TypeError, AttributeError):
+        place = ".".join(map(str, keys))
+        raise DescriptionError("no such place in this text", where=place) from None
+    written: str = tomlkit.dumps(document)
+    toml_table(written)  # that it can be read again
+    return written
+
+
+def _problems(error: JounceError) -> tuple[Problem, ...]:
+    lines = str(error).split("\n")
+    found = []
+    for line in lines:
+        placed = _PLACED.match(line)
+        found.append(
+            Problem(placed["path"], int(placed["line"] or 0), placed["what"]) if placed else Problem("", 0, line)
+        )
+    return tuple(found)
+
+
+def _differing(before: str, after: str) -> tuple[str, ...]:
+    """Lines that are taken away and added, with those around them, as a unified diff shows them."""
+    lines = unified_diff(before.splitlines(), after.splitlines(), lineterm="", n=2)
+    return tuple(line for line in lines if not line.startswith(("---", "+++")))

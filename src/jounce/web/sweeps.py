@@ -1,0 +1,193 @@
+"""Sweeps of a corner for the page: over travel, rack or roll, beside other versions, with targets and centres."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.web.answers import ONE, Changes, Shown, arguments, changed_by, rig_of, set_by, variants
+from jounce.web.project import Project
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.design.kinematic_targets import Wanted
+    from jounce.parts import Rig
+    from jounce.report.live import Pane, Viewer
+
+Over = Literal["travel", "rack", "roll"]
+_MOST = 400  # poses that somebody waits for
+
+
+@dataclass(frozen=True)
+class Question:
+    """A sweep of ``rig`` over one of travel, rack and roll: the range of that one, single values of the others.
+
+    ``text`` is the rig's unsaved text, ``against`` another rig to be drawn beside it; ``targets`` have the keys of a
+    study, ``study`` is a file of one.
+    """
+
+    rig: str
+    changes: Changes
+    travel: str
+    over: Over = "travel"
+    rack: str = ""
+    roll: str = ""
+    text: str | None = None
+    against: str = ""
+    channels: Sequence[str] = ()
+    targets: Sequence[Mapping[str, Any]] = field(default=())
+    study: str = ""
+
+
+def swept(project: Project, asked: Question) -> Shown:
+    """Sweep a 3-D corner as it is changed, as it is saved, and as another one: curves, and how to get the same."""
+    from jounce.report.recordings import curve_viewer
+
+    rigs = variants(project, asked.rig, asked.changes, asked.text)
+    if asked.against:
+        rigs[asked.against] = rig_of(project, asked.against)
+    with ONE:
+        runs = {label: _run(rig, asked) for label, rig in rigs.items()}
+    first = next(iter(rigs.values()))
+    viewer = curve_viewer({"": runs}, list(asked.channels) or None, rig=first)
+    wanted = [*_studied(project, asked.study), *asked.targets]
+    more = {
+        "centres": _centres(next(iter(runs.values())), viewer),
+        "targets": _bands(first, wanted, asked.over, viewer),
+        "notes": [_note(label, run) for label, run in runs.items() if run.attrs.get("status") != "completed"],
+    }
+    return Shown(viewer, more | _ways(asked))
+
+
+def _run(rig: Rig, asked: Question) -> xr.Dataset:
+    import jounce as jn
+
+    rack: Any = asked.rack or None
+    if asked.over == "rack":
+        found = jn.sweep_rack(rig, asked.rack, asked.travel or 0.0, points=True)
+    elif asked.over == "roll":
+        found = _rolled(rig, asked.roll, asked.rack or 0.0)
+    else:
+        found = jn.sweep_travel(rig, asked.travel, None if rack is None else _single(rack), points=True)
+    count = max(found.sizes.values(), default=0)
+    if len(found.dims) != 1 or count > _MOST:
+        raise DescriptionError("too many poses to be waited for", where=asked.over, found=count, allowed=f"{_MOST}")
+    return found
+
+
+def _single(text: str) -> float:
+    return to_si(text, "m", where="rack travel")
+
+
+def _rolled(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
+    """An axle that rolls, with the places of the left wheel's points against the body."""
+    import jounce as jn
+
+    axle = jn.sweep_roll(rig, roll, rack)
+    side = "right" if getattr(rig, "side", "left") == "right" else "left"
+    travel = axle[f"{side}.wheel_travel"].to_numpy()
+    own = jn.sweep_path(rig, travel, to_si(rack, "m", where="rack travel"), points=True)
+    placed = {
+        str(name): ("roll_angle", own[name].to_numpy(), own[name].attrs)
+        for name in own.data_vars
+        if "." in str(name) or name in ("camber", "steer", "contact_point_x", "contact_point_y", "contact_point_z")
+    }
+    return axle.assign(placed)
+
+
+def _note(label: str, run: xr.Dataset) -> str:
+    return f"{label}: {run.attrs.get('stopped', run.attrs.get('status', ''))}"
+
+
+def _centres(run: xr.Dataset, viewer: Viewer) -> dict[str, Any] | None:
+    """What the corner turns about at each pose of the mechanism, mm: (y, z) in front, (x, z) beside, heights (z)."""
+    motion = viewer.scenes[0].motion
+    names = ("instant_centre_y", "instant_centre_z", "side_instant_centre_x", "side_instant_centre_z")
+    if motion is None or not all(name in run.variables for name in (*names, "roll_centre_height")):
+        return None
+    poses = motion.mechanism.poses
+    along = run.variables[next(iter(run.dims))].to_numpy()
+    index = np.searchsorted(along, poses.over)
+    rows = {name: run.variables[name].to_numpy()[index] for name in (*names, "roll_centre_height")}
+    roll = poses.contact[:, 2] + rows["roll_centre_height"]
+    return {
+        "front": _pairs(rows["instant_centre_y"], rows["instant_centre_z"]),
+        "side": _pairs(rows["side_instant_centre_x"], rows["side_instant_centre_z"]),
+        "roll": _pairs(np.zeros_like(roll), roll),
+    }
+
+
+def _pairs(one: Array, other: Array) -> list[list[float] | None]:
+    """Places in mm; none where arms are parallel."""
+    pairs = 1e3 * np.stack([one, other], axis=1)
+    return [np.round(pair, 2).tolist() if np.isfinite(pair).all() else None for pair in pairs]
+
+
+def _studied(project: Project, study: str) -> list[Mapping[str, Any]]:
+    """Targets of a study file of the project."""
+    if not study:
+        return []
+    from jounce.core.description import read_description
+    from jounce.core.files import only_below
+    from jounce.design.kinematic_study import SCHEMA, KinematicStudy
+
+    with only_below(project.root):
+        found, _ = read_description(KinematicStudy, project.inside(study), SCHEMA)
+    return [target.model_dump(exclude_none=True) for target in found.target if target.rig is None]
+
+
+def _bands(rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: Viewer) -> list[dict[str, Any]]:
+    """Targets that stand on the axis of the sweep, in the units of their panes."""
+    if not targets:
+        return []
+    from jounce.design.kinematic_study import KinematicTarget
+    from jounce.design.kinematic_targets import read_targets
+    from jounce.kinematics.model import check_corner
+
+    wanted = read_targets({"": check_corner(rig)}, [KinematicTarget(**target) for target in targets], {})
+    panes = {pane.name: pane for pane in viewer.scenes[0].panes}
+    found = []
+    for one in wanted:
+        pane = panes.get(one.quantity)
+        if one.along == over and pane is not None and not one.text.slope:
+            found.append(_band(one, pane, viewer.unit))
+    return found
+
+
+def _band(one: Wanted, pane: Pane, along: str) -> dict[str, Any]:
+    unit = 1.0 if pane.unit in ("", one.unit) else to_si(f"1 {pane.unit}", one.unit)
+    axis = 1.0 if not along else to_si(f"1 {along}", "rad" if one.along == "roll" else "m")
+    low, high = ((end + by * one.tolerance) / unit for end, by in ((one.low, -1.0), (one.high, 1.0)))
+    return {
+        "quantity": one.quantity,
+        "at": (one.at / axis).tolist(),
+        "low": [float(value) if np.isfinite(value) else None for value in low],
+        "high": [float(value) if np.isfinite(value) else None for value in high],
+    }
+
+
+def _ways(asked: Question) -> dict[str, Any]:
+    load = f"import jounce as jn\n\nrig = jn.load({asked.rig!r}){changed_by(asked.changes)}\n"
+    calls: dict[str, Callable[[], str]] = {
+        "travel": lambda: f"jn.sweep_travel(rig, {asked.travel!r}{arguments(_given(asked, 'rack'), ', ')})",
+        "rack": lambda: f"jn.sweep_rack(rig, {asked.rack!r}{arguments(_given(asked, 'travel'), ', ')})",
+        "roll": lambda: f"jn.sweep_roll(rig, {asked.roll!r}{arguments(_given(asked, 'rack'), ', ')})",
+    }
+    command = ["jounce", "kinematics", asked.rig, *set_by(asked.changes)]
+    others = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[asked.over]
+    command += [f"--{name}={value}" for name in others if (value := getattr(asked, name))]
+    command += ["--out", "curves.csv"]
+    return {"python": f"{load}curves = {calls[asked.over]()}\n", "command": shlex.join(command), "files": {}}
+
+
+def _given(asked: Question, name: str) -> dict[str, Any]:
+    value = getattr(asked, name)
+    return {name: value} if value else {}
