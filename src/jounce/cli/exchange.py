@@ -137,6 +137,36 @@ def hardpoints(
     return Reply(plain, draw, as_json)
 
 
+@export_app.command("chrono")
+def chrono(
+    rig: RigName,
+    out: Annotated[Path, typer.Option(metavar="FILE.json", help="Suspension file of Project Chrono to write.")],
+    wheel_mass: Annotated[
+        str | None,
+        typer.Option(help="Rim and tyre, which are in other files there: taken out of the wheel. Default: nothing."),
+    ] = None,
+    set_: Changes = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write a 3-D rig as a suspension of Project Chrono: double wishbone, McPherson strut, multi-link.
+
+    Example: jounce export chrono sedan-double-wishbone --out suspension.json
+    """
+    from jounce.exchange.chrono import write_chrono
+
+    mass = optional_positive(wheel_mass, "kg", "--wheel-mass") or 0.0
+    made = write_chrono(chosen_rig(rig, changes(set_)), out, wheel_mass=mass, force=force)
+    plain = {"rig": rig, **made.to_dict(), "out": str(out)}
+
+    def draw(console: Console) -> None:
+        console.print(f"{made.template} of Project Chrono, left side; heights count from the wheel centre")
+        show_findings(console, list(made.findings))
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json)
+
+
 @export_app.command("road")
 def road_(
     road: Annotated[str, typer.Argument(metavar="ROAD", help="A road file, a shipped road, or iso:A to iso:H.")],

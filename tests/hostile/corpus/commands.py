@@ -53,6 +53,7 @@ BASES = {
     "export equations": "export equations kart-quarter-car --out kart.tex",
     "export hardpoints": "export hardpoints kart-double-wishbone --out kart.dxf",
     "design kinematic-front": "design kinematic-front none.toml --points 2 --out front",
+    "export chrono": "export chrono sedan-double-wishbone --out sedan.json",
     "export road": 'export road iso:C --length "5 m" --out class-c.crg',
     "export fmu": "export fmu kart-quarter-car --out kart.fmu --sources-only",
     "import adams": "import adams front.sub",

@@ -1,0 +1,420 @@
+"""3-D corners as suspension files of Project Chrono: the inverse of what ``jounce import chrono`` reads."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import OutputError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.core.writing import check_writable, write_atomically
+from jounce.parts import Rig
+from jounce.parts.bodies import RigidBody
+from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson
+from jounce.parts.elements import BilinearDamper, LinearDamper, MapDamper, TableCurve, VelocityTable
+from jounce.parts.importers.chrono import DESIGN, STOP_PROGRESSION, STOP_RATE, TEMPLATES, arm_frame, rod_frame
+from jounce.parts.leverage import force_at
+
+_RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, of what Chrono draws; others 0.02 m
+_SPINDLE_SHARE, _SPINDLE_SIZE = 0.05, 0.05  # of the upright's mass, m: where the rig has no wheel of its own
+_ARM_SHARE, _ARM_SIZE = 0.05, 0.02  # of the upright's mass, m: of the arm that links 1 and 2 make
+_AXLE_INERTIA = 0.4  # kg m^2: of the half shaft, which Chrono wants
+_CURVE = np.linspace(-0.1, 0.25, 71)  # m: where curves that are no tables are sampled
+_EXACT_PRODUCTS = ("DoubleWishbone",)  # templates of Chrono that read products of inertia
+_LOST = 1e-4  # share of the largest moment below which a product of inertia is nothing
+
+
+@dataclass(frozen=True)
+class ChronoExport(Plain):
+    """What was written.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    template : str
+        Of Chrono: ``DoubleWishbone``, ``MacPhersonStrut`` or ``MultiLink``.
+    findings : tuple of Finding
+        What the file cannot hold, or holds in another way.
+    """
+
+    path: Path
+    template: str
+    findings: tuple[Finding, ...]
+
+
+def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float = 0.0, force: bool = False) -> ChronoExport:
+    """Write a 3-D corner as a suspension file of Project Chrono (``.json``).
+
+    Double wishbones, McPherson struts and five links of which two are an arm. Heights count from the wheel centre,
+    as Chrono places a suspension relative to its axle; the left side is written, for ``jounce import chrono``, too.
+
+    Parameters
+    ----------
+    rig : Rig
+        3-D corner of a car.
+    path : Path or str
+        File to write.
+    wheel_mass : float
+        Rim and tyre [kg], which Chrono has in files of their own: it is taken out of the spindle, with the inertia of a
+        common wheel. 0: the spindle is the whole wheel.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    ChronoExport
+        What was written, with findings.
+
+    Raises
+    ------
+    OutputError
+        For a rig that none of these templates describes, a wheel mass that the wheel does not have, and an existing
+        file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> made = write_chrono(jn.load("sedan-multi-link"), tempfile.mkdtemp() + "/rear.json")
+    >>> made.template
+    'MultiLink'
+    """
+    file = check_writable(path, what="suspensions", suffixes=(".json",), force=force)
+    writing = _Writing(_left(rig), wheel_mass)
+    table = writing.table()
+    write_atomically(file, (json.dumps(_plain(table), indent=2) + "\n").encode(), force=force)
+    return ChronoExport(file, table["Template"], tuple(writing.findings))
+
+
+def _left(rig: Rig) -> Corner:
+    if not isinstance(rig, Corner):
+        raise OutputError(
+            "the rig is no suspension of Chrono",
+            where="rig",
+            found=getattr(rig, "model", type(rig).__name__),
+            allowed="3-D corners: double-wishbone, mcpherson, five-link",
+        )
+    rig.require("bodies", "spring", "damper", what="a suspension of Chrono")
+    return rig if rig.side == "left" else rig.mirrored()
+
+
+def _plain(value: Any) -> Any:
+    """Lists of numbers without the dust of their last digits."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray | list | tuple):
+        return [_plain(item) for item in value]
+    return float(f"{value:.12g}") + 0.0 if isinstance(value, float) else value
+
+
+@dataclass
+class _Writing:
+    """A rig while it becomes a file."""
+
+    rig: Corner
+    wheel_mass: float
+    findings: list[Finding] = field(default_factory=list)
+    points: dict[str, Array] = field(init=False)
+    template: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        down = np.array([0.0, 0.0, self.rig.hardpoints.wheel_centre[2]])
+        self._down = down
+        self.points = {name: np.array(point) - down for name, point in self.rig.hardpoints.given().items()}
+        for element in ("spring", "damper"):
+            for end in ("bottom", "top"):
+                self.points.setdefault(f"{element}_{end}", self.points[f"strut_{end}"])
+
+    def table(self) -> dict[str, Any]:
+        """The file."""
+        ways: dict[type[Corner], tuple[str, Callable[[], dict[str, Any]]]] = {
+            DoubleWishbone: ("DoubleWishbone", self._double_wishbone),
+            McPherson: ("MacPhersonStrut", self._mcpherson),
+            FiveLink: ("MultiLink", self._multi_link),
+        }
+        rig = self.rig
+        if type(rig) not in ways:
+            raise self._refused(f"no template of Chrono is a {getattr(rig, 'model', '')}")
+        if rig.strut.on == "rocker":
+            raise self._refused("a push rod and a rocker are in no template of Chrono's files")
+        self.template, bodies = ways[type(rig)]
+        wheel = rig.wheel
+        head = {
+            "Name": rig.source.splitlines()[0][:80] if rig.source else f"{rig.model} of jounce",  # type: ignore[attr-defined]
+            "Type": "Suspension",
+            "Template": self.template,
+            "Camber Angle (deg)": float(np.degrees(wheel.camber)),
+            "Toe Angle (deg)": float(np.degrees(wheel.toe)),
+        }
+        parts = bodies()
+        self._place_points(parts)
+        parts["Spring"] |= self._spring()
+        parts["Shock"] |= self._damper()
+        self._note_rest()
+        return {**head, **parts, "Axle": {"Inertia": _AXLE_INERTIA}}
+
+    def _refused(self, what: str, **more: Any) -> OutputError:
+        return OutputError(
+            what, where="rig", allowed="arms with the strut on the lower one, or equations and MJCF", **more
+        )
+
+    def _say(self, place: str, message: str, value: float | None = None) -> None:
+        self.findings.append(Finding(place, "note", message, value))
+
+    def _place_points(self, parts: dict[str, dict[str, Any]]) -> None:
+        """Every point under its section and key."""
+        names, _ = TEMPLATES[self.template]
+        for name, (section, key) in names.items():
+            if name in self.points:
+                parts.setdefault(section, {})[key] = self.points[name]
+
+    # --- bodies
+
+    def _part(self, name: str, section: str, body: RigidBody, frame: Array) -> dict[str, Any]:
+        """Mass properties in Chrono's frame of a body."""
+        tensor = frame.T @ body.inertia.tensor @ frame
+        products = [tensor[0, 1], tensor[0, 2], tensor[1, 2]]
+        whole = {
+            "Mass": body.mass,
+            "COM": np.array(body.centre_of_mass) - self._down,
+            "Radius": _RADIUS.get(section, 0.02),
+        }
+        largest = float(np.abs(products).max()) / float(np.abs(tensor).max())
+        if self.template in _EXACT_PRODUCTS and section != "Spindle":
+            return whole | {"Moments of Inertia": np.diag(tensor), "Products of Inertia": products}
+        if largest > _LOST:
+            text = f"Chrono reads no products of inertia of the {section}; the largest is {largest:.2g} of a moment."
+            self._say(f"bodies.{name}", text, largest)
+        return whole | {"Inertia": np.diag(tensor), "Products of Inertia": products}
+
+    def _body(self, name: str) -> RigidBody | None:
+        found: RigidBody | None = self.rig.body_masses().get(name)
+        return found
+
+    def _arm(self, name: str, section: str) -> dict[str, Any]:
+        body = self._body(name)
+        assert body is not None
+        front, rear = (self.points[f"{name}_{end}"] for end in ("front", "rear"))
+        ball = self.points[name.replace("arm", "ball_joint")]
+        return self._part(name, section, body, arm_frame(front, rear, ball, name))
+
+    def _carrier(self) -> dict[str, dict[str, Any]]:
+        """Spindle and upright."""
+        upright, wheel = self._body("upright"), self._body("wheel")
+        assert upright is not None
+        at = np.array(self.rig.hardpoints.wheel_centre)
+        if wheel is None:
+            mass = _SPINDLE_SHARE * upright.mass
+            if self.wheel_mass:
+                raise OutputError(
+                    "the rig has no body of the wheel to take rim and tyre out of", where="wheel_mass",
+                    found=f"{self.wheel_mass:g} kg", allowed="0 kg",
+                )  # fmt: skip
+            spindle = _ball(mass, at, _SPINDLE_SIZE)
+            upright = _less(upright, spindle)
+            self._say(
+                "bodies.wheel", f"the rig has no wheel of its own: {mass:.3g} kg of the upright become the spindle."
+            )
+        else:
+            spindle = wheel
+            if self.wheel_mass:
+                radius = self.rig.wheel.radius
+                rolling = _body(self.wheel_mass, at, self.wheel_mass * radius**2 * np.diag([0.35, 0.6, 0.35]))
+                spindle = _less(wheel, rolling)
+            else:
+                self._say(
+                    "bodies.wheel",
+                    f"the spindle is the whole wheel, {wheel.mass:.4g} kg: give Chrono's wheel and tyre no mass, or "
+                    "say here what they have.",
+                    wheel.mass,
+                )
+        if np.linalg.norm(np.array(spindle.centre_of_mass) - at) > 1e-6:
+            self._say(
+                "bodies.wheel", "Chrono's spindle has its centre of mass at the wheel centre: the rig's is elsewhere."
+            )
+        return {
+            "Spindle": {**self._part("wheel", "Spindle", spindle, DESIGN), "Width": 0.05},
+            "Upright": self._part("upright", "Upright", upright, DESIGN),
+        }
+
+    def _rod(self, name: str) -> dict[str, Any]:
+        """A tie rod, which is a body where it has mass."""
+        body = self._body(name)
+        if body is None:
+            return {}
+        inner, outer = self.points[f"{name}_inner"], self.points[f"{name}_outer"]
+        frame = rod_frame(inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), name)
+        part = self._part(name, "Tierod", body, frame)
+        if np.linalg.norm(part.pop("COM") - 0.5 * (inner + outer)) > 1e-6:
+            self._say(
+                f"bodies.{name}", "Chrono's tie rod has its centre of mass in its middle: the rig's is elsewhere."
+            )
+        if "Moments of Inertia" in part:
+            part["Inertia"] = part.pop("Moments of Inertia")
+        return part
+
+    def _double_wishbone(self) -> dict[str, dict[str, Any]]:
+        if self.rig.strut.on != "lower_arm":
+            raise self._refused("Chrono's double wishbone has its strut on the lower arm", found=self.rig.strut.on)
+        return {
+            **self._carrier(),
+            "Upper Control Arm": self._arm("upper_arm", "Upper Control Arm"),
+            "Lower Control Arm": self._arm("lower_arm", "Lower Control Arm"),
+            "Tierod": self._rod("tie_rod"), "Spring": {}, "Shock": {},
+        }  # fmt: skip
+
+    def _mcpherson(self) -> dict[str, dict[str, Any]]:
+        parts = {**self._carrier(), "Control Arm": self._arm("lower_arm", "Control Arm")}
+        strut = self._body("strut")
+        if strut is None:
+            self._say("bodies.strut", "the rig's strut has no mass of its own, which Chrono wants: 0.1 kg are written.")
+            strut = _ball(0.1, np.array(self.rig.hardpoints.strut_top), _ARM_SIZE)
+        parts["Strut"] = self._part("strut", "Strut", strut, DESIGN)
+        middle = 0.5 * (self.points["spring_top"] + self.points["spring_bottom"])
+        if np.linalg.norm(parts["Strut"].pop("COM") - middle) > 1e-6:
+            self._say("bodies.strut", "Chrono's strut has its centre of mass in its middle: the rig's is elsewhere.")
+        return {**parts, "Tierod": self._rod("tie_rod"), "Spring": {}, "Shock": {}}
+
+    def _multi_link(self) -> dict[str, dict[str, Any]]:
+        points, bodies = self.points, self.rig.body_masses()
+        if np.linalg.norm(points["link_1_outer"] - points["link_2_outer"]) > 1e-6:
+            raise self._refused("links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there")
+        if self.rig.strut.on != "link_4":
+            raise self._refused("Chrono's multi-link has its strut on the trailing link", found=self.rig.strut.on)
+        missing = [name for name in ("link_3", "link_4") if name not in bodies]
+        if missing:
+            raise self._refused("links without mass, which Chrono's multi-link has", found=", ".join(missing))
+        heavy = [name for name in ("link_1", "link_2") if name in bodies]
+        if heavy:
+            raise self._refused("links 1 and 2 are bodies of their own, and one arm in Chrono", found=", ".join(heavy))
+        carrier = bodies["upright"]
+        outer = np.array(self.rig.hardpoints.link_1_outer)  # type: ignore[attr-defined]
+        arm = _ball(_ARM_SHARE * carrier.mass, outer, _ARM_SIZE)
+        self._say(
+            "Upper Arm", f"it has {arm.mass:.3g} kg of the upright at its outer end: the rig's links 1 and 2 have none."
+        )
+        inners = points["link_1_inner"], points["link_2_inner"]
+        kept = self.rig
+        self.rig = kept.model_copy(
+            update={"bodies": kept.bodies.model_copy(update={"upright": _less(carrier, arm, with_inertia=False)})}
+        )
+        parts = {
+            **self._carrier(),
+            "Upper Arm": self._part("link_1", "Upper Arm", arm, arm_frame(*inners, points["link_1_outer"], "link_1")),
+        }
+        self.rig = kept
+        for name, section, beside in (
+            ("link_3", "Lateral", points["link_4_outer"]),
+            ("link_4", "Trailing Link", points["spring_bottom"]),
+        ):
+            start, end = points[f"{name}_outer"], points[f"{name}_inner"]
+            across = np.cross(start - beside, end - beside)
+            frame = rod_frame(start, end, across, name)
+            axes = {"Universal Joint Axis Link": frame[:, 0], "Universal Joint Axis Chassis": frame[:, 1]}
+            parts[section] = {**self._part(name, section, bodies[name], frame), **axes}
+        return {**parts, "Tierod": self._rod("link_5"), "Spring": {}, "Shock": {}}
+
+    # --- spring and damper
+
+    def _spring(self) -> dict[str, Any]:
+        strut, spring = self.rig.strut, self.rig.strut.spring
+        design = self.rig.hardpoints.length("spring")
+        found: dict[str, Any]
+        if spring.rate is not None:
+            preload = spring.preload or 0.0
+            free = spring.free_length if spring.free_length is not None else design + preload / spring.rate
+            found = {"Spring Coefficient": spring.rate, "Free Length": free}
+        else:
+            curve = spring.curve
+            assert curve is not None
+            compressed = np.array(curve.deflection) if isinstance(curve, TableCurve) else _CURVE
+            if not isinstance(curve, TableCurve):
+                self._say("strut.spring", "its curve is written as a table of every 5 mm.")
+            force = np.array([force_at(curve, x) for x in compressed]) + (spring.preload or 0.0)
+            free = design if spring.free_length is None else spring.free_length
+            found = {"Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]), "Free Length": free}
+        gaps = {name: getattr(strut, name) for name in ("bump_stop", "rebound_stop")}
+        if all(gaps.values()):
+            design = self.rig.hardpoints.length("strut")
+            found["Minimum Length"] = design - gaps["bump_stop"].gap
+            found["Maximum Length"] = design + gaps["rebound_stop"].gap
+        for name, stop in gaps.items():
+            if stop is None:
+                continue
+            if not all(gaps.values()):
+                self._say(f"strut.{name}", "it is left out: Chrono has both stops or none.")
+            elif not np.allclose((stop.rate, stop.progression), (STOP_RATE, STOP_PROGRESSION)):
+                self._say(f"strut.{name}", "Chrono's stop has a law of its own: 100 N/mm and rising.")
+        return found
+
+    def _damper(self) -> dict[str, Any]:
+        damper = self.rig.strut.damper
+        if isinstance(damper, LinearDamper):
+            return {"Damping Coefficient": damper.coefficient}
+        if isinstance(damper, MapDamper):
+            force = -np.array(damper.force)[:, ::-1].T
+            rows = np.column_stack([-np.array(damper.velocity)[::-1], force])
+            return {"Deformation": np.array(damper.length), "Map Data": rows}
+        if isinstance(damper, VelocityTable):
+            velocity, force = np.array(damper.velocity), np.array(damper.force)
+        elif isinstance(damper, BilinearDamper):
+            velocity = np.array([-10.0, 0.0, 10.0])
+            force = velocity * np.where(velocity < 0.0, damper.rebound_coefficient, damper.bump_coefficient)
+        else:
+            raise self._refused("a damper with hysteresis is in no file of Chrono", found=damper.kind)
+        return {"Curve Data": np.column_stack([-velocity[::-1], -force[::-1]])}
+
+    def _note_rest(self) -> None:
+        """What the rig holds and the file does not."""
+        rig = self.rig
+        parts = ("anti_roll_bar", "torsion_bar", "third_spring", "guide_friction")
+        left = [name for name in parts if getattr(rig, name, None) is not None]
+        left += ["strut.friction"] if rig.strut.friction is not None else []
+        left += [
+            f"bushings.{name}" for name in type(rig.bushings).model_fields if getattr(rig.bushings, name) is not None
+        ]
+        if left:
+            self.findings.append(Finding("rig", "warning", f"not in the file: {', '.join(left)}."))
+        self._say("rig", "tyre and sprung mass are in other files of Chrono.")
+
+
+def _ball(mass: float, centre: Array, radius: float) -> RigidBody:
+    return _body(mass, centre, 0.4 * mass * radius**2 * np.eye(3))
+
+
+def _body(mass: float, centre: Array, tensor: Array) -> RigidBody:
+    names = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+    inertia = {name: float(tensor[at]) for name, at in names.items()}
+    return RigidBody.model_validate({"mass": mass, "centre_of_mass": tuple(map(float, centre)), "inertia": inertia})
+
+
+def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> RigidBody:
+    """A body without a part of it; a part that is not in it is refused."""
+    mass = whole.mass - part.mass
+    if mass <= 0.0:
+        raise OutputError(
+            "more than the body has", where="wheel_mass", found=f"{part.mass:g} kg", allowed=f"below {whole.mass:g} kg"
+        )
+    centres = np.array(whole.centre_of_mass), np.array(part.centre_of_mass)
+    centre = (whole.mass * centres[0] - part.mass * centres[1]) / mass
+    tensor = whole.inertia.tensor - (part.inertia.tensor if with_inertia else 0.0)
+    for weight, place in ((mass, centre), (part.mass, centres[1])):
+        away = place - centres[0]
+        tensor = tensor - weight * ((away @ away) * np.eye(3) - np.outer(away, away))
+    moments = np.linalg.eigvalsh(tensor)
+    if moments[0] <= 0.0 or moments[2] > (moments[0] + moments[1]) * (1.0 + 1e-6):
+        raise OutputError(
+            "what is left of the body has an inertia that no body has",
+            where="wheel_mass",
+            found=f"{part.mass:g} kg of {whole.mass:g} kg",
+            hint="Take less out.",
+        )
+    return _body(mass, centre, tensor)

@@ -1,0 +1,95 @@
+"""Rigs as files of Project Chrono: read again they are the same rig, and what a file cannot hold is said or refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.exchange.chrono import write_chrono
+from jounce.parts.importers import import_chrono
+
+ROUND = {  # rig to what may differ: its share
+    "sedan-double-wishbone": 1e-6,  # a linear damper
+    "hmmwv-front": 1e-6,  # a map, stops, a tie rod with mass
+    "generic-double-wishbone-curve": 1e-6,  # curves of spring and damper
+    "generic-mcpherson": 1e-6,
+    "sedan-multi-link": 2e-3,  # its upper arm is an estimate
+}
+
+
+def back(rig, file: Path, wheel_mass: float):
+    return import_chrono(
+        file, wheel_radius=rig.wheel.radius, wheel_mass=wheel_mass, tyre_stiffness=rig.tyre.stiffness,
+        sprung_mass=rig.sprung.mass,
+    )[0]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", list(ROUND))
+def test_rigs_come_back(tmp_path: Path, name: str) -> None:
+    rig, rolling = jn.load(name), 5.0
+    made = write_chrono(rig, tmp_path / "out.json", wheel_mass=rolling)
+    found = back(rig, made.path, rolling)
+    before, after = rig.parameters(), found.parameters()
+    assert set(before) == set(after)
+    for path, value in before.items():
+        assert after[path] == pytest.approx(value, rel=ROUND[name], abs=ROUND[name] * 0.02), path
+    assert found.strut.damper.kind == rig.strut.damper.kind
+    sweeps = [np.array(jn.sweep_travel(one, [-0.04, -0.02, 0.0, 0.02, 0.04])["camber"]) for one in (rig, found)]
+    assert sweeps[0] == pytest.approx(sweeps[1], abs=1e-7)
+
+
+def test_the_right_side_is_written_as_the_left(tmp_path: Path) -> None:
+    rig = jn.load("sedan-double-wishbone")
+    one = write_chrono(rig, tmp_path / "left.json").path.read_text()
+    assert write_chrono(rig.mirrored(), tmp_path / "right.json").path.read_text() == one
+    assert json.loads(one)["Spindle"]["COM"] == [0.0, pytest.approx(0.7979), 0.0]
+
+
+def test_a_wheel_without_a_body_is_taken_from_the_upright(tmp_path: Path) -> None:
+    rig = jn.load("kart-double-wishbone")
+    made = write_chrono(rig, tmp_path / "kart.json")
+    table = json.loads(made.path.read_text())
+    assert table["Spindle"]["Mass"] + table["Upright"]["Mass"] == pytest.approx(rig.bodies.upright.mass)
+    assert any("become the spindle" in finding.message for finding in made.findings)
+    found = back(rig, made.path, 1e-9)
+    modes = [[mode.frequency_hz for mode in jn.modes(one)] for one in (rig, found)]
+    assert modes[0] == pytest.approx(modes[1], rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("kart-quarter-car", "no suspension of Chrono; found 'quarter-car'"),
+        ("formula-student-front", "a push rod and a rocker"),
+        ("semi-trailing-arm", "no template of Chrono is a trailing-arm"),
+    ],
+)
+def test_rigs_that_are_in_no_template(tmp_path: Path, name: str, message: str) -> None:
+    with pytest.raises(jn.OutputError, match=message):
+        write_chrono(jn.load(name), tmp_path / "out.json")
+    assert not list(tmp_path.iterdir())
+
+
+def test_more_than_the_wheel_has(tmp_path: Path) -> None:
+    rig = jn.load("sedan-double-wishbone")
+    with pytest.raises(jn.OutputError, match="more than the body has"):
+        write_chrono(rig, tmp_path / "out.json", wheel_mass=100.0)
+    with pytest.raises(jn.OutputError, match="no body of the wheel"):
+        write_chrono(jn.load("kart-double-wishbone"), tmp_path / "out.json", wheel_mass=1.0)
+
+
+def test_a_damper_with_hysteresis_is_refused(tmp_path: Path) -> None:
+    hysteretic = {"kind": "tanh", "coefficient": 800.0, "force": 50.0, "slope": 40.0}
+    rig = jn.load("sedan-double-wishbone").with_changes({"strut.damper": hysteretic})
+    with pytest.raises(jn.OutputError, match="hysteresis"):
+        write_chrono(rig, tmp_path / "out.json")
+
+
+def test_what_is_left_out_is_said(tmp_path: Path) -> None:
+    rig = jn.load("sedan-double-wishbone").with_changes({"strut.friction": {"force": "30 N"}})
+    made = write_chrono(rig, tmp_path / "out.json")
+    assert any(finding.severity == "warning" and "strut.friction" in finding.message for finding in made.findings)
