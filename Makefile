@@ -10,6 +10,7 @@
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
 #   make viewer    bundle the viewer of reports from viewer/ (needs node and npm)
 #   make check-viewer  is the committed bundle what its sources make? (skipped without node and npm)
+#   make validation  what tests find against sources outside of jounce, written for the page that says it
 #   make faces     write stubs and JSON schemas from the registries
 #   make pins      compile requirements/*.txt again (needs uv)
 #   make audit     known vulnerabilities of what is pinned; where no service can be reached, those of a list
@@ -33,7 +34,7 @@ PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer
+.PHONY: help setup loops demo quick test test-pages test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer validation
 .DELETE_ON_ERROR:
 
 help:
@@ -102,6 +103,9 @@ viewer/node_modules/.package-lock.json: viewer/package-lock.json
 
 faces: $(VENV)/.loops
 	$(BIN)/python docs/make_faces.py
+
+validation: $(VENV)/.test $(VENV)/.loops
+	$(BIN)/python -m pytest -m "source and not no_source and not slow" --evidence
 
 $(VENV)/.created:
 	@command -v $(PYTHON) >/dev/null || { echo "$(PYTHON) was not found: install Python 3.11 or later, or give PYTHON=..."; exit 1; }

@@ -8,6 +8,11 @@ import shutil
 import sys
 import types
 from pathlib import Path
+from typing import ClassVar
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
 
 import jounce
 
@@ -16,9 +21,9 @@ author = "jounce contributors"
 copyright = "2026, jounce contributors"
 version = release = jounce.__version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
 exclude_patterns = ["_build", "_generated"]
-myst_enable_extensions = ["colon_fence", "deflist"]
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"  # tutorials are notebooks: they are run where their cells or jounce have changed
 nb_execution_in_temp = True
@@ -83,3 +88,33 @@ make_faces.write_tables()
 import identification_variants  # noqa: E402
 
 identification_variants.write_table(make_faces.TABLES)
+import make_evidence  # noqa: E402
+
+make_evidence.write()
+
+
+class Drawn(SphinxDirective):
+    """``{drawn} NAME``: a picture of ``drawn.py``, the one for the reader's scheme; ``alt`` says what it shows."""
+
+    required_arguments = 1
+    has_content = True
+    option_spec: ClassVar = {"alt": str}
+
+    def run(self) -> list[nodes.Node]:
+        if not self.options.get("alt", "").strip():
+            raise self.error("a picture needs `:alt:`, for those who do not see it")
+        found = []
+        for scheme in ("light", "dark"):
+            image = nodes.image(uri=f"/_generated/figures/{self.arguments[0]}-{scheme}.svg", alt=self.options["alt"])
+            image["classes"] += [f"only-{scheme}", "drawn"]
+            found.append(image)
+        if self.content:
+            caption = nodes.container(classes=["drawn-caption"])
+            self.state.nested_parse(self.content, self.content_offset, caption)
+            found.append(caption)
+        return found
+
+
+def setup(app: Sphinx) -> None:
+    """Tell Sphinx of our directive."""
+    app.add_directive("drawn", Drawn)

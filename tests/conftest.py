@@ -14,6 +14,8 @@ from typing import Any
 import hypothesis
 import pytest
 
+from rules.evidence import Evidence, name_of, told
+
 for _library in ("OPENBLAS", "OMP", "MKL"):  # before NumPy comes: on small matrices threads only wait for each other
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, max_examples=60)
@@ -22,17 +24,21 @@ hypothesis.settings.load_profile("jounce")
 
 _CACHE = pytest.StashKey[str]()
 COLLECTED = pytest.StashKey[set[str]]()
+SOURCES = pytest.StashKey[dict[str, dict[str, str] | None]]()
 QUICK = ("unit", "properties")  # the other kinds of test run models, which are compiled, or the whole documentation
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--quick", action="store_true", help="only what answers at once: `make quick`")
+    parser.addoption("--evidence", action="store_true", help="write what the page on validation says")
 
 
 def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):  # the processes of pytest-xdist share the cache of the one that starts them
         config.stash[_CACHE] = os.environ["JOUNCE_CACHE_DIR"] = tempfile.mkdtemp(prefix="jounce-tests-")
     config.stash[COLLECTED] = set()
+    config.stash[SOURCES] = {}
+    config.pluginmanager.register(Evidence(writes=config.getoption("--evidence")))
     if config.getoption("--quick"):
         hypothesis.settings.load_profile("quick")
         _skip_where_something_is_compiled_or_drawn()
@@ -44,7 +50,8 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
-    item.config.stash[COLLECTED].add(item.nodeid.partition("[")[0])  # slow ones, too: they are deselected later
+    item.config.stash[COLLECTED].add(name_of(item))  # slow ones, too: they are deselected later
+    item.config.stash[SOURCES][name_of(item)] = told(item)
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
@@ -61,6 +68,12 @@ def collected(request: pytest.FixtureRequest) -> set[str] | None:
     """All tests that this run has collected as ``file::name``; None where it was asked for a part of them."""
     whole = [str(Path(name)) for name in request.config.args] in (["tests"], [str(Path(__file__).parent)])
     return request.config.stash[COLLECTED] if whole and not request.config.getoption("--quick") else None
+
+
+@pytest.fixture(scope="session")
+def sources(request: pytest.FixtureRequest) -> dict[str, dict[str, str] | None]:
+    """What all tests that this run has collected say of their sources."""
+    return request.config.stash[SOURCES]
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

@@ -8,6 +8,14 @@ import pytest
 from jounce.identify.damper import damper_curve, damper_law, fit_damper, read_motion
 from jounce.identify.hysteresis_path import bouc_wen_path
 
+pytestmark = pytest.mark.source(
+    kind="measured",
+    of="signals and identification",
+    key="vargas-mr-damper",
+    where="DOI 10.5281/zenodo.4445334, three records",
+    tolerance="two-sided limits of the misfit; the records resolve 0.5 mm/s",
+)
+
 RECORDS = ("shaking_table_0v", "shaking_table_088v", "drive_a1")
 # published Bouc-Wen fit of the 0 V record in N, mm, s: Kx .7682051, Kw 57.42103, rho 27.4527, n 1.9092, sigma 127.1242
 PUBLISHED = {
@@ -27,10 +35,15 @@ def load(name):
     return 1e-3 * displacement, 1e-3 * velocity, force, time
 
 
+def between(low, high):
+    return pytest.approx(0.5 * (low + high), abs=0.5 * (high - low))
+
+
 def messages(result):
     return " | ".join(finding.message for finding in result.findings)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("record", RECORDS)
 def test_peculiarities_of_the_records_are_found(record):
     result = fit_damper(*load(record))
@@ -58,14 +71,23 @@ def test_peculiarities_of_the_records_are_found(record):
     ],
 )
 def test_misfit_of_each_law(record, law, low, high):
-    assert low < fit_damper(*load(record), law=law).nrmse < high
+    assert fit_damper(*load(record), law=law).nrmse == between(low, high)
 
 
+@pytest.mark.no_source
 def test_friction_halves_the_misfit_of_a_velocity_law():
     record = load("shaking_table_0v")
     assert fit_damper(*record, friction=True).nrmse < 0.55 * fit_damper(*record).nrmse
 
 
+@pytest.mark.source(
+    kind="measured",
+    of="signals and identification",
+    key="vargas-mr-damper",
+    where="DOI 10.5281/zenodo.4445334, the Bouc-Wen fit that goes with it",
+    tolerance="its misfit to its own record is 4.5 to 6 %",
+    compares="misfit of the published Bouc-Wen law, as share of the force range",
+)
 def test_bouc_wen_is_at_least_as_good_as_the_published_fit():
     displacement, velocity, force, time = load("shaking_table_0v")
     result = fit_damper(displacement, velocity, force, time, law="bouc-wen")
@@ -74,10 +96,11 @@ def test_bouc_wen_is_at_least_as_good_as_the_published_fit():
     settled = slice(100, None)
     published = PUBLISHED["coefficient"] * motion.velocity + PUBLISHED["hysteretic_force"] * z
     misfit = float(np.sqrt(np.mean((published - motion.force)[settled] ** 2))) / float(np.ptp(motion.force))
-    assert 0.045 < misfit < 0.06  # the published parameters do describe this record: units and signs are right
+    assert misfit == between(0.045, 0.06)  # the published parameters do describe this record: units and signs are right
     assert result.nrmse < 0.65 * misfit
 
 
+@pytest.mark.no_source
 def test_no_shape_of_the_published_fit_is_missed_by_the_search():
     displacement, velocity, force, time = load("shaking_table_0v")
     result = fit_damper(displacement, velocity, force, time, law="bouc-wen")
@@ -90,6 +113,13 @@ def test_no_shape_of_the_published_fit_is_missed_by_the_search():
     assert result.rms_residual <= rms
 
 
+@pytest.mark.source(
+    kind="measured",
+    of="signals and identification",
+    key="vargas-mr-damper",
+    where="DOI 10.5281/zenodo.4445334, the Bouc-Wen fit that goes with it",
+    tolerance="another form and criterion: 10 %, of the rate 40 %",
+)
 def test_force_parameters_resemble_the_published_ones():
     # another form (it has no stiffness and no offset) and another criterion: same size is what can be asked
     result = fit_damper(*load("shaking_table_0v"), law="bouc-wen")
@@ -105,9 +135,10 @@ def test_first_half_predicts_the_second(law):
     result = fit_damper(*(column[:half] for column in record), law=law)
     curve = damper_curve(result, *(column[half:] for column in record))
     left = float(np.sqrt(np.mean((curve.fitted - curve.measured)[100:] ** 2))) / float(np.ptp(curve.measured))
-    assert 0.02 < left < 0.035
+    assert left == between(0.02, 0.035)
 
 
+@pytest.mark.no_source
 def test_more_voltage_means_more_hysteretic_force():
     forces = [fit_damper(*load(name), law="tanh-hysteretic").parameters["force"] for name in RECORDS[:2]]
     assert forces[1].interval[0] > 3.0 * forces[0].interval[1]

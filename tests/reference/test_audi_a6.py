@@ -18,6 +18,14 @@ from jounce.core.errors import DescriptionError
 from jounce.papers.audi_a6 import CASES, VARIANTS, AudiCase, CaseRun, Window, run_audi_a6
 from jounce.papers.audi_a6_paper import half_car_matrices
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="half car",
+    key="suspension-system",
+    where="Table 2, cases A and B with the sign of eq. (9) corrected; DOP853 at 1e-10 and matrix exponentials",
+    tolerance="half a unit of the last printed digit",
+)
+
 ANY = None
 
 
@@ -39,7 +47,7 @@ def window(name: str, moment: float, variant: str, output: str, index: int) -> W
 def printed(value: float, text: str) -> bool:
     """Equal in thousandths when rounded to the digits of the text (two of them agree to 1e-3 only)."""
     digits = len(text.partition(".")[2])
-    return abs(1e3 * value - float(text)) <= 0.5000001 * 10.0**-digits
+    return 1e3 * value == pytest.approx(float(text), abs=0.5000001 * 10.0**-digits)
 
 
 A, B = ("case-a", 100.0), ("case-b", -100.0)
@@ -108,6 +116,7 @@ def test_times(which, variant, output, index, end, time):
     assert getattr(window(*which, variant, output, index), end) == pytest.approx(time, abs=1.01e-3)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("name", CASES)
 def test_each_moment_runs_in_every_variant(name):
     sign = CASES[name].sign
@@ -125,6 +134,7 @@ def test_the_window_where_pitch_settles_under_braking():
     assert 1e5 * float(signals["bounce.displacement"]) / 2699.4 == pytest.approx(0.021088, abs=1e-5)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("name", CASES)
 def test_windows_hold_their_ends(name):
     """The values at 3, 6, 8 and 10 s lie within the windows they end and begin."""
@@ -207,9 +217,10 @@ def test_start_up_of_the_demo():
 
 @pytest.mark.parametrize(("variant", "peak"), [("simulink", 2.995), ("sign-corrected", 2.995), ("physical", 5.953)])
 def test_peak_acceleration(variant, peak):
-    assert 0.0 <= case(*A, variant).peak_acceleration - peak < 1e-3
+    assert case(*A, variant).peak_acceleration == pytest.approx(peak + 5e-4, abs=5e-4)  # digits were cut off
 
 
+@pytest.mark.no_source
 def test_wheels_that_would_leave_the_road_are_reported():
     found = study("case-a")
     pulled = [run for run in found.runs if run.least_wheel_force < 0.0]
@@ -218,6 +229,14 @@ def test_wheels_that_would_leave_the_road_are_reported():
     assert all(run.least_wheel_force > 0.0 for run in study("case-b").runs)
 
 
+@pytest.mark.source(
+    kind="published",
+    of="half car",
+    key="suspension-system",
+    where="eq. (5), Tables 1 and 2, section 4: what is printed, and what its own equations give",
+    tolerance="half a unit of the last printed digit",
+    compares="what paper 2 prints, and what is correct",
+)
 def test_the_paper_beside_what_is_correct():
     errata = {erratum.place: erratum for erratum in study("case-b").errata}
     torque = errata["eq. (5)"]
@@ -240,6 +259,7 @@ def test_the_paper_beside_what_is_correct():
     assert "THETA" in errata["conclusions, half car"].printed
 
 
+@pytest.mark.no_source
 def test_more_damping_is_not_more_comfort() -> None:
     """Paper 2, "the greater is damping rate, the greater is comfort": the named damping is the best, on any road."""
     best = next(one for one in study("case-b").errata if one.place == "Theta, comfort").correct_value
@@ -253,6 +273,7 @@ def test_more_damping_is_not_more_comfort() -> None:
     assert acceleration(best) < acceleration(1.4 * best) < acceleration(3.0 * best)
 
 
+@pytest.mark.no_source
 def test_unknown_case():
     with pytest.raises(DescriptionError, match="case-a, case-b"):
         run_audi_a6("case-c")

@@ -17,6 +17,14 @@ from jounce.bench.drive import (
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="bench",
+    key="quarter-car-prototype",
+    where="sections 2 and 9: motor plate, cylinder, belt; calculated by hand",
+    tolerance="half a unit of the last printed digit",
+)
+
 BARE = BenchDrive(
     belt_reference="bare",
     cylinder_radius="50 mm",
@@ -60,12 +68,14 @@ def test_recurrence_of_an_obstacle(speed, time):
     assert found.recurrence_time == pytest.approx(time, abs=6e-4)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize(("reference", "radius"), [("bare", 0.050), ("pitch", 0.0515), ("outer", 0.053)])
 def test_belt_reference_sets_the_radius(reference, radius):
     drive = BenchDrive(belt_reference=reference, cylinder_radius=0.05, belt_thickness=0.003)
     assert drive.radius == pytest.approx(radius)
 
 
+@pytest.mark.no_source
 def test_slips_are_seen_or_not_seen_by_the_sensor():
     drive = BenchDrive(pulley_slip=0.03, flat_belt_slip=0.02)
     found = belt_speed(drive, 30.0)
@@ -74,6 +84,7 @@ def test_slips_are_seen_or_not_seen_by_the_sensor():
     assert "not the slip between flat belt and cylinder" in messages(found)
 
 
+@pytest.mark.no_source
 def test_uncertainty_of_counting_is_that_of_random_windows():
     rng = np.random.default_rng(1)
     errors, claimed = [], []
@@ -85,16 +96,19 @@ def test_uncertainty_of_counting_is_that_of_random_windows():
     assert np.mean(np.abs(errors) <= 1.96 * np.array(claimed)) == pytest.approx(0.95, abs=0.02)
 
 
+@pytest.mark.no_source
 def test_error_of_the_radius_adds_to_that_of_counting():
     found = photo_sensor_speed(BARE, 1000, 10.0, radius_error=0.5e-3)
     assert found.speed.standard_error / found.speed.value == pytest.approx(0.01, rel=0.01)
 
 
+@pytest.mark.no_source
 def test_few_pulses_are_reported():
     assert "count longer" in messages(photo_sensor_speed(BARE, 6, 1.0))
     assert "count longer" not in messages(photo_sensor_speed(BARE, 60, 1.0, pulses_per_revolution=10))
 
 
+@pytest.mark.no_source
 def test_required_pull_is_the_sum_of_its_parts():
     load = BeltLoad(
         wheel_load=200.0,
@@ -111,6 +125,7 @@ def test_required_pull_is_the_sum_of_its_parts():
     assert drive_margin(BARE, 3.0, load).required_power == pytest.approx(150.0)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize(("pull", "text"), [(60.0, ""), (130.0, "not the cooling"), (180.0, "rated torque")])
 def test_overload_and_overheating_are_told_apart(pull, text):
     load = BeltLoad(wheel_load=0.0, bending_force=pull)
@@ -121,6 +136,7 @@ def test_overload_and_overheating_are_told_apart(pull, text):
     assert margin.required_torque == pytest.approx(pull * 0.05 / 2.0)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize(
     ("pull", "drag", "limit", "speed"),
     [
@@ -135,6 +151,7 @@ def test_attainable_speed_and_its_limit(pull, drag, limit, speed):
     assert found.speed == pytest.approx(speed, abs=0.01)
 
 
+@pytest.mark.no_source
 def test_slow_running_may_overheat_where_fast_running_does_not():
     # continuous pull 168.516 (0.5 + 0.5 v / 8.90125) = 120 at v = 3.775
     found = attainable_speed(BARE, BeltLoad(wheel_load=0.0, bending_force=120.0))
@@ -142,6 +159,7 @@ def test_slow_running_may_overheat_where_fast_running_does_not():
     assert found.limited_by == "supply frequency"
 
 
+@pytest.mark.no_source
 def test_cooling_may_end_before_the_torque():
     # needed 80 + 10 v; continuous 168.516 (0.5 + 0.5 v / 8.90125) is above it up to v = 7.972; rated up to 8.852
     found = attainable_speed(BARE, BeltLoad(wheel_load=0.0, bending_force=80.0, drag=10.0))
@@ -150,12 +168,14 @@ def test_cooling_may_end_before_the_torque():
     assert found.short_time_speed == pytest.approx(8.852, abs=0.006)
 
 
+@pytest.mark.no_source
 def test_torque_limits_where_drag_grows():
     # 100 + 20 v = 168.516 at v = 3.426
     found = attainable_speed(BARE, BeltLoad(wheel_load=0.0, bending_force=100.0, drag=20.0))
     assert found.short_time_speed == pytest.approx(3.426, abs=0.01)
 
 
+@pytest.mark.no_source
 def test_the_observed_ceiling_implies_a_load():
     # rated pull 168.5 N; own-fan cooling at 3.87 m/s leaves 0.5 + 0.5 * 3.87 / 8.90125 of it
     found = attainable_speed(BARE, observed_ceiling=3.87)
@@ -164,11 +184,13 @@ def test_the_observed_ceiling_implies_a_load():
     assert attainable_speed(BARE).implied_force is None
 
 
+@pytest.mark.no_source
 def test_speeds_above_the_supply_frequency_are_reported():
     assert "above the supply frequency" in messages(drive_margin(BARE, 9.5))
     assert drive_margin(BARE, 9.5).available_power == pytest.approx(168.516 * 8.90125, rel=1e-4)
 
 
+@pytest.mark.no_source
 def test_estimated_values_are_named_until_they_are_given():
     text = messages(drive_margin(BenchDrive(), 2.0))
     for name in ("cylinder_radius", "belt_thickness", "pulley_slip", "efficiency", "bed_friction", "wheel_load"):
@@ -178,10 +200,12 @@ def test_estimated_values_are_named_until_they_are_given():
     assert "estimated" not in messages(belt_speed(BARE, 30.0))
 
 
+@pytest.mark.no_source
 def test_results_are_plain_data():
     assert "limited_by" in to_json(attainable_speed(BARE, observed_ceiling=3.87))
 
 
+@pytest.mark.no_source
 def test_unusable_values_are_refused():
     with pytest.raises(FitError, match="not positive"):
         belt_speed(BARE, 0.0)

@@ -6,6 +6,14 @@ from jounce.bench.similitude import Similitude, scaled_mass, similitude_report
 from jounce.core.errors import FitError
 from jounce.core.serialise import to_json
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="bench",
+    key="quarter-car-prototype",
+    where="section 3, eq. (1), calculated by hand",
+    tolerance="half a unit of the last digit, or 0.04 %",
+)
+
 
 @pytest.mark.parametrize(
     ("density_ratio", "mass"),
@@ -60,6 +68,7 @@ def test_violations_of_the_published_prototype():
     assert "reference_density" in report.findings[-1].message
 
 
+@pytest.mark.no_source
 def test_a_similar_prototype_violates_nothing():
     # full size: 265 kg at 1.5 Hz on a stiff tyre, reduced by 1.5 throughout, same density
     mass, frequency = 265.0 / 1.5**3, 1.5 * 1.5**0.5
@@ -80,10 +89,12 @@ def test_a_similar_prototype_violates_nothing():
     assert report.findings == ()
 
 
+@pytest.mark.no_source
 def test_result_is_plain_data():
     assert "violations" in to_json(similitude_report())
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("wrong", [{"mass": 0.0}, {"factor": -2.0}])
 def test_unusable_values_are_refused(wrong):
     with pytest.raises(FitError, match="not positive"):

@@ -8,6 +8,14 @@ from jounce.bench.springs import SpringChoice, compare_springs
 from jounce.core.errors import FitError
 from jounce.core.serialise import to_json
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="bench",
+    key="quarter-car-prototype",
+    where="section 5: springs, angles and mass; calculated by hand",
+    tolerance="half a unit of the last printed digit",
+)
+
 PAPER = [("bicycle spring", 52775.0), ("scooter spring", 22730.0)]
 
 
@@ -54,12 +62,14 @@ def test_damping_ratio_of_a_known_case():
     assert compare_springs(PAPER, choice).rows[1].damping_ratio == pytest.approx(0.110696, abs=2e-6)
 
 
+@pytest.mark.no_source
 def test_a_spring_that_uses_the_travel_up_is_too_soft():
     found = compare_springs([*PAPER, ("soft spring", 6000.0)])
     assert found.chosen == "scooter spring"
     assert any(reason.startswith("soft spring (6000 N/m) is too soft") for reason in found.reasons)
 
 
+@pytest.mark.no_source
 def test_a_spring_below_the_target_is_further_away():
     choice = SpringChoice(target_frequency="5 Hz", available_travel="100 mm")
     found = compare_springs([*PAPER, ("other", 9000.0)], choice)
@@ -67,11 +77,13 @@ def test_a_spring_below_the_target_is_further_away():
     assert any("further from the target" in reason for reason in found.reasons)
 
 
+@pytest.mark.no_source
 def test_steep_struts_are_warned_of():
     assert "Adams" in messages(compare_springs(PAPER, SpringChoice(strut_angle="31 deg")))
     assert "Adams" not in messages(compare_springs(PAPER))
 
 
+@pytest.mark.no_source
 def test_estimated_values_are_named_until_they_are_given():
     assert "friction_force = 15" in messages(compare_springs(PAPER))
     choice = SpringChoice(
@@ -80,10 +92,12 @@ def test_estimated_values_are_named_until_they_are_given():
     assert "estimated" not in messages(compare_springs(PAPER, choice))
 
 
+@pytest.mark.no_source
 def test_result_is_plain_data():
     assert "reasons" in to_json(compare_springs(PAPER))
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize(
     ("springs", "text"),
     [([], "no springs"), ([("a", 1.0), ("a", 2.0)], "named twice"), ([("a", -1.0)], "a: the spring rate")],
@@ -93,6 +107,7 @@ def test_unusable_springs_are_refused(springs, text):
         compare_springs(springs)
 
 
+@pytest.mark.no_source
 def test_a_strut_that_lies_flat_is_refused():
     with pytest.raises(FitError, match="flat"):
         compare_springs(PAPER, SpringChoice(strut_angle="89 deg"))

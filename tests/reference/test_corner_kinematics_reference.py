@@ -11,6 +11,13 @@ import corner_kinematics_twin as twin
 import numpy as np
 import pytest
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="suspension kinematics",
+    where="a double wishbone; Newton steps on five rod lengths beside jounce (held: the readable twin)",
+    tolerance="half a unit of the last printed digit",
+)
+
 MILLIMETRES = {
     "lower_arm_front": (150, 400, 155),
     "lower_arm_rear": (-150, 400, 145),
@@ -114,6 +121,7 @@ def variants():
     }
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("name", variants())
 def test_exact_derivatives_are_those_of_the_poses(name: str) -> None:
     """Central differences of poses against the analytic velocities and accelerations of the twin."""
@@ -137,6 +145,7 @@ def test_exact_derivatives_are_those_of_the_poses(name: str) -> None:
     assert here["wheel_centre_dy_dz"] == pytest.approx(slope("wheel_centre", axis=1), rel=1e-6, abs=1e-8)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("name", variants())
 def test_spring_force_is_that_of_virtual_work(name: str) -> None:
     corner = variants()[name]
@@ -144,6 +153,7 @@ def test_spring_force_is_that_of_virtual_work(name: str) -> None:
     assert got["spring_force"] == pytest.approx(1000.0 / corner.quantities(0.02)["motion_ratio_contact"], rel=1e-10)
 
 
+@pytest.mark.no_source
 def test_forces_on_the_upright_balance() -> None:
     """Double wishbone, cornering and braking: outer points and contact patch in equilibrium about the wheel centre."""
     corner, force = variants()["double wishbone"], np.array([-600.0, 900.0, 2500.0])

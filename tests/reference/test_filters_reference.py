@@ -3,8 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from jounce.recordings.signals import cfc_coefficients
+
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="signals and identification",
+    key="sae-j211",
+    where="Appendix C: the recursion, evaluated by hand",
+    tolerance="eight digits",
+)
 
 
 def test_cfc_60_at_10_khz() -> None:

@@ -10,10 +10,25 @@ import pytest
 
 from jounce.roughness.iri import golden_car_response, iri, rectified_slope, state_transition
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="ride and roughness",
+    key="wtp-46",
+    where="the algorithm of the paper, computed beside jounce",
+    tolerance="half a unit of the last printed digit",
+)
+
 FILES = Path(__file__).parents[1] / "files" / "road_iri"
 PRINTED = json.loads((FILES / "sayers_wtp46_coefficients.json").read_text(encoding="utf-8"))["matrices"]
 
 
+@pytest.mark.source(
+    kind="published",
+    of="ride and roughness",
+    key="wtp-46",
+    where="Table 2 and its column of 0.1 m",
+    tolerance="single precision",
+)
 @pytest.mark.parametrize("spacing", sorted(PRINTED))
 def test_state_transition_of_the_golden_car(spacing: str) -> None:
     # World Bank Technical Paper 46, Table 2 (0.25 m) and its 0.1 m column; single precision
@@ -28,6 +43,13 @@ def test_the_exact_value_behind_a_rounded_one() -> None:
     assert state_transition(0.1)[1][0] == pytest.approx(3.796768e-4, rel=2e-7)
 
 
+@pytest.mark.source(
+    kind="program",
+    of="ride and roughness",
+    key="sorel-iri",
+    where="profile 1 of its files, three segments of 100 m",
+    tolerance="five digits; another run-up moves the fifth",
+)
 def test_segments_of_a_measured_profile() -> None:
     # github.com/michalsorel/iri, its own program: 3.29852, 2.44211, 3.55511 m/km for the first three segments of 100 m.
     # It takes the run-up over 0.5 s at 80 km/h, which changes the first segment in the fifth digit.

@@ -7,6 +7,14 @@ import pytest
 
 from jounce.identify.comparison import iso18571
 
+pytestmark = pytest.mark.source(
+    kind="program",
+    of="signals and identification",
+    key="objective-rating-metrics",
+    where="version 1.3, class ISO18571, seven pairs of signals",
+    tolerance="all digits: the same formulae in double precision",
+)
+
 T = np.arange(1200) / 10e3
 DECAY = np.exp(-20.0 * T) * np.sin(2.0 * np.pi * 60.0 * T)
 CASES = {

@@ -10,6 +10,14 @@ from scipy.io import loadmat
 
 from jounce.recordings import check_recording, read_columns, read_recording
 
+pytestmark = pytest.mark.source(
+    kind="measured",
+    of="signals and identification",
+    key="vargas-mr-damper",
+    where="ensaio.A.1.mat",
+    tolerance="the digits of the file",
+)
+
 FILE = Path(__file__).parents[1] / "files" / "mr_damper_labcontrol" / "ensaio.A.1.mat"
 HEADER = "displacement [mm], velocity [mm/s], force [N]"
 

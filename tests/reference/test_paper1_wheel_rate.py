@@ -11,6 +11,14 @@ import pytest
 import jounce
 from jounce import parts
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="quarter car",
+    key="quarter-car-prototype",
+    where="section 5: spring, tyre, strut angles; closed form",
+    tolerance="half a unit of the last printed digit",
+)
+
 KART = parts.load("kart-quarter-car")
 # strut angle deg: wheel rate N/m, Hz on a rigid tyre, Hz with the tyre in series
 TABLE = {
@@ -46,6 +54,7 @@ def test_body_frequency(angle):
     assert jounce.modes(stiff)[0].frequency_hz == pytest.approx(rigid, abs=0.00051)
 
 
+@pytest.mark.no_source
 def test_damping_follows_the_same_square():
     """A strut at 26 deg is an upright one with rate and coefficient times cos^2."""
     square = np.cos(np.radians(26.0)) ** 2

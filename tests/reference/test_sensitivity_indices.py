@@ -10,6 +10,14 @@ from scipy import stats
 import jounce as jn
 from jounce.core.errors import DescriptionError
 
+pytestmark = pytest.mark.source(
+    kind="published",
+    of="many runs",
+    key="ishigami-1990",
+    where="closed forms of the indices",
+    tolerance="0.01 of 4096 base points",
+)
+
 
 def runs(design, function):
     numbers = design.spreads
@@ -50,6 +58,13 @@ def test_the_function_of_ishigami():
         assert np.all(found[f"{name}_high"].values[0] - found[f"{name}_low"].values[0] < 0.1)
 
 
+@pytest.mark.source(
+    kind="published",
+    of="many runs",
+    key="sobol-1993",
+    where="closed forms of the g function",
+    tolerance="0.01 of 4096 base points",
+)
 def test_the_g_function():
     """Sobol (1993): product of (|4 x - 2| + a) / (1 + a), V_i = 1 / (3 (1 + a_i)^2)."""
     a = np.array([0.0, 1.0, 4.5, 9.0])
@@ -62,6 +77,9 @@ def test_the_g_function():
     assert found["total"].values[0] == pytest.approx(total, abs=0.01)
 
 
+@pytest.mark.source(
+    kind="program", of="many runs", key="scipy", where="stats.sobol_indices on the same values", tolerance="rounding"
+)
 def test_the_estimators_are_those_of_scipy():
     many = runs(jn.saltelli(RANGES, 256, seed=3), ishigami)
     y = many["y"].values.reshape(-1, 5)
@@ -73,6 +91,7 @@ def test_the_estimators_are_those_of_scipy():
     assert found["total"].values[0] == pytest.approx(theirs.total_order.ravel(), rel=1e-9)
 
 
+@pytest.mark.no_source
 def test_intervals_hold_the_truth_about_as_often_as_they_say():
     inside = []
     for seed in range(12):
@@ -89,6 +108,7 @@ def test_intervals_hold_the_truth_about_as_often_as_they_say():
     assert share > 0.84  # of 72; the percentile bootstrap is a little short for so few pairs
 
 
+@pytest.mark.no_source
 def test_morris_of_a_straight_line_with_a_product():
     """Effects of whole ranges: of the line its slopes; of a product of two numbers they differ from place to place."""
     design = jn.morris({key: [0.0, 2.0] for key in "abc"}, 40, seed=1)
@@ -104,6 +124,7 @@ def test_morris_of_a_straight_line_with_a_product():
     assert found["mean_effect"].values[0][2] == pytest.approx(2.0)
 
 
+@pytest.mark.no_source
 def test_regression_of_a_straight_line():
     found = jn.sensitivity_indices(
         runs(jn.sobol({key: [0.0, 1.0] for key in "ab"}, 256), lambda x: 3 * x[:, 0] - 4 * x[:, 1])
@@ -116,6 +137,7 @@ def test_regression_of_a_straight_line():
     assert abs(bent["explained"].values[0]) < 0.01
 
 
+@pytest.mark.no_source
 def test_intervals_of_regression_hold_the_truth_about_as_often_as_they_say():
     """Of a line whose scatter grows along one number; the truth is that of very many variants."""
     noise = np.random.default_rng(0)
@@ -135,6 +157,7 @@ def test_intervals_of_regression_hold_the_truth_about_as_often_as_they_say():
         assert 0.90 < np.mean(held) < 0.98, name
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize(("make", "size"), [(jn.saltelli, 5), (jn.morris, 4)])
 def test_what_did_not_run_takes_what_belongs_to_it_with_it(make, size):
     many = runs(make(RANGES, 64, seed=4), ishigami)
@@ -152,6 +175,7 @@ def test_what_did_not_run_takes_what_belongs_to_it_with_it(make, size):
     assert cut[name].values == pytest.approx(inner[name].values)
 
 
+@pytest.mark.no_source
 def test_a_metric_that_does_not_vary_depends_on_nothing():
     for make in (jn.saltelli, jn.morris, jn.sobol):
         found = jn.sensitivity_indices(runs(make(RANGES, 16), lambda x: np.full(len(x), 3.0)))
@@ -160,6 +184,7 @@ def test_a_metric_that_does_not_vary_depends_on_nothing():
         )
 
 
+@pytest.mark.no_source
 def test_what_cannot_be_told():
     many = runs(jn.sobol(RANGES, 16), ishigami)
     with pytest.raises(DescriptionError, match="unknown metric 'z'"):

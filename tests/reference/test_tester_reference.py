@@ -24,6 +24,13 @@ from jounce.testers.plate_response import (
 from jounce.testers.plates import tyre_rigidity
 from jounce.testers.testing import simulate_test
 
+pytestmark = pytest.mark.source(
+    kind="computed",
+    of="testers and inspection",
+    where="car A: 400 kg, 40 kg, 25 N/mm, 200 N/mm, plate of 3 mm; its equations solved beside jounce",
+    tolerance="the printed digits; 0.05 points and 0.1 degrees of run-downs",
+)
+
 EUSAMA, THETA = load_tester("eusama"), load_tester("theta-msd3000")
 
 
@@ -62,6 +69,7 @@ def test_steady_adhesion_phase_and_mode(damping):
     assert mode.damping_ratio == pytest.approx(ratio, abs=0.00006)
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("damping", STEADY)
 def test_simulated_steady_states_are_the_closed_form_without_lift_off(damping):
     rig = car_a(damping)
@@ -157,6 +165,13 @@ def test_stiffer_plate_spring(damping, on_rig):
     assert mode.frequency_hz == pytest.approx(6.83, abs=0.03)
 
 
+@pytest.mark.source(
+    kind="computed",
+    of="testers and inspection",
+    key="suspension-system",
+    where="Table 1 on a EUSAMA plate; closed form beside jounce",
+    tolerance="half a unit of the last printed digit",
+)
 @pytest.mark.parametrize(("tyre_damping", "adhesion", "at"), [(1000.0, 72.5, 16.6), (0.0, 62.7, 14.6)])
 def test_paper_2_corner(tyre_damping, adhesion, at):
     rig = load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": tyre_damping})

@@ -1,0 +1,52 @@
+"""Pictures of these pages, drawn when the documentation is built: one drawing, in light and in dark.
+
+``write`` draws what is not there yet, or was drawn by other code. The dark one is the light one with other colours.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+FOLDER = Path(__file__).with_name("_generated") / "figures"
+DARK = {  # ink, grey, grid, background and the colours of lines, each as bright on dark as it is dark on bright
+    "#22262b": "#e6e9ec", "#666d75": "#a9b0b8", "#e3e6ea": "#33383e", "#ffffff": "#131416", "#9aa1a9": "#737a82",
+    "#30353b": "#d5d9dd", "#000000": "#e6e9ec", "#0067a8": "#4da3dd", "#d55e00": "#ef8432", "#00896b": "#2fb795",
+    "#a64d8f": "#d07fbd", "#b8860b": "#d6ab3c", "#3fa0d8": "#7cc4ee", "#d98a1f": "#eda74c", "#b5472a": "#e67a5c",
+    "#b7791f": "#dba24a", "#dbe4ec": "#25384a", "#ebebeb": "#2a2d31", "#2b6ea3": "#5b9fd6", "#f3f4f6": "#1d2024",
+}  # fmt: skip
+
+
+def write(name: str, make: Callable[[], Any], made_from: str) -> None:
+    """Write ``name-light.svg`` and ``name-dark.svg`` unless both are there and were made from the same."""
+    mark = hashlib.sha256((made_from + inspect.getsource(inspect.getmodule(write) or write)).encode()).hexdigest()
+    light, dark, stamp = (FOLDER / f"{name}{end}" for end in ("-light.svg", "-dark.svg", ".stamp"))
+    if light.is_file() and dark.is_file() and stamp.is_file() and stamp.read_text(encoding="utf-8") == mark:
+        return
+    from jounce.plots import rendered
+
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    text = rendered(make(), [".svg"])[".svg"].decode()
+    light.write_text(text, encoding="utf-8")
+    dark.write_text(in_the_dark(text), encoding="utf-8")
+    stamp.write_text(mark, encoding="utf-8")
+
+
+def in_the_dark(text: str) -> str:
+    """Colours of a picture turned for a dark page; those that are not listed keep their hue and change brightness."""
+    text = re.sub(r"(?<![\w-])(white|black)(?=[;\"'])", lambda m: {"white": "#ffffff", "black": "#000000"}[m[1]], text)
+    return re.sub(r"#[0-9a-fA-F]{6}\b", lambda m: DARK.get(m[0].lower()) or _turned(m[0]), text)
+
+
+def _turned(colour: str) -> str:
+    """A colour with the brightness of its opposite: pale fills become deep ones."""
+    import colorsys
+
+    red, green, blue = (int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
+    hue, light, full = colorsys.rgb_to_hls(red, green, blue)
+    turned = colorsys.hls_to_rgb(hue, 0.07 + 0.86 * (1.0 - light), full)
+    return "#" + "".join(f"{round(255 * one):02x}" for one in turned)
