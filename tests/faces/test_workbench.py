@@ -30,6 +30,7 @@ uvicorn = pytest.importorskip("uvicorn")
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 TOKEN = "a-token-of-these-tests"
 BUMP = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2 m"}
+KART = (Path(jn.__file__).parent / "parts" / "library" / "kart-double-wishbone.toml").read_text()
 RUN = {"rig": "kart-quarter-car", "road": BUMP, "speed": "2 m/s", "duration": "0.4 s"}
 
 
@@ -215,6 +216,22 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     assert ask("GET", "/api/check?path=karts/mine.toml")[1]["problems"] == []
 
 
+def test_what_a_file_was_before_it_was_saved_is_kept_and_compared(ask):
+    text, was = KART, ""
+    for mass in ("16 kg", "17 kg", "18 kg"):
+        text = text.replace(text.split('[sprung]\nmass = "')[1].split('"')[0], mass)
+        status, saved = ask("PUT", "/api/file", {"path": "kept/k.toml", "text": text, "was": was})
+        assert status == 200
+        was = saved["digest"]
+    versions = ask("GET", "/api/versions?path=kept/k.toml")[1]
+    found = [ask("GET", f"/api/rig?name={quote(one['name'])}")[1]["numbers"] for one in versions]
+    masses = [next(one["value"] for one in numbers if one["path"] == "sprung.mass") for numbers in found]
+    assert masses == [17.0, 16.0]  # the newest first
+    assert not any(".jounce" in entry["path"] for entry in ask("GET", "/api/project")[1]["entries"])
+    for wrong in ("kept/k.toml@1", "kept/k.toml@../../secret", "../secret.toml@1792824586000-00000000", "@"):
+        assert ask("GET", f"/api/rig?name={quote(wrong)}")[0] == 422
+
+
 def test_the_same_run_in_python_and_on_the_command_line(ask, tmp_path, monkeypatch):
     """What the page offers to copy gives what the page shows."""
     asked = {"rig": "kart-quarter-car", "changes": {"strut.spring.rate": "30 N/mm"}, "road": BUMP,
@@ -264,9 +281,6 @@ def test_the_mechanism_that_moves_is_the_changed_one(ask):
     changed = ask("POST", "/api/kinematics", asked | {"changes": moved})[1]["mechanisms"][0]
     heights = [one["points"][one["names"].index("upper_ball_joint")][1][2] for one in (as_it_is, changed)]
     assert heights == pytest.approx([270.83, 250.0], abs=0.01)
-
-
-KART = (Path(jn.__file__).parent / "parts" / "library" / "kart-double-wishbone.toml").read_text()
 
 
 def test_a_form_writes_values_as_they_are_typed_and_keeps_comments(ask):
@@ -356,7 +370,7 @@ def test_sweeps_over_travel_rack_and_roll_are_those_of_python_and_command(
 
 def test_targets_stand_in_the_units_of_their_curves(ask):
     target = {"quantity": "camber", "value": "-1 deg", "tolerance": "0.5 deg", "over": "-10 mm:10 mm:10 mm"}
-    other = {"quantity": "steer", "value": "0 deg", "tolerance": "1 deg", "over": "-1 deg:1 deg:1 deg"}
+    other = target | {"value": "0 kg"}
     asked = {"rig": "kart-double-wishbone", "travel": "-10 mm:10 mm:10 mm", "targets": [target]}
     content, _ = ask.straight("/api/kinematics", asked)
     band = content["targets"][0]
@@ -368,7 +382,7 @@ def test_targets_stand_in_the_units_of_their_curves(ask):
     (ask.folder / "study.toml").write_text(study)
     band = ask.straight("/api/kinematics", asked | {"targets": [], "study": "study.toml"})[0]["targets"][0]
     assert (band["low"], band["high"]) == (pytest.approx([-2.1]), [None])
-    status, answer = ask("POST", "/api/kinematics", asked | {"targets": [other | {"value": "0 kg"}]})
+    status, answer = ask("POST", "/api/kinematics", asked | {"targets": [other]})
     assert status == 422
     assert "target[0].value" in answer["error"]["text"]
 
@@ -532,8 +546,22 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     page.get_by_role("link", name="Kinematics").first.click()
     ready("kinematics")
     page.get_by_role("link", name=name).click()
+    page.get_by_text("curves computed and drawn").wait_for(timeout=60_000)
     page.get_by_label("hardpoints.upper_ball_joint[2] [mm]", exact=True).press("ArrowRight")
-    page.get_by_role("button", name="as it is").wait_for(timeout=60_000)
+    page.get_by_text("as it is (dashed)").wait_for()
+    camber = page.locator("figure", has_text="camber").first
+    before = camber.locator("output").inner_text()
+    page.get_by_label("Wheel travel, bump positive [mm], typed").fill("10")
+    assert camber.locator("output").inner_text() != before
+    page.get_by_label("Value", exact=True).fill("0 deg")
+    page.get_by_label("Quantity").select_option("camber")
+    page.get_by_label("Tolerance", exact=True).fill("20 deg")
+    page.get_by_label("Tolerance", exact=True).press("Enter")
+    page.locator("figure.wanted .verdict.good").wait_for()
+    page.get_by_label("Curves over").select_option("roll")
+    page.locator("figure", has_text="roll centre height").first.wait_for()
+    for label in ("tie rod inner", "tie rod outer", "strut top"):
+        page.get_by_label(label, exact=True).set_checked(label == "strut top")
     dark = page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(21, 25, 29)"
     assert dark == (scheme == "dark")
     context.close()

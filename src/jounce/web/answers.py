@@ -46,12 +46,14 @@ class Shown:
 
 
 def rig_of(project: Project, name: str) -> Rig:
-    """Load a rig of the project by its path, or one of the library by its name."""
+    """Load a rig of the project by its path, or an earlier version of it; or one of the library by its name."""
     from jounce.core.errors import unknown
     from jounce.core.files import only_below
     from jounce.parts import load
     from jounce.parts.files import library
 
+    if "@" in name and not name.endswith(".toml"):
+        return rig_in(project, *project.version(name))
     if not name.endswith(".toml"):
         if name not in library():
             raise unknown(name, library(), what="rig", where="rig")

@@ -13,7 +13,7 @@ from jounce.core.errors import JounceError, OutputError, unforeseen
 from jounce.core.optional import require
 from jounce.web import answers, forms, sweeps
 from jounce.web.jobs import Jobs
-from jounce.web.project import LONGEST, Project, Text
+from jounce.web.project import LONGEST, Project, Text, Version
 from jounce.web.safety import Guard
 from jounce.web.working import routes
 
@@ -156,6 +156,11 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def save(asked: Saved) -> Text:
         """Write a description, unless somebody else has changed it meanwhile."""
         return project.write(asked.path, asked.text, asked.was)
+
+    @app.get("/api/versions")
+    def versions(path: str) -> list[Version]:
+        """What a description was before it was written anew from here, the newest first."""
+        return project.versions(path)
 
     @app.get("/api/check")
     def check(path: str) -> dict[str, Any]:

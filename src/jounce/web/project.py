@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import sha256
@@ -21,6 +22,8 @@ RECORDS = (".nc", ".csv", ".mat", ".mf4", ".parquet", ".tdms", ".uff", ".unv", "
 """Suffixes of files that were measured, or simulated."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
 LONGEST = 2_000_000  # bytes of a description
+_VERSIONS, _MOST_VERSIONS = (".jounce", "versions"), 50
+_VERSION = re.compile(r"\d{10,16}-[0-9a-f]{8}")
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,14 @@ class Text:
     path: str
     text: str
     digest: str
+
+
+@dataclass(frozen=True)
+class Version:
+    """What a description was: its name, ``path@version``, and when it was replaced (s since 1970)."""
+
+    name: str
+    replaced: float
 
 
 class Project:
@@ -97,8 +108,37 @@ class Project:
         if len(content) > LONGEST:
             raise OutputError("too long for a description", where=path, found=f"{len(content)} bytes")
         file.parent.mkdir(parents=True, exist_ok=True)
+        if file.exists():
+            self._keep(file)
         write_atomically(file, content, force=bool(was))
         return Text(path, text, _digest(content))
+
+    def versions(self, path: str) -> list[Version]:
+        """What a description was before it was written anew from here, the newest first."""
+        folder = self._kept(self.inside(path))
+        found = sorted((one for one in folder.glob("*.toml") if _VERSION.fullmatch(one.stem)), reverse=True)
+        return [Version(f"{path}@{one.stem}", float(one.stem.partition("-")[0]) / 1000.0) for one in found]
+
+    def version(self, name: str) -> tuple[str, str]:
+        """Give path and text of an earlier version by its name, ``path@version``."""
+        path, _, version = name.rpartition("@")
+        file = self._kept(self.inside(path)) / f"{version}.toml"
+        if not _VERSION.fullmatch(version) or not file.is_file():
+            known = [one.name for one in self.versions(path)] if path else []
+            raise DescriptionError("no such version", where="rig", found=name, allowed=", ".join(known[:5]) or "none")
+        return path, content_of(file).decode()
+
+    def _kept(self, file: Path) -> Path:
+        own = "/".join((*_VERSIONS, *file.relative_to(self.root).parts))
+        return self.inside(own)  # also where somebody has put a link there
+
+    def _keep(self, file: Path) -> None:
+        """Keep what a description is before it is written anew."""
+        content, folder = content_of(file), self._kept(file)
+        folder.mkdir(parents=True, exist_ok=True)
+        write_atomically(folder / f"{time.time_ns() // 1_000_000}-{_digest(content)[:8]}.toml", content, force=True)
+        for old in sorted(folder.glob("*.toml"))[:-_MOST_VERSIONS]:
+            old.unlink(missing_ok=True)
 
     def _files(self) -> Iterator[Path]:
         """Regular files, without hidden ones and without following links, in the order of their names."""

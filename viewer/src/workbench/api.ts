@@ -7,12 +7,14 @@ export interface Checked { kind: string; what: string; problems: string[]; notes
 export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
 export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: string[] }
 export interface Problem { path: string; line: number; text: string }
+/** What a file was before it was written anew: its name, and when that was (s since 1970). */
+export interface Version { name: string; replaced: number }
 /** A text of a rig beside what it says. */
 export interface Form { text: string; values: unknown; model: string; problems: Problem[]; rig: Rig | null; changed: string[] }
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
 export interface Answer { python: string; command: string; files: Record<string, string> }
 
-async function asked(method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> {
+export async function asked(method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> {
   const given = body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } };
   let answer: Response;
   try {
@@ -26,12 +28,13 @@ async function asked(method: string, path: string, body?: unknown, accept = "app
   throw new Error(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
 }
 
-const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
-const get = async <T>(path: string): Promise<T> => (await asked("GET", path)).json() as Promise<T>;
+export const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
+export const get = async <T>(path: string): Promise<T> => (await asked("GET", path)).json() as Promise<T>;
 
 export const project = () => get<Project>("/api/project");
 export const library = () => get<{ name: string }[]>("/api/library");
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
+export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
 export const check = (path: string) => get<Checked>(`/api/check?${query({ path })}`);
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;

@@ -39,6 +39,7 @@ export class Multiples {
       const one = this.plots[k]!;
       one.lines = pane.curves.map(({ role, y }) => ({ role, y: store.get(y) }));
       one.band = bands.find((band) => band.quantity === pane.name) ?? null;
+      one.box.classList.toggle("wanted", one.band !== null);
     });
     if (!this.width) this.sized(); else this.draw();
     this.mark(this.place);

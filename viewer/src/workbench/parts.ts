@@ -3,6 +3,7 @@
 import { Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
+import { tr } from "../words";
 import { type Answer, type Rig, type RigNumber } from "./api";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
@@ -15,11 +16,29 @@ export function problem(error: unknown): HTMLElement {
 
 /** A text that can be copied. */
 export function copied(title: string, text: string): HTMLElement {
-  const button = make("button", { type: "button" }, "Copy");
+  const button = make("button", { type: "button" }, tr("Copy"));
   button.addEventListener("click", () => {
-    void navigator.clipboard.writeText(text).then(() => { button.textContent = "Copied"; }, () => { button.textContent = "Select and copy"; });
+    void navigator.clipboard.writeText(text).then(() => { button.textContent = tr("Copied"); }, () => { button.textContent = tr("Select and copy"); });
   });
   return make("section", { class: "code" }, make("div", { class: "bar" }, make("h3", {}, title), button), make("pre", { tabindex: "0", "aria-label": title }, text));
+}
+
+/** The same by other ways, to copy. */
+export function ways({ python, command, files }: Answer): HTMLElement[] {
+  return [copied(tr("The same in Python"), python), copied(tr("The same on the command line"), command), ...Object.entries(files).map(([name, content]) => copied(name, content))];
+}
+
+/** Asks one question at a time, and the newest next. */
+export class Newest {
+  private busy = false;
+  private next: (() => Promise<void>) | null = null;
+  async ask(question: () => Promise<void>): Promise<void> {
+    this.next = question;
+    if (this.busy) return;
+    this.busy = true;
+    while (this.next) { const now: () => Promise<void> = this.next; this.next = null; await now(); }
+    this.busy = false;
+  }
 }
 
 /** Numbers of a rig as sliders from half to one and a half of what they are; what is not moved is not sent. */
@@ -27,14 +46,16 @@ export class Sliders {
   readonly element = make("div", { class: "sliders" });
   readonly changes: Record<string, number> = {};
   private readonly rows = make("div", {});
+  private readonly known = new Map<string, RigNumber>();
 
   constructor(rig: Rig, first: string[], private readonly moved: () => void) {
-    const known = new Map(rig.numbers.map((one) => [one.path, one]));
-    const choice = make("select", { "aria-label": "another number" }, make("option", { value: "" }, "another number …"));
+    const known = this.known;
+    for (const one of rig.numbers) known.set(one.path, one);
+    const choice = make("select", { "aria-label": tr("another number") }, make("option", { value: "" }, tr("another number …")));
     for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
     choice.addEventListener("change", () => { const one = known.get(choice.value); if (one) this.add(one); choice.value = ""; });
     for (const path of first) { const one = known.get(path); if (one) this.add(one); }
-    const back = make("button", { type: "button" }, "All as they were");
+    const back = make("button", { type: "button" }, tr("All as they were"));
     back.addEventListener("click", () => {
       for (const path of Object.keys(this.changes)) delete this.changes[path];
       this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => { one.value = one.defaultValue; });
@@ -43,13 +64,22 @@ export class Sliders {
     this.element.append(this.rows, make("div", { class: "bar" }, choice, back));
   }
 
+  /** Takes a number that was changed elsewhere (SI). */
+  set(path: string, value: number): void {
+    const one = this.known.get(path);
+    if (!one) return;
+    const shown = Number((value * one.factor).toPrecision(7)), row = this.rows.querySelector(`[data-path="${CSS.escape(path)}"]`);
+    if (Math.abs(value - one.value) <= 1e-12 * Math.max(Math.abs(value), 1)) delete this.changes[path]; else this.changes[path] = value;
+    row?.querySelectorAll("input").forEach((input) => { input.value = String(shown); });
+  }
+
   private add(one: RigNumber): void {
     if (this.rows.querySelector(`[data-path="${CSS.escape(one.path)}"]`)) return;
     const shown = one.value * one.factor, reach = 0.5 * Math.abs(shown) || 1;
     const text = String(Number(shown.toPrecision(6)));
     const name = `${one.path} [${one.unit || "–"}]`;
     const slider = make("input", { type: "range", min: String(shown - reach), max: String(shown + reach), step: String(reach / 100), value: text, "aria-label": name });
-    const number = make("input", { type: "number", step: "any", value: text, "aria-label": `${name}, typed` });
+    const number = make("input", { type: "number", step: "any", value: text, "aria-label": `${name}, ${tr("typed")}` });
     const take = (value: string) => {
       const wanted = Number(value);
       if (value === "" || !Number.isFinite(wanted)) return;
@@ -83,7 +113,7 @@ export class Live {
     if (this.busy) return;
     this.busy = true;
     const began = performance.now();
-    const waiting = setTimeout(() => { this.state.textContent = "computing; the first time a model is compiled once, which takes some seconds"; }, 500);
+    const waiting = setTimeout(() => { this.state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
     try {
       const store = Store.of(await this.question());
       const model = store.content.viewers[0]!;
@@ -92,11 +122,9 @@ export class Live {
         this.player = new Player(model, store);
         this.place.replaceChildren(this.player.element);
       }
-      const { python, command, files } = store.content as unknown as Answer;
-      this.ways.replaceChildren(copied("The same in Python", python), copied("The same on the command line", command),
-        ...Object.entries(files).map(([name, content]) => copied(name, content)));
+      this.ways.replaceChildren(...ways(store.content as unknown as Answer));
       this.times.push(performance.now() - began);
-      this.state.textContent = `computed and drawn in ${written(this.times[this.times.length - 1]!, 2)} ms`;
+      this.state.textContent = `${tr("computed and drawn in")} ${written(this.times[this.times.length - 1]!, 2)} ms`;
       this.state.classList.remove("problem");
     } catch (error) {
       this.state.textContent = error instanceof Error ? error.message : String(error);

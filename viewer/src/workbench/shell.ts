@@ -2,7 +2,6 @@
 
 import { make } from "../page";
 import * as api from "./api";
-import type { Live } from "./parts";
 
 export type Values = URLSearchParams;
 /** A page has a word in the head and fills its place; an error that it throws is shown there with the way back. */
@@ -12,8 +11,8 @@ export const RIGS = ["rig"];
 export const address = (page: string, values: Record<string, string> = {}) => `#/${page}?${new URLSearchParams(values)}`;
 
 /** The live curves of the open page, for whoever measures them. */
-export let live: Live | null = null;
-export function setLive(curves: Live | null): void { live = curves; }
+export let live: { times: number[] } | null = null;
+export function setLive(curves: { times: number[] } | null): void { live = curves; }
 
 /** Rigs to choose from, where none was. */
 export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false): Promise<void> {

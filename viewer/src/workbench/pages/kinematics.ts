@@ -1,23 +1,214 @@
-/** A corner with hardpoints over its travel, with sliders. */
+/** A corner over travel, rack or roll: its mechanism, every curve of the catalogue, what is wanted, and designs from that. */
 
-import { make } from "../../page";
+import { Store } from "../../data";
+import { type Centres, MechanismView } from "../../mechanism";
+import { make, toggle, whenColoursChange, written } from "../../page";
+import { tr } from "../../words";
 import * as api from "../api";
-import { field, Live, Sliders } from "../parts";
-import { address, choose, type Page, setLive, type Values } from "../shell";
+import { designing, type Target } from "../designing";
+import { type Band, Multiples } from "../multiples";
+import { field, Newest, problem, Sliders, ways } from "../parts";
+import { Points } from "../points";
+import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
 export const kinematics: Page = { label: "Kinematics", show };
 
+type Over = "travel" | "rack" | "roll";
+interface Extra { centres: Centres | null; targets: Band[]; notes: string[] }
+
+/** One of travel, rack and roll: a range where it is swept, and a slider of the pose. */
+class Drive {
+  readonly slider = make("input", { type: "range", step: "any" });
+  readonly number = make("input", { type: "number", step: "any", value: "0" });
+  readonly range = make("input", { type: "text", spellcheck: "false" });
+  readonly element: HTMLElement;
+  constructor(readonly name: Over, readonly words: string, readonly unit: string, reach: number, step: number, changed: (isRange: boolean) => void) {
+    this.range.value = `${-reach} ${unit}:${reach} ${unit}:${step} ${unit}`;
+    this.slider.min = String(-reach); this.slider.max = String(reach); this.slider.value = "0";
+    this.slider.setAttribute("aria-label", `${words} [${unit}]`);
+    this.number.setAttribute("aria-label", `${words} [${unit}], ${tr("typed")}`);
+    this.range.setAttribute("aria-label", `${words}: ${tr("first:last:step")}`);
+    this.slider.addEventListener("input", () => { this.number.value = String(Number(Number(this.slider.value).toPrecision(4))); changed(false); });
+    this.number.addEventListener("input", () => { if (this.number.value !== "") { this.slider.value = this.number.value; changed(false); } });
+    this.range.addEventListener("change", () => {
+      const [first, last] = this.range.value.split(":").map((one) => parseFloat(one));
+      if (Number.isFinite(first) && Number.isFinite(last)) { this.slider.min = String(first); this.slider.max = String(last); }
+      changed(true);
+    });
+    this.element = make("div", { class: "slider drive" }, make("span", { class: "name" }, words), this.slider, this.number, make("span", { class: "unit" }, unit), this.range);
+  }
+  get value(): number { return Number(this.number.value) || 0; }
+  set value(to: number) { this.slider.value = String(to); this.number.value = String(Number(to.toPrecision(4))); }
+  swept(isSwept: boolean, isUsed: boolean): void {
+    this.range.hidden = !isSwept;
+    this.slider.disabled = this.number.disabled = !isUsed;
+    this.element.classList.toggle("unused", !isUsed);
+  }
+}
+
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
-  if (!name) { await choose(place, "kinematics", "Kinematics", "rig", true); return; }
-  const rig = await api.rig(name);
-  if (!rig.spatial) { place.replaceChildren(make("h1", {}, name), make("p", { class: "empty" }, "This rig has no hardpoints, and so no kinematics: ", make("a", { href: address("kinematics") }, "choose another one"), ".")); return; }
-  const travel = make("input", { type: "text", value: rig.name.includes("kart") ? "-20 mm:20 mm:2 mm" : "-50 mm:50 mm:5 mm" });
+  if (!name) { await choose(place, "kinematics", tr("Kinematics"), "rig", true); return; }
+  const [rig, { entries }, shipped] = await Promise.all([api.rig(name), api.project(), api.library()]);
+  if (!rig.spatial) { place.replaceChildren(make("h1", {}, name), make("p", { class: "empty" }, tr("This rig has no hardpoints, and so no kinematics: "), make("a", { href: address("kinematics") }, tr("choose another one")), ".")); return; }
+  const isOwn = name.endsWith(".toml"), isSmall = rig.numbers.some((one) => one.path === "wheel.radius" && one.value < 0.18);
+  const hasRack = rig.numbers.some((one) => /^hardpoints\.(tie_rod|link_5)_inner\[0\]$/.test(one.path));
+  const reach = isSmall ? 20 : 50, newest = new Newest(), times: number[] = [];
+  setLive({ times });
+
+  const state = make("p", { class: "state", role: "status" }), notes = make("div", {}), same = make("div", { class: "ways" });
+  const over = make("select", {}, ...([["travel", tr("wheel travel")], ...(hasRack ? [["rack", tr("rack travel")]] : []), ["roll", tr("roll of the body")]] as [Over, string][]).map(([value, words]) => make("option", { value }, words)));
+  const changed = (isRange: boolean, which: Over) => { if (which === over.value && !isRange) pose(); else void ask(); };
+  const drives: Record<Over, Drive> = {
+    travel: new Drive("travel", tr("Wheel travel, bump positive"), "mm", reach, reach / 10, (isRange) => changed(isRange, "travel")),
+    rack: new Drive("rack", tr("Rack travel, to the left positive"), "mm", isSmall ? 10 : 20, isSmall ? 1 : 2, (isRange) => changed(isRange, "rack")),
+    roll: new Drive("roll", tr("Roll, left side up positive"), "deg", 4, 0.5, (isRange) => changed(isRange, "roll")),
+  };
+  const arrange = () => {
+    const now = over.value as Over;
+    drives.travel.swept(now === "travel", now !== "roll");
+    drives.rack.swept(now === "rack", hasRack);
+    drives.roll.swept(now === "roll", now === "roll");
+  };
+  over.addEventListener("change", () => { arrange(); void ask(); });
+  const rigs = entries.filter((entry) => RIGS.includes(entry.kind) && entry.path !== name).map((entry) => entry.path);
+  const earlier = isOwn ? await api.versions(name) : [];
+  const against = make("select", {}, make("option", { value: "" }, tr("nothing else")),
+    ...(earlier.length ? [make("optgroup", { label: tr("earlier versions") }, ...earlier.map((one) => make("option", { value: one.name }, `${tr("replaced")} ${new Date(one.replaced * 1000).toISOString().slice(0, 16).replace("T", " ")} UTC`)))] : []),
+    ...(rigs.length ? [make("optgroup", { label: tr("this project") }, ...rigs.map((one) => make("option", { value: one }, one)))] : []),
+    make("optgroup", { label: tr("shipped") }, ...shipped.map((one) => make("option", { value: one.name }, one.name))));
+  against.addEventListener("change", () => void ask());
+
+  const view = new MechanismView(true), stage = make("div", { class: "player bare" }, view.element);
+  let centres: Centres | null = null, isTurned = true, factor = 1, last: { low: number; high: number } = { low: 0, high: 0 };
+  const centred = toggle(tr("centres"), true, (on) => { isTurned = on; view.showCentres(on ? centres : null); }, tr("instant centres in front and side view, and the roll centre"));
+  view.element.querySelector(".bar")!.append(make("div", { class: "group" }, centred));
+  const multiples = new Multiples((x) => { drives[over.value as Over].value = x; pose(); });
+  const pose = () => {
+    const drive = drives[over.value as Over];
+    const x = Math.min(Math.max(drive.value, last.low), last.high);
+    view.set({ body: 0, travel: x * factor, ground: ground(x * factor), load: 1, time: 0 });
+    multiples.mark(x);
+  };
+  let ground = (_: number) => 0;
   const points = rig.numbers.map((one) => one.path).filter((path) => /ball_joint\[2\]|tie_rod_(inner|outer)\[2\]/.test(path)).slice(0, 4);
-  const sliders = new Sliders(rig, points, () => void curves.ask());
-  const curves = new Live(() => api.curves("kinematics", { rig: name, changes: sliders.changes, travel: travel.value }));
-  travel.addEventListener("change", () => void curves.ask());
-  setLive(curves);
-  place.replaceChildren(make("h1", {}, `Kinematics of ${name}`), make("div", { class: "form" }, field("Travel, bump positive (first:last:step)", travel)), sliders.element, curves.element);
-  await curves.ask();
+  const sliders = new Sliders(rig, points, () => { dragged.set(moved()); void ask(); });
+  const moved = () => rig.numbers.map(({ path, value }) => ({ path, value: sliders.changes[path] ?? value }));
+  const dragged = new Points(view, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); void ask(); });
+  dragged.set(rig.numbers);
+
+  const targets: Target[] = [], chosen = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((entry) => entry.kind === "design").map((entry) => make("option", { value: entry.path }, entry.path)));
+  chosen.addEventListener("change", () => void ask());
+  let quantities: { name: string; unit: string }[] = [];
+  const wanted = new Targets(targets, () => quantities, () => void ask());
+
+  const ask = () => newest.ask(async () => {
+    const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
+    const waiting = setTimeout(() => { state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
+    try {
+      const store = Store.of(await api.curves("kinematics", {
+        rig: name, changes: sliders.changes, over: now, against: against.value, targets, study: chosen.value,
+        travel: now === "roll" ? "" : text(drives.travel), rack: hasRack ? text(drives.rack) : "", roll: now === "roll" ? text(drives.roll) : "",
+      }));
+      if (!place.isConnected) return;
+      const extra = store.content as unknown as Extra & api.Answer, model = store.content.viewers[0]!, scene = model.scenes[0]!, x = store.get(scene.x);
+      centres = extra.centres;
+      last = { low: x[0] as number, high: x[x.length - 1] as number };
+      if (scene.motion) {
+        const mechanism = store.content.mechanisms[scene.motion.mechanism]!, along = mechanism.travel;
+        factor = Math.abs(last.high) > 0 ? along[along.length - 1]! / last.high : last.low !== 0 ? along[0]! / last.low : 1;
+        ground = (travel) => mechanism.contact[nearest(along, travel)]?.[2] ?? 0;
+        view.show(mechanism, scene.motion);
+        view.showCentres(isTurned ? centres : null);
+      }
+      quantities = scene.panes.filter((pane) => !pane.name.startsWith("Δ")).map(({ name: one, unit }) => ({ name: one, unit }));
+      wanted.offer();
+      multiples.show(model, store, extra.targets);
+      pose();
+      notes.replaceChildren(...extra.notes.map((one) => make("p", { class: "muted" }, one)));
+      legend.replaceChildren(...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) => make("li", {}, make("i", { class: `swatch ${role}` }), label, k ? ` (${tr("dashed")})` : "")));
+      same.replaceChildren(...ways(extra));
+      view.draw();
+      times.push(performance.now() - began);
+      state.textContent = tr("# curves computed and drawn", String(quantities.length)) + ` ${tr("in")} ${written(times[times.length - 1]!, 2)} ms`;
+      state.classList.remove("problem");
+    } catch (error) {
+      state.textContent = error instanceof Error ? error.message : String(error);
+      state.classList.add("problem");
+    } finally { clearTimeout(waiting); }
+  });
+  const legend = make("ul", { class: "legend" }), filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
+  filter.addEventListener("input", () => multiples.filter(filter.value));
+  const write = make("button", { type: "button" }, tr("Write these changes into the file")), written_ = make("span", { "aria-live": "polite" });
+  write.addEventListener("click", () => {
+    if (!Object.keys(sliders.changes).length) { written_.textContent = tr("Nothing is changed."); return; }
+    void (async () => {
+      try {
+        const file = await api.file(name), found = await api.form(name, file.text, [], sliders.changes);
+        if (found.problems.length) throw new Error(found.problems[0]!.text);
+        await api.save(name, found.text, file.digest);
+        sessionStorage.setItem("written", tr("The changes stand in the file; what it was before is an earlier version."));
+        dispatchEvent(new HashChangeEvent("hashchange"));
+      } catch (error) { written_.replaceChildren(problem(error)); }
+    })();
+  });
+  const design = isOwn ? designing(name, rig, targets, sliders, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); dragged.set(moved()); void ask(); }) : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
+  const step = () => { if (!place.isConnected) return; view.draw(); requestAnimationFrame(step); };
+  whenColoursChange(() => view.repaint());
+  arrange();
+  place.replaceChildren(make("h1", {}, tr("Kinematics of #", name)), ...(isOwn ? [make("p", { class: "bar" }, make("a", { href: address("rig", { name }) }, tr("To its file")))] : []),
+    make("div", { class: "form" }, field(tr("Curves over"), over), field(tr("Compare with"), against), field(tr("Targets of a study"), chosen), field(tr("Show curves with"), filter)),
+    make("div", { class: "sliders drives" }, ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map((one) => drives[one].element)),
+    state, notes,
+    make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
+    make("h2", {}, tr("Numbers")), sliders.element, ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
+    make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same);
+  written_.textContent = sessionStorage.getItem("written") ?? "";
+  sessionStorage.removeItem("written");
+  requestAnimationFrame(step);
+  await ask();
+}
+
+function nearest(grid: number[], value: number): number {
+  let best = 0;
+  grid.forEach((one, i) => { if (Math.abs(one - value) < Math.abs(grid[best]! - value)) best = i; });
+  return best;
+}
+
+/** Targets that are typed: what is wanted of a quantity, where, and how exactly. */
+class Targets {
+  readonly element = make("div", {});
+  private readonly quantity = make("select", {});
+  private readonly rows = make("tbody", {});
+  private known = "";
+  constructor(private readonly targets: Target[], private readonly quantities: () => { name: string; unit: string }[], private readonly changed: () => void) {
+    const how = make("select", {}, ...([["value", "="], ["at_least", "≥"], ["at_most", "≤"]] as const).map(([value, words]) => make("option", { value, title: value }, words)));
+    const value = make("input", { type: "text", value: "0 deg" }), tolerance = make("input", { type: "text", value: "0.1 deg" }), where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
+    const unit = () => { const found = this.quantities().find((one) => one.name === this.quantity.value); if (found) { const text = found.unit.replace("°", "deg"); value.value = `0 ${text}`.trim(); tolerance.value = `0.1 ${text}`.trim(); } };
+    this.quantity.addEventListener("change", unit);
+    const add = make("form", { class: "form" }, field(tr("Quantity"), this.quantity), field(tr("is wanted"), how), field(tr("Value"), value), field(tr("Tolerance"), tolerance), field(tr("At, or over first:last:step"), where), make("button", { type: "submit" }, tr("Add the target")));
+    add.addEventListener("submit", (event) => {
+      event.preventDefault();
+      targets.push({ quantity: this.quantity.value, [how.value]: value.value, tolerance: tolerance.value, ...(where.value.includes(":") ? { over: where.value } : where.value ? { at: where.value } : {}) });
+      this.list();
+      changed();
+    });
+    this.element.append(make("div", { class: "table" }, make("table", {}, this.rows)), add);
+    this.list();
+  }
+  /** Puts the quantities of the curves into the choice. */
+  offer(): void {
+    const names = this.quantities().map((one) => one.name);
+    if (names.join() === this.known) return;
+    this.known = names.join();
+    const before = this.quantity.value;
+    this.quantity.replaceChildren(...names.map((one) => make("option", { value: one }, one.replaceAll("_", " "))));
+    if (names.includes(before)) this.quantity.value = before;
+  }
+  private list(): void {
+    this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, one.quantity.replaceAll("_", " ")),
+      make("td", {}, one.value !== undefined ? `= ${one.value} ± ${one.tolerance}` : one.at_least !== undefined ? `≥ ${one.at_least} − ${one.tolerance}` : `≤ ${one.at_most} + ${one.tolerance}`), make("td", {}, one.over ?? one.at ?? tr("at design")),
+      make("td", {}, make("button", { type: "button", "aria-label": tr("Take # away", one.quantity), click: () => { this.targets.splice(i, 1); this.list(); this.changed(); } }, "×"))))
+      : [make("tr", {}, make("td", { class: "muted" }, tr("None yet: add one below, and its band stands in its curve.")))]));
+  }
 }

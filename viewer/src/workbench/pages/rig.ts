@@ -6,24 +6,11 @@ import { make, whenColoursChange } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { Form, type Key, type Value } from "../form";
-import { problem } from "../parts";
+import { Newest, problem } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, type Values } from "../shell";
 
 export const rig: Page = { label: "Rig", show };
-
-/** Asks for one thing at a time, the newest next. */
-class Newest {
-  private busy = false;
-  private next: (() => Promise<void>) | null = null;
-  async ask(question: () => Promise<void>): Promise<void> {
-    this.next = question;
-    if (this.busy) return;
-    this.busy = true;
-    while (this.next) { const now: () => Promise<void> = this.next; this.next = null; await now(); }
-    this.busy = false;
-  }
-}
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("name");

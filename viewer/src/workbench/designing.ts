@@ -1,0 +1,66 @@
+/** Hardpoints from targets: a study written from what the page wants, searched as a job, and what it found. */
+
+import { make, written } from "../page";
+import { tr } from "../words";
+import * as api from "./api";
+import { field, problem, type Sliders } from "./parts";
+
+export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string }
+interface Found { id: string; state: string; said: string; share: number | null; left: number | null; begun: number; error: string | null; result: unknown }
+
+const job = (id: string) => api.get<Found>(`/api/jobs/${encodeURIComponent(id)}`);
+
+/** A search for hardpoints that give the targets, as a job: how far it is, what was found, and that taken. */
+export function designing(name: string, rig: api.Rig, targets: Target[], sliders: Sliders, take: (changes: Record<string, number>) => void): HTMLElement {
+  const names = [...new Set(rig.numbers.map(({ path }) => /^(hardpoints\.\w+)\[/.exec(path)?.[1]).filter((one): one is string => !!one && !one.endsWith("wheel_centre")))];
+  const boxes = names.map((one) => make("input", { type: "checkbox", value: one, checked: /tie_rod|link_5/.test(one) }));
+  const within = make("input", { type: "text", value: "15 mm" }), starts = make("input", { type: "number", min: "1", max: "100", value: "4" }), out = make("div", { "aria-live": "polite" });
+  const begin = make("button", { type: "submit", class: "main" }, tr("Search"));
+  const form = make("form", {}, make("fieldset", { class: "free" }, make("legend", {}, tr("Hardpoints that may move")), ...boxes.map((box, i) => make("label", {}, box, ` ${names[i]!.replace("hardpoints.", "").replaceAll("_", " ")}`))),
+    make("div", { class: "form" }, field(tr("Each coordinate by up to"), within), field(tr("Searches"), starts), begin));
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const free = boxes.filter((box) => box.checked).map((box) => box.value);
+    if (!targets.length || !free.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Add a target above, and choose a hardpoint that may move."))); return; }
+    begin.disabled = true;
+    void search(free).catch((error) => out.replaceChildren(problem(error))).finally(() => { begin.disabled = false; });
+  });
+
+  async function search(free: string[]): Promise<void> {
+    const stem = name.replace(/\.toml$/, "").replaceAll("/", "-"), mark = new Date().toISOString().replace(/\D/g, "").slice(2, 14), study = `designs/${stem}-${mark}.toml`;
+    const quoted = (text: string) => JSON.stringify(text), file = await api.file(name), now = await api.form(name, file.text, [], sliders.changes);
+    const start = `designs/${stem}-${mark}-start.toml`;
+    await api.save(start, now.text, ""); // the rig as it stands on the page
+    const text = [`schema = "jounce.design/1"`, `rig = ${quoted(`${stem}-${mark}-start.toml`)}`, `starts = ${Number(starts.value) || 4}`, "",
+      ...free.flatMap((one) => ["[[free]]", `point = ${quoted(one)}`, `within = ${quoted(within.value)}`, ""]),
+      ...targets.flatMap((one) => ["[[target]]", ...Object.entries(one).map(([key, value]) => `${key} = ${quoted(String(value))}`), ""])].join("\n");
+    await api.save(study, text, "");
+    const begun = await (await api.asked("POST", "/api/jobs", { kind: "design", study, out: `designs/${stem}-${mark}` })).json() as Found;
+    const bar = make("progress", { max: "1", "aria-label": tr("share done") }), said = make("span", {}), cancel = make("button", { type: "button" }, tr("Cancel"));
+    cancel.addEventListener("click", () => void api.asked("POST", `/api/jobs/${encodeURIComponent(begun.id)}/cancel`, {}));
+    out.replaceChildren(make("p", { class: "bar" }, bar, said, cancel));
+    for (;;) {
+      const found = await job(begun.id);
+      if (!out.isConnected) return;
+      if (found.share === null) bar.removeAttribute("value"); else bar.value = found.share;
+      said.textContent = [found.said, `${written((Date.now() / 1000 - found.begun), 2)} s`, found.left ? tr("# s left", written(found.left, 2)) : ""].filter(Boolean).join(", ");
+      if (found.state === "done") { results(found); return; }
+      if (!["running", "cancelling"].includes(found.state)) { out.replaceChildren(problem(new Error(found.error ?? tr("The search was ended.")))); return; }
+      await new Promise((later) => setTimeout(later, 400));
+    }
+  }
+
+  function results(found: Found): void {
+    const result = found.result as { met: boolean; moved: Record<string, { before: number; after: number }>; targets: { quantity: string; met: boolean }[]; starts: { start: number; met: boolean; cost: number | null; travelled: number | null; ended: string }[] };
+    const button = make("button", { type: "button", class: "main" }, tr("Take this design"));
+    button.addEventListener("click", () => take(Object.fromEntries(Object.entries(result.moved).map(([path, one]) => [path, one.after]))));
+    const numbers = new Map(rig.numbers.map((one) => [one.path, one]));
+    out.replaceChildren(make("p", { class: result.met ? "good" : "problem" }, result.met ? tr("Every target is met.") : tr("# of the targets are missed.", String(result.targets.filter((one) => !one.met).length))),
+      make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("search"), tr("targets"), tr("cost, tolerances²"), tr("moved, share of the boxes"), tr("ended")].map((one) => make("th", { scope: "col" }, one)))),
+        make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, one.ended)))))),
+      make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) => make("th", { scope: "col" }, one)))),
+        make("tbody", {}, ...Object.entries(result.moved).map(([path, one]) => { const known = numbers.get(path), by = known?.factor ?? 1; return make("tr", {}, make("th", { scope: "row" }, path), make("td", { class: "right" }, written(one.before * by, 5)), make("td", { class: "right" }, written(one.after * by, 5)), make("td", {}, known?.unit ?? "")); })))),
+      make("p", { class: "bar" }, button, make("a", { href: `/api/jobs/${found.id}/report`, target: "_blank" }, tr("Its report"))));
+  }
+  return make("div", {}, form, out);
+}
