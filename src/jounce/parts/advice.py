@@ -9,7 +9,13 @@ import numpy as np
 from jounce.core.findings import Finding, Severity
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.elements import MapDamper, VelocityTable
-from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
+from jounce.parts.leverage import (
+    carried_beside_strut,
+    motion_ratio,
+    spring_force,
+    static_spring_force,
+    static_tyre_deflection,
+)
 from jounce.parts.rig import Rig, questions
 from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, WheeledAxle
 
@@ -236,30 +242,45 @@ def _statics(rig: Corner) -> Iterator[Finding]:
         text = f"the spring shortens by only {ratio:.3g} of the wheel's rise; is the strut on the right body?"
         yield _warn("strut", text, ratio)
         return
-    if rig.guide == "fixed" or rig.besides_strut:
+    bar = rig.anti_roll_bar
+    if rig.guide == "fixed" or (bar is not None and bar.kind == "z"):
         return
-    present, length = spring_force(rig), rig.hardpoints.length("spring")
+    length, beside = rig.hardpoints.length("spring"), carried_beside_strut(rig)
+
+    def lacking(deflection: float) -> float:
+        """What is missing at the spring (N) to carry the car, at the levers of the design."""
+        more = (carried_beside_strut(rig, deflection / ratio) - beside) / ratio
+        return needed - spring_force(rig, deflection) - more
+
     low, high = -length, length
-    if spring_force(rig, low) <= needed <= spring_force(rig, high):
+    if lacking(low) >= 0.0 >= lacking(high):
         for _ in range(60):
             middle = 0.5 * (low + high)
-            low, high = (middle, high) if spring_force(rig, middle) < needed else (low, middle)
+            low, high = (middle, high) if lacking(middle) > 0.0 else (low, middle)
     deflection = 0.5 * (low + high) if high < length or low > -length else None
+    if rig.besides_strut:  # all springs together, at the wheel
+        place = "strut.spring" if "spring" not in rig.without else rig.besides_strut[0]
+        needed, present = needed * ratio + beside, spring_force(rig) * ratio + beside
+        they, where, cure = "all springs together give", "at the wheel centre at design", "the springs stiffer, or give"
+    else:
+        place, present = "strut.spring", spring_force(rig)
+        they, where = "it has", f"at its design length of {1e3 * length:.4g} mm"
+        cure = "it stiffer, or give it"
     if deflection is None or deflection > 0.6 * length:
         text = (
-            f"cannot hold the weight: equilibrium needs {needed:.4g} N, and it has {present:.4g} N at its design "
-            f"length of {1e3 * length:.4g} mm. Make it stiffer, or give it more preload or a longer free length."
+            f"cannot hold the weight: equilibrium needs {needed:.4g} N, and {they} {present:.4g} N {where}. "
+            f"Make {cure} more preload{'' if rig.besides_strut else ' or a longer free length'}."
         )
-        yield _warn("strut.spring", text, needed)
+        yield _warn(place, text, needed)
         return
     travel = deflection / ratio
     if abs(travel) > 0.25 * rig.wheel.radius:
         text = (
             f"static equilibrium is about {1e3 * abs(travel):.3g} mm of wheel travel into "
-            f"{'bump' if travel > 0.0 else 'rebound'} from design: the spring has {present:.4g} N there and needs "
-            f"{needed:.4g} N."
+            f"{'bump' if travel > 0.0 else 'rebound'} from design: it needs {needed:.4g} N, and {they} {present:.4g} N "
+            f"{where}."
         )
-        yield _warn("strut.spring", text, travel)
+        yield _warn(place, text, travel)
     pressed = static_tyre_deflection(rig)
     if pressed > 0.3 * rig.wheel.radius:
         text = f"is pressed in by {1e3 * pressed:.4g} mm under the weight; is the stiffness right?"

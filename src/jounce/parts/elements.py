@@ -359,7 +359,10 @@ class Steering(Description):
     @model_validator(mode="after")
     def _turns_the_rack(self) -> Self:
         if self.rack_ratio == 0.0:
-            raise misplaced(("rack_ratio",), "a rack that does not move; allowed: below or above 0 m/rad")
+            raise misplaced(
+                ("rack_ratio",),
+                "a rack that does not move; found 0 m/rad; allowed: any other, negative where it moves the other way",
+            )
         if self.column is not None and self.rack_ratio is None:
             raise misplaced(("column",), "turns a pinion that moves no rack; add steering.rack_ratio")
         return self

@@ -72,13 +72,27 @@ def third_ratio(rig: Corner) -> float:
     return float(-2.0 * rig.sign * _velocity(_twist(rig, rig.third_spring.on), _at(rig.hardpoints, _THIRD))[1])
 
 
-def carried_beside_strut(rig: Corner) -> float:
-    """Force (N) at the wheel centre of torsion bar and third spring at design; a Z-bar is not twisted there."""
-    force = 0.0 if rig.torsion_bar is None else rig.torsion_bar.preload * torsion_ratio(rig)
-    if rig.third_spring is not None:
-        length = 2.0 * abs(_at(rig.hardpoints, _THIRD)[1])
-        force += 0.5 * _coil_force(rig.third_spring.spring, length) * third_ratio(rig)
+def carried_beside_strut(rig: Corner, travel: float = 0.0) -> float:
+    """Force (N) at the wheel centre of torsion bar and third spring; a Z-bar is not twisted at design.
+
+    At another ``travel`` (m) with the levers of the design.
+    """
+    force, bar, third = 0.0, rig.torsion_bar, rig.third_spring
+    if bar is not None:
+        force += (bar.preload + bar.stiffness * torsion_ratio(rig) * travel) * torsion_ratio(rig)
+    if third is not None:
+        length, ratio = 2.0 * abs(_at(rig.hardpoints, _THIRD)[1]), third_ratio(rig)
+        force += 0.5 * _coil_force(third.spring, length, ratio * travel) * ratio
     return force
+
+
+def static_load(rig: Corner) -> float:
+    """Force (N) at the wheel centre that carries the sprung mass and its share of the arms at design."""
+    load = 0.0 if rig.sprung is None else rig.sprung.mass
+    for name, body in rig.body_masses().items():
+        rise = _velocity(_twist(rig, name), np.array(body.centre_of_mass))[2]
+        load += body.mass * (1.0 - rise)
+    return float(rig.gravity * load)
 
 
 def static_spring_force(rig: Corner) -> float:
@@ -86,11 +100,7 @@ def static_spring_force(rig: Corner) -> float:
 
     Torsion bar and third spring carry what they do there.
     """
-    load = 0.0 if rig.sprung is None else rig.sprung.mass
-    for name, body in rig.body_masses().items():
-        rise = _velocity(_twist(rig, name), np.array(body.centre_of_mass))[2]
-        load += body.mass * (1.0 - rise)
-    return float((rig.gravity * load - carried_beside_strut(rig)) / motion_ratio(rig))
+    return float((static_load(rig) - carried_beside_strut(rig)) / motion_ratio(rig))
 
 
 def static_tyre_deflection(rig: Corner) -> float:
@@ -103,7 +113,9 @@ def static_tyre_deflection(rig: Corner) -> float:
 
 def spring_force(rig: Corner, deflection: float = 0.0) -> float:
     """Force of spring and stops in N, compression positive, at a ``deflection`` from design length in m."""
-    force = _coil_force(rig.strut.spring, rig.hardpoints.length("spring"), deflection)
+    force = 0.0
+    if "spring" not in rig.without:
+        force = _coil_force(rig.strut.spring, rig.hardpoints.length("spring"), deflection)
     return force + _stop(rig.strut.bump_stop, deflection) - _stop(rig.strut.rebound_stop, -deflection)
 
 

@@ -13,8 +13,10 @@ from jounce.parts.leverage import (
     force_at,
     motion_ratio,
     spring_force,
+    static_load,
     static_spring_force,
     static_tyre_deflection,
+    torsion_ratio,
 )
 
 FILES = Path(__file__).parents[2] / "files"
@@ -286,3 +288,25 @@ def test_joints_that_do_not_let_the_wheel_rise():
 
 def test_every_shipped_rig_is_examined():
     assert all(isinstance(rig_findings(load(name)), list) for name in library())
+
+
+def test_springs_beside_the_strut_carry_the_car_too() -> None:
+    """A torsion bar alone: where it stands by its lever at design, and what it cannot hold."""
+    plain = load("formula-student-front")
+    table = plain.model_dump(by_alias=True, exclude_none=True)
+    for name in ("spring", "bump_stop", "rebound_stop"):
+        table["strut"].pop(name, None)
+    table["torsion_bar"] = {"stiffness": 1900.0, "preload": 0.0, "on": "lower_arm"}
+    rig = type(plain).from_table({**table, "guide": "vertical", "sprung": {"mass": 60.0}})
+    lever = torsion_ratio(rig)
+    travel = static_load(rig) / (1900.0 * lever**2)
+    found = {item.place: item for item in rig_findings(rig.with_changes({"torsion_bar.stiffness": 950.0}))}
+    assert found["torsion_bar"].value == pytest.approx(2.0 * travel, rel=1e-6)
+    assert "mm of wheel travel into bump" in found["torsion_bar"].message
+    assert "all springs together give 0 N" in found["torsion_bar"].message
+    held = rig.with_changes({"torsion_bar.preload": static_load(rig) / lever})
+    assert "torsion_bar" not in {item.place for item in rig_findings(held)}
+    weak = rig.with_changes({"torsion_bar.stiffness": 20.0})
+    message = next(item.message for item in rig_findings(weak) if item.place == "torsion_bar")
+    assert "cannot hold the weight" in message
+    assert "at the wheel centre" in message
