@@ -526,6 +526,7 @@ def adams(
         str | None,
         typer.Option(help="Sprung mass on this wheel. Default: what the spring carries at design (estimated)."),
     ] = None,
+    rigid: Annotated[bool, typer.Option("--rigid", help="Leave the bushings out: the joints are ideal.")] = False,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -545,6 +546,7 @@ def adams(
             wheel_mass=optional_positive(wheel_mass, "kg", "--wheel-mass"),
             tyre_stiffness=optional_positive(tyre_stiffness, "N/m", "--tyre-stiffness"),
             sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
+            rigid=rigid,
         ),
         force=force,
         as_json=as_json,
@@ -554,7 +556,10 @@ def adams(
 @import_app.command("hardpoints")
 def hardpoints(
     file: Annotated[
-        Path, typer.Argument(metavar="TABLE", help="Text (name, x, y, z; Lotus; OptimumKinematics), .xlsx.")
+        Path,
+        typer.Argument(
+            metavar="TABLE", help="Text (name, x, y, z; Lotus; OptimumKinematics; VSUSP), YAML, JSON, .xlsx."
+        ),
     ],
     out: Annotated[Path | None, typer.Option(help="Rig file to write; stdout by default.")] = None,
     unit: Annotated[

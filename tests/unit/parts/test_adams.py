@@ -153,3 +153,78 @@ def test_mistakes_in_property_files(changed, name, pair, what) -> None:
         file = changed(pair, name=Path(name))
     with pytest.raises(DescriptionError, match=what):
         import_adams(file)
+
+
+BUSHING = """[MDI_HEADER]
+ FILE_TYPE = 'bus'
+[UNITS]
+ LENGTH = '{length}'
+ FORCE = '{force}'
+ ANGLE = '{angle}'
+ MASS = 'kg'
+ TIME = 'sec'
+[DAMPING]
+ FX_DAMPING = {damping}
+ TX_DAMPING = 1.0
+"""
+
+
+def bushing(*, length="mm", force="newton", angle="deg", size=1.0, push=1.0, turn=1.0, **curves: str) -> str:
+    """A ``.bus``: 1000, 2000 and 4000 N/mm, 100 N mm/deg about x, soft at first about z; in other units by factors."""
+    text = BUSHING.format(length=length, force=force, angle=angle, damping=5.0 * push / size)
+    for axis, rate in (("FX", 1000.0), ("FY", 2000.0), ("FZ", 4000.0)):
+        text += curves.get(
+            axis, f"[{axis}_CURVE]\n{{x fx}}\n" + "".join(f"{x * size} {rate * x * push}\n" for x in (-2.0, 0.0, 2.0))
+        )
+    for axis, rate in (("TX", 100.0), ("TY", 0.0)):
+        text += f"[{axis}_CURVE]\n" + "".join(f"{x * turn} {rate * x * push * size}\n" for x in (-20.0, 0.0, 20.0))
+    return (
+        text
+        + "[TZ_CURVE]\n"
+        + "".join(f"{x * turn} {y * push * size}\n" for x, y in ((-20, -5000), (-10, -500), (10, 500), (20, 5000)))
+    )
+
+
+@pytest.mark.parametrize(
+    "units",
+    [
+        {},
+        {"length": "inch", "size": 1.0 / 25.4, "force": "pound_force", "push": 1.0 / 4.4482216152605},
+        {"angle": "radians", "turn": np.pi / 180.0},
+    ],
+)
+def test_bushings_in_their_units(changed, units) -> None:
+    before = " PROPERTY_FILE           =  '<made_up>/bush"
+    file = changed((before, f" FX_SCALING_FACTOR = 1.5\n T_PRELOAD_X = 100.0\n{before}"))
+    (file.parents[1] / "bushings.tbl").mkdir()
+    (file.parents[1] / "bushings.tbl" / "soft.bus").write_text(bushing(**units))
+    rig, findings, text = import_adams(file)
+    found = rig.bushings.lower_arm_front
+    assert found.stiffness == pytest.approx((1.5e6, 2e6, 4e6), rel=1e-9)
+    turning = 180.0 / np.pi * 1e-3  # N m/rad for N mm/deg
+    assert found.rotational_stiffness == pytest.approx((100.0 * turning, 0.0, 50.0 * turning), rel=1e-9)
+    assert found.damping == pytest.approx((5000.0, 0.0, 0.0), rel=1e-9)
+    said = {finding.place.rpartition(": ")[2]: finding for finding in findings if "bushings" in finding.place}
+    assert any("T_PRELOAD_X" in finding.message for finding in findings)
+    assert said
+    assert not any("the joints are rigid" in finding.message for finding in findings)
+    assert "[bushings.lower_arm_front]" in text
+    rigid, _, _ = import_adams(file, rigid=True)
+    assert rigid.bushings.lower_arm_front is None
+    assert np.isfinite(jn.modes(rig)[0].frequency_hz)
+
+
+@pytest.mark.parametrize(
+    ("curve", "message"),
+    [
+        ("[FX_CURVE]\n1 10\n2 20\n", "does not reach zero"),
+        ("[FX_CURVE]\n-1 10\n1 -10\n", "pushes away"),
+        ("", "FX_CURVE"),
+    ],
+)
+def test_bushings_that_cannot_be(changed, curve, message) -> None:
+    file = changed()
+    (file.parents[1] / "bushings.tbl").mkdir()
+    (file.parents[1] / "bushings.tbl" / "soft.bus").write_text(bushing(FX=curve))
+    with pytest.raises(DescriptionError, match=message):
+        import_adams(file)

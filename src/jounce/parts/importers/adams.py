@@ -28,7 +28,8 @@ from jounce.parts.importers.drafts import (
     set_on_the_road,
     tensor_of,
 )
-from jounce.parts.importers.hardpoints import PointReading, PointRow, PointTable
+from jounce.parts.importers.hardpoints import PointReading, known_names
+from jounce.parts.importers.points import PointRow, PointTable
 from jounce.parts.importers.teim_orbit import Block, TeimOrbit, number, read_teim_orbit
 
 _OURS = np.diag([-1.0, -1.0, 1.0])
@@ -56,6 +57,7 @@ _MASSES = {"lower_arm": 4.0, "upper_arm": 2.0, "upright": 8.0, "arm": 12.0, "roc
 _SPRING_RATE, _DAMPING = 30e3, 2000.0  # N/m, N s/m: estimates for property files that are not there
 _SYMMETRIES = ("left/right", "left", "right", "single")
 _STOPS = {"bump_stop": ("jounce", "bump"), "rebound_stop": ("rebound",)}
+_SIX = ("FX", "FY", "FZ", "TX", "TY", "TZ")
 _LINEAR = 1e-3  # share of the largest force within which a spring is one rate
 _POINT = re.compile(r"(?i)x,\s*y,\s*z location\s*=\s*(.+)")
 _VECTOR = re.compile(r"(?i)([zx])p vector\s*=\s*(.+)")
@@ -69,13 +71,14 @@ def import_adams(
     wheel_mass: float | None = None,
     tyre_stiffness: float | None = None,
     sprung_mass: float | None = None,
+    rigid: bool = False,
     source: str | None = None,
 ) -> tuple[Corner, list[Finding], str]:
     """Read a suspension subsystem of Adams Car as the left corner of a 3-D rig.
 
-    Hardpoints, parts with mass, and camber and toe are in the ``.sub``; springs, dampers and stops in property files
-    of its database (``springs.tbl``, ``dampers.tbl``, ``bumpstops.tbl``), which are looked for beside it. Adams Car's
-    axes are x to the rear and y to the right; joints are rigid here.
+    Hardpoints, parts with mass, and camber and toe are in the ``.sub``; springs, dampers, stops and bushings in
+    property files of its database (``springs.tbl``, ``dampers.tbl``, ``bumpstops.tbl``, ``bushings.tbl``), which are
+    looked for beside it. Adams Car's axes are x to the rear and y to the right.
 
     Parameters
     ----------
@@ -91,6 +94,8 @@ def import_adams(
         Radial stiffness [N/m]; estimated 250 kN/m.
     sprung_mass : float, optional
         Share of the body on this wheel [kg]; estimated as what spring and stops carry at design position.
+    rigid : bool
+        Leave the bushings out, as Adams Car's kinematic mode does: the joints are ideal.
     source : str, optional
         Text for ``source`` of the rig; by default the name of the file.
 
@@ -124,7 +129,7 @@ def import_adams(
     if role.lower() != "suspension":
         raise DescriptionError("the subsystem is no suspension", where=header.where, found=role, allowed="suspension")
     reading = _Subsystem(file, {**(names or {})})
-    table = reading.table(wheel_radius, wheel_mass, tyre_stiffness, sprung_mass)
+    table = reading.table(wheel_radius, wheel_mass, tyre_stiffness, sprung_mass, rigid=rigid)
     draft = reading.draft
     default = f"{file.path.name}, subsystem of Adams Car"
     table |= {"estimated": sorted(draft.estimated), "source": default if source is None else source}
@@ -151,7 +156,13 @@ class _Subsystem:
         self._used: set[str] = set()
 
     def table(
-        self, radius: float | None, mass: float | None, stiffness: float | None, sprung_mass: float | None
+        self,
+        radius: float | None,
+        mass: float | None,
+        stiffness: float | None,
+        sprung_mass: float | None,
+        *,
+        rigid: bool = False,
     ) -> dict[str, Any]:
         """The rig's table, standing on the road."""
         reading = PointReading(self._hardpoints(), "left", None, self.names)
@@ -177,6 +188,9 @@ class _Subsystem:
         }  # fmt: skip
         if "tie_rod_inner" in self.points and self.file.first("SUBSYSTEM_HEADER").values.get("MINOR_ROLE") != "rear":
             table["steering"] = {"rack_travel": 0.0}
+        bushings = {} if rigid else self._bushings(kind.bushed)
+        if bushings:
+            table["bushings"] = bushings
         add_wheel(self.draft, table, spindle, self._angles(), (radius, mass, stiffness))
         self._note_rest()
         set_on_the_road(self.draft, table, sprung_mass)
@@ -388,9 +402,32 @@ class _Subsystem:
             )
         return stops
 
+    def _bushings(self, allowed: tuple[str, ...]) -> dict[str, dict[str, Any]]:
+        """Bushings at the hardpoints that may have one, where their property files are."""
+        found: dict[str, dict[str, Any]] = {}
+        known = known_names()
+        for block in self.file.named("BUSHING_ASSEMBLY"):
+            point = self.names.get(block.usage, known.get(block.usage.replace("_", " "), ""))
+            file = self._property(block)
+            if block.values.get("SYMMETRY", "").lower() == "right" or point not in allowed or file is None:
+                continue
+            self._used.add(block.where)
+            scales = [block.number(f"{axis}_SCALING_FACTOR", 1.0) for axis in _SIX]
+            found[point], worst = _bushing_file(file, scales)
+            self.draft.note(
+                self.draft.at(f"bushings.{point}"),
+                "its axes are taken for those of the car, since the template has them; its stiffness is that at no "
+                f"load, from which its curves differ by up to {100 * worst:.2g} % of their largest value.",
+                worst,
+            )
+            loads = [key for key in block.values if "PRELOAD" in key and block.number(key) != 0.0]
+            if loads:
+                self.draft.note(self.draft.at(f"bushings.{point}"), f"left out: {', '.join(loads)}.")
+        return found
+
     def _note_rest(self) -> None:
         """What the file holds and the rig does not."""
-        bushings = {block.usage for block in self.file.named("BUSHING_ASSEMBLY")}
+        bushings = {block.usage for block in self.file.named("BUSHING_ASSEMBLY") if block.where not in self._used}
         if bushings:
             names = ", ".join(sorted(bushings))
             self.draft.findings.append(
@@ -424,6 +461,31 @@ def _spring_file(file: Path) -> tuple[float, Array, Array]:
     length = found.unit("LENGTH")
     deflection, force = found.first("CURVE").curve(length, found.unit("FORCE"))
     return length * found.first("SPRING_DATA").number("FREE_LENGTH"), deflection, force
+
+
+def _bushing_file(file: Path, scales: list[float]) -> tuple[dict[str, Any], float]:
+    """Table of a bushing from a ``.bus``, and how far its curves are from straight lines (share of their largest)."""
+    found = read_teim_orbit(file)
+    length, force, angle, time = (found.unit(name) for name in ("LENGTH", "FORCE", "ANGLE", "TIME"))
+    units = [(length, force)] * 3 + [(angle, force * length)] * 3
+    slopes, worst = [], 0.0
+    for axis, scale, (along, across) in zip(_SIX, scales, units, strict=True):
+        x, y = found.first(f"{axis}_CURVE").curve(along, across)
+        if not x[0] <= 0.0 <= x[-1]:
+            raise DescriptionError("the curve does not reach zero", where=found.first(f"{axis}_CURVE").where)
+        step = 1e-3 * (x[-1] - x[0])
+        ends = np.clip([-step, step], x[0], x[-1])
+        low, high = np.interp(ends, x, y)
+        slope = (high - low) / (ends[1] - ends[0])
+        if slope < 0.0:
+            raise DescriptionError("a bushing that pushes away", where=found.first(f"{axis}_CURVE").where)
+        slopes.append(scale * float(slope))
+        largest = float(np.abs(y).max())
+        worst = max(worst, float(np.abs(y - slope * x).max()) / largest if largest else 0.0)
+    damping = found.named("DAMPING")
+    given = [damping[0].number(f"{axis}_DAMPING", 0.0) if damping else 0.0 for axis in _SIX[:3]]
+    table = {"stiffness": slopes[:3], "rotational_stiffness": slopes[3:]}
+    return table | {"damping": [value * force * time / length for value in given]}, worst
 
 
 class _Plain(ET.TreeBuilder):

@@ -7,7 +7,6 @@ import re
 import tomllib
 import zipfile
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, cast
 
@@ -22,6 +21,7 @@ from jounce.core.units import conversion_factor
 from jounce.parts.bodies import distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
+from jounce.parts.importers.points import PointRow, PointTable, from_nested, from_vsusp
 
 Side = Literal["left", "right"]
 _NAMES = {
@@ -46,6 +46,29 @@ _NAMES = {
     "spring_top": "upper spring pivot point|spring upr seat|spring upper seat",
 }
 """Names of Lotus Shark, Adams Car, OptimumKinematics and of tables by hand; the names of rig files are known, too."""
+_EXPLORER = {
+    "lower_arm_front": "lower wishbone inboard front",
+    "lower_arm_rear": "lower wishbone inboard rear",
+    "lower_ball_joint": "lower wishbone outboard",
+    "upper_arm_front": "upper wishbone inboard front",
+    "upper_arm_rear": "upper wishbone inboard rear",
+    "upper_ball_joint": "upper wishbone outboard",
+    "tie_rod_inner": "trackrod inboard",
+    "tie_rod_outer": "trackrod outboard",
+    "rocker_pivot": "rocker axis a",
+    "rocker_axis": "rocker axis b",
+    "link_1_inner": "upper front link inboard",
+    "link_1_outer": "upper front link outboard",
+    "link_2_inner": "upper rear link inboard",
+    "link_2_outer": "upper rear link outboard",
+    "link_3_inner": "lower front link inboard",
+    "link_3_outer": "lower front link outboard",
+    "link_4_inner": "lower rear link inboard",
+    "link_4_outer": "lower rear link outboard",
+    "arm_inner": "trailing arm pivot a",
+    "arm_outer": "trailing arm pivot b",
+}
+"""Names of suspension-explorer."""
 _CONTACT = ("contact point", "contact patch", "tyre contact patch", "tyre contact", "tire contact patch", "cp")
 _SIDES = {"l": "left", "lh": "left", "left": "left", "r": "right", "rh": "right", "right": "right"}
 _CORNERS = {"fl": ("front", "left"), "fr": ("front", "right"), "rl": ("rear", "left"), "rr": ("rear", "right")}
@@ -59,27 +82,9 @@ _ENTRY = re.compile(r"\W*([^:]*[A-Za-z][^:]*?)[\"']?\s*:\s*[\[{](.*)[\]}]\W*")
 """Point of a YAML or JSON file: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
 _HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
 _RADIUS = (0.08, 0.8)  # m
+_NESTED = (".yaml", ".yml", ".json")
 _LARGEST, _ROWS, _COLUMNS = 20_000_000, 20_000, 200
 _ADVICE = "Give names with --name THEIRS=OURS."
-
-
-@dataclass(frozen=True)
-class PointRow:
-    """One point as written: its name, its coordinates, and where."""
-
-    name: str
-    place: Array
-    where: str
-
-
-@dataclass
-class PointTable:
-    """What a file holds: rows, the unit that it names, and lines with numbers that are no points."""
-
-    file: Path
-    rows: list[PointRow] = field(default_factory=list)
-    unit: str = ""
-    unread: list[str] = field(default_factory=list)
 
 
 def import_hardpoints(
@@ -161,6 +166,12 @@ def _read(file: Path) -> PointTable:
     if file.stat().st_size > _LARGEST:
         raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 20 MB")
     table = PointTable(file)
+    if file.suffix.lower() != ".xlsx":
+        text = content_of(file).decode("utf-8-sig", errors="replace")
+        whole = from_vsusp(file, text) or (from_nested(file, text) if file.suffix.lower() in _NESTED else None)
+        if whole is not None:
+            whole.unit = _known_unit(whole.unit, str(file)) if whole.unit else ""
+            return whole
     columns: list[int] = []
     for count, (where, cells) in enumerate(_sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)):
         if count > _ROWS:
@@ -333,7 +344,7 @@ def known_names() -> dict[str, str]:
         found |= {name.replace("_", " "): name for name in getattr(points, "model_fields", {})}
     for ours, theirs in _NAMES.items():
         found |= dict.fromkeys(theirs.split("|"), ours)
-    return found
+    return found | {theirs: ours for ours, theirs in _EXPLORER.items()}
 
 
 class PointReading:
@@ -381,6 +392,9 @@ class PointReading:
             self._refuse_one_side(corners)
         if unused:
             self.note(f"names that say nothing here, whose points are left out: {', '.join(unused[:30])}. {_ADVICE}")
+        for text in self.table.notes:
+            self.note(text)
+        self.estimated += self.table.estimated
         if self.table.unread:
             self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {self.table.unread[0]}.")
         chosen = {name: row.place for name, row in corners[side].items()}
@@ -429,7 +443,7 @@ class PointReading:
             "side": "left",
             "guide": "fixed",
             "hardpoints": {key: np.round(point, 9).tolist() for key, point in self.points.items()},
-            "wheel": {"radius": radius},
+            "wheel": {"radius": radius, **self.table.wheel},
         }
         strut = self.strut(name)
         if strut:
@@ -468,6 +482,12 @@ class PointReading:
     def complete(self, model: str) -> None:
         """Refuse points that are missing, and leave out those that the suspension does not have."""
         points: Any = RIGS[model].model_fields["hardpoints"].annotation
+        if model == "five-link":  # where the toe link is called as in other suspensions
+            self.points |= {
+                f"link_5_{end}": self.points.pop(f"tie_rod_{end}")
+                for end in ("inner", "outer")
+                if f"tie_rod_{end}" in self.points and f"link_5_{end}" not in self.points
+            }
         for end in ("bottom", "top"):
             if f"strut_{end}" not in self.points and f"spring_{end}" in self.points:
                 self.points[f"strut_{end}"] = self.points.pop(f"spring_{end}")
@@ -551,6 +571,7 @@ class PointReading:
     def _stand(self, wheel_radius: float | None) -> float:
         """Put the wheel on the road, z = 0; give its radius in m."""
         height = float(self.points["wheel_centre"][2])
+        wheel_radius = self.table.radius if wheel_radius is None else wheel_radius
         if self.contact is not None:
             height -= float(self.contact[2])
             radius = height if wheel_radius is None else wheel_radius
@@ -589,12 +610,15 @@ class PointReading:
         end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
         if model != "double-wishbone":
             return {}
+        key = "pushrod_on" if end == "pushrod_outer" else "on"
+        rocker = {"on": "rocker"} if key == "pushrod_on" else {}
+        if self.table.carrier:
+            return {key: self.table.carrier} | rocker
         reach = {arm: self._reach(arm, end) for arm in ("lower", "upper")}
         arm = min(reach, key=lambda name: reach[name])
-        key = "pushrod_on" if end == "pushrod_outer" else "on"
         self.note(f"{end} is taken to be on the {arm} arm, which is the nearer one (strut.{key}).")
         self.estimated.append(f"strut.{key}")
-        return {key: f"{arm}_arm"} | ({"on": "rocker"} if key == "pushrod_on" else {})
+        return {key: f"{arm}_arm"} | rocker
 
     def _reach(self, arm: str, end: str) -> float:
         """Distance of a point from an arm: from the line of its middle to the ball joint."""

@@ -1,0 +1,314 @@
+"""Points as files hold them: rows of tables, nested keys of YAML and JSON, and the front view of VSUSP."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.types import Array
+from jounce.core.units import conversion_factor
+
+_DEEPEST = 20  # levels of keys
+_KEY = re.compile(r"""(\s*)(-\s+)?(?:"([^"]*)"|'([^']*)'|([^:#{}\[\]]+?))\s*:(?:\s+(.*))?$""")
+_ITEM = re.compile(r"(\s*)-\s+(.*)$")
+_COMMENT = re.compile(r"\s+#.*$")
+_FLOW = re.compile(r"\{(.*)\}|\[(.*)\]")
+_VSUSP = re.compile(r"\b(front|rear)\{([^}]*)\}")
+_MICRONS = 1e-6  # m: all numbers of VSUSP
+_ARM_SPAN = 0.3  # of the lower arm's length: from the middle of an arm to its pivots, which a front view does not show
+_MOUNTS = {"lower_wishbone": "lower_arm", "upper_wishbone": "upper_arm", "upright": "upright"}
+
+
+@dataclass(frozen=True)
+class PointRow:
+    """One point as written: its name, its coordinates, and where."""
+
+    name: str
+    place: Array
+    where: str
+
+
+@dataclass
+class PointTable:
+    """What a file holds: rows, the unit that it names, and lines with numbers that are no points.
+
+    ``wheel`` holds camber and toe (rad) where the file has the axle, ``radius`` that of the tyre (m), ``carrier`` the
+    body that carries strut or push rod; ``estimated`` are hardpoints that were made up, and ``notes`` says so.
+    """
+
+    file: Path
+    rows: list[PointRow] = field(default_factory=list)
+    unit: str = ""
+    unread: list[str] = field(default_factory=list)
+    wheel: dict[str, float] = field(default_factory=dict)
+    radius: float | None = None
+    carrier: str = ""
+    notes: list[str] = field(default_factory=list)
+    estimated: list[str] = field(default_factory=list)
+
+
+# --- nested keys
+
+
+class _TwiceError(Exception):
+    """A key that is given twice."""
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
+            raise _TwiceError(key)
+        found[key] = value
+    return found
+
+
+def nested(text: str) -> dict[str, Any] | None:
+    r"""Keys of a JSON object or of plain YAML (no anchors, no texts of several lines); None for what is neither.
+
+    >>> nested("a:\n  b: {x: 1, y: 2}\n  c:\n    - 3\n    - 4  # four\n")
+    {'a': {'b': {'x': '1', 'y': '2'}, 'c': ['3', '4']}}
+    >>> nested("name, x, y, z")
+    """
+    if text.lstrip().startswith("{"):
+        try:
+            found = json.loads(text, object_pairs_hook=_once)
+        except (ValueError, RecursionError):
+            return None
+        return found if isinstance(found, dict) else None
+    root: dict[str, Any] = {}
+    open_: list[tuple[int, Any, str]] = [(-1, root, "")]  # indent, what is filled, key in the one above
+    for line in text.splitlines():
+        bare = _COMMENT.sub("", line).rstrip()
+        if not bare.strip() or bare.lstrip().startswith("#") or bare.strip() in ("---", "..."):
+            continue
+        indent = len(bare) - len(bare.lstrip())
+        while len(open_) > 1 and indent <= open_[-1][0]:
+            open_.pop()
+        here = open_[-1][1]
+        if match := _ITEM.match(bare):
+            above = open_[-2][1] if len(open_) > 1 else None
+            if isinstance(here, dict) and not here and isinstance(above, dict):
+                here = above[open_[-1][2]] = []
+                open_[-1] = (open_[-1][0], here, open_[-1][2])
+            if not isinstance(here, list):
+                return None
+            here.append(_value(match[2]))
+            continue
+        match = _KEY.match(bare)
+        if match is None or not isinstance(here, dict) or len(open_) > _DEEPEST:
+            return None
+        key, value = (match[3] or match[4] or match[5] or "").strip(), (match[6] or "").strip()
+        if key in here:
+            raise _TwiceError(key)
+        here[key] = _value(value) if value else {}
+        if not value:
+            open_.append((indent, here[key], key))
+    return root or None
+
+
+def _value(text: str) -> Any:
+    """A flow of numbers or keys, or text without its quotes."""
+    if flow := _FLOW.fullmatch(text):
+        parts = [part.strip() for part in (flow[1] if flow[1] is not None else flow[2]).split(",") if part.strip()]
+        if flow[1] is None:
+            return [part.strip("\"'") for part in parts]
+        pairs = [part.partition(":") for part in parts]
+        return {key.strip(" \"'"): value.strip(" \"'") for key, _, value in pairs}
+    return text.strip("\"'")
+
+
+def from_nested(file: Path, text: str) -> PointTable | None:
+    """Points of a file of nested keys: of every key with x, y and z, or with three numbers; None where there are none.
+
+    A file of suspension-explorer also tells unit, side, the wheel's axis and its tyre.
+    """
+    try:
+        keys = nested(text)
+    except _TwiceError as error:
+        raise DescriptionError(f"{error} is given twice", where=str(file), allowed="every point once") from None
+    if keys is None:
+        return None
+    table = PointTable(file, unit=_text(keys.get("units", keys.get("unit"))))
+    side = _text(keys.get("side"))
+    table.rows = [
+        PointRow(
+            f"{side} {name}" if side and not name.startswith(("left ", "right ")) else name, place, f"{file}: {name}"
+        )
+        for name, place in _places(keys, "")
+    ]
+    if not table.rows:
+        return None
+    for row in [row for row in table.rows if row.name.endswith("axle_outboard")]:
+        _add_wheel(table, keys, row)
+    table.carrier = _MOUNTS.get(_text(_deep(keys, "mount")), "")
+    return table
+
+
+def _places(keys: dict[str, Any], above: str) -> Iterator[tuple[str, Array]]:
+    for key, value in keys.items():
+        name = f"{above} {key}".strip() if above in ("left", "right") else key
+        parts = [value.get(axis) for axis in "xyz"] if isinstance(value, dict) else value
+        if isinstance(parts, list) and len(parts) == 3 and all(_is_number(part) for part in parts):
+            if "cg" not in name.lower().split("_"):
+                yield name, np.array([float(part) for part in parts])
+        elif isinstance(value, dict):
+            yield from _places(value, key)
+
+
+def _is_number(value: Any) -> bool:
+    try:
+        return not isinstance(value, bool) and bool(np.isfinite(float(value)))
+    except (TypeError, ValueError):
+        return False
+
+
+def _text(value: Any) -> str:
+    return value.strip().lower() if isinstance(value, str) else ""
+
+
+def _deep(keys: dict[str, Any], name: str) -> Any:
+    """The first value of a key at any level."""
+    if name in keys:
+        return keys[name]
+    return next(
+        (found for value in keys.values() if isinstance(value, dict) and (found := _deep(value, name)) is not None),
+        None,
+    )
+
+
+def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None:
+    """Wheel centre, contact point, camber and toe from the axle's two points and the tyre's size."""
+    begin = outer.name.removesuffix("axle_outboard")
+    inner = next((row for row in table.rows if row.name == f"{begin}axle_inboard"), None)
+    if inner is None:
+        return
+    table.rows = [row for row in table.rows if row not in (inner, outer)]
+    along = outer.place - inner.place
+    along = along / np.linalg.norm(along)
+    offset = _deep(keys, "offset")
+    centre = outer.place - (float(offset) if _is_number(offset) else 0.0) * along
+    table.rows.append(PointRow(f"{begin}wheel_centre", centre, outer.where))
+    side = 1.0 if centre[1] > 0.0 else -1.0
+    table.wheel = {"camber": float(-np.arcsin(along[2])), "toe": float(np.arctan2(along[0], side * along[1]))}
+    sizes = [_deep(keys, word) for word in ("rim_diameter", "aspect_ratio", "section_width")]
+    if not all(map(_is_number, sizes)):
+        return
+    rim, aspect, width = map(float, sizes)
+    unit = conversion_factor({"millimeters": "mm", "meters": "m"}.get(table.unit, table.unit or "mm"), "m")
+    table.radius = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
+    radius = table.radius / unit
+    down = np.array([0.0, 0.0, -1.0]) + along * along[2]
+    table.rows.append(PointRow(f"{begin}contact point", centre + radius * down / np.linalg.norm(down), outer.where))
+
+
+# --- VSUSP
+
+
+def from_vsusp(file: Path, text: str) -> PointTable | None:
+    """Points of a double wishbone drawn in VSUSP, from the address of the project; None for what is no such address.
+
+    VSUSP draws the front view alone: the knuckle is turned until the tyre stands on the road. Pivots of the arms lie
+    before and behind their places, and a tie rod that steers nowhere and a strut are made up.
+    """
+    blocks = {
+        name: dict(pair.partition(":")[::2] for pair in body.split("|")) for name, body in _VSUSP.findall(unquote(text))
+    }
+    if not any("frame.center_to_upper_mount_x" in block for block in blocks.values()):
+        return None
+    table = PointTable(file, unit="m")
+    for axle, block in blocks.items():
+        _add_front_view(table, axle, block)
+    table.notes.append(
+        "VSUSP draws a front view: how far apart the pivots of an arm are along the car, the tie rod (it steers "
+        "nowhere) and the strut are estimated."
+    )
+    return table
+
+
+def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None:
+    from scipy.optimize import brentq
+
+    def of(key: str, default: float | None = None) -> float:
+        text = block.get(key)
+        where = f"{table.file}: {axle}: {key}"
+        if text is None and default is None:
+            raise DescriptionError("the number is missing", where=where, allowed="a double wishbone of VSUSP")
+        if text is not None and not _is_number(text):
+            raise DescriptionError("not a number", where=where, found=text)
+        return _MICRONS * float(text) if text is not None else float(default or 0.0)
+
+    bottom = of("frame.bottom_y")
+    inner = {
+        arm: np.array([of(f"frame.center_to_{arm}_mount_x"), bottom + of(f"frame.bottom_to_{arm}_mount_y")])
+        for arm in ("lower", "upper")
+    }
+    length = {arm: of(f"control_arms.{arm}_length") for arm in inner}
+    ball = {
+        arm: np.array([-of(f"knuckles.hub_to_{arm}_x"), s * of(f"knuckles.hub_to_{arm}_y")])
+        for arm, s in (("lower", -1.0), ("upper", 1.0))
+    }
+    radius = 0.5 * of("tires.diameter_expl") - of("tires.compression", 0.0)
+    wheel = np.array([-of("wheels.offset", 0.0), 0.0])
+    between = ball["upper"] - ball["lower"]
+    reach = float(np.linalg.norm(between))
+
+    def pose(angle: float) -> tuple[Array, Array, Array] | None:
+        """Lower and upper ball joint and hub at an angle of the lower arm; None where the knuckle does not reach."""
+        low = inner["lower"] + length["lower"] * np.array([np.cos(angle), np.sin(angle)])
+        apart = inner["upper"] - low
+        distance = float(np.linalg.norm(apart))
+        along = (reach**2 + distance**2 - length["upper"] ** 2) / (2.0 * distance)
+        if reach**2 < along**2:
+            return None
+        unit = apart / distance
+        outward = np.array([unit[1], -unit[0]])  # the upper ball joint lies outside of the line to its pivot
+        high = low + along * unit + np.sqrt(reach**2 - along**2) * outward
+        turn = np.arctan2(*(high - low)[::-1]) - np.arctan2(*between[::-1])
+        turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+        return (
+            low,
+            high,
+            np.column_stack([low - turned @ ball["lower"], turned @ wheel, turned @ np.array([0.0, -radius])]),
+        )
+
+    def height(angle: float) -> float:
+        found = pose(angle)
+        return float("nan") if found is None else float(found[2].sum(axis=1)[1])
+
+    angles = np.linspace(-1.0, 1.0, 401)
+    heights = np.array([height(angle) for angle in angles])
+    crossing = np.flatnonzero(np.isfinite(heights[:-1] * heights[1:]) & (heights[:-1] <= 0.0) & (heights[1:] > 0.0))
+    if not len(crossing):
+        raise DescriptionError(
+            "the arms and the knuckle do not meet with the tyre on the road", where=f"{table.file}: {axle}",
+            allowed="a double wishbone of VSUSP",
+        )  # fmt: skip
+    found = pose(brentq(height, angles[crossing[0]], angles[crossing[0] + 1], xtol=1e-14))
+    assert found is not None
+    low, high, hub = found
+    centre = hub[:, 0] + hub[:, 1]
+    span = _ARM_SPAN * length["lower"]
+    places = {"lower_ball_joint": (0.0, low), "upper_ball_joint": (0.0, high), "wheel_centre": (0.0, centre)}
+    places["contact point"] = (0.0, hub.sum(axis=1))
+    for arm in ("lower", "upper"):
+        places |= {f"{arm}_arm_{end}": (s * span, inner[arm]) for end, s in (("front", 1.0), ("rear", -1.0))}
+    places |= {"tie_rod_inner": (-0.5 * span, inner["lower"]), "tie_rod_outer": (-0.5 * span, low)}
+    top = 0.5 * (inner["lower"] + low) + np.array([0.0, 0.8 * length["lower"]])
+    places |= {"strut_bottom": (0.0, 0.5 * (inner["lower"] + low)), "strut_top": (0.0, top)}
+    # The tie rod is the lower arm once more, behind it, so that it steers nowhere.
+    table.rows += [
+        PointRow(f"{axle} {name}", np.array([x, *place]), f"{table.file}: {axle}")
+        for name, (x, place) in places.items()
+    ]
+    table.wheel = {"camber": float(np.arctan2(-hub[0, 2], -hub[1, 2])), "toe": 0.0}
+    table.radius = radius
+    table.estimated = ["hardpoints"]
