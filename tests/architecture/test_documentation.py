@@ -13,6 +13,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+import yaml
 
 import jounce
 from jounce.cli import main
@@ -118,6 +119,40 @@ def test_untrue_blocks_are_rejected(text: str, tmp_path: Path, monkeypatch: pyte
     page.write_text(text, encoding="utf-8")
     with pytest.raises(AssertionError):
         run_page(page, monkeypatch)
+
+
+DRAWS = re.compile(r"^(figure|jn\.plots\.\w+\(.*\)|inspection_curves\(.*\)|sensitivity_bars\(.*\)|Image\(.*\))$")
+
+
+def cell_problems(text: str) -> list[str]:
+    """What is wrong with the options of a notebook's cell, which are YAML, and with the words for its picture."""
+    options = OPTIONS.match(text)
+    head = options[0] if options else ""
+    try:
+        table = yaml.safe_load(head.strip("-\n").replace("\n:", "\n").removeprefix(":")) or {}
+        words = table.get("mystnb", {}).get("image", {}).get("alt", "")
+    except (yaml.YAMLError, AttributeError) as error:
+        return [f"options: {error}"]
+    draws = DRAWS.match(text.rstrip().splitlines()[-1])
+    return ["a picture without words for those who do not see it"] if draws and len(words) < 20 else []
+
+
+@pytest.mark.parametrize("name", [name for name, page in PAGES.items() if "{code-cell}" in page.read_text("utf-8")])
+def test_pictures_of_notebooks_have_words(name: str):
+    cells = [text for kind, text in blocks(PAGES[name]) if kind.startswith("{")]
+    assert len(cells) > 3
+    assert [problem for text in cells for problem in cell_problems(text)] == []
+
+
+def test_pictures_without_words_are_found():
+    assert cell_problems("jn.plots.show(run)\n") == ["a picture without words for those who do not see it"]
+    assert cell_problems(":tags: [wrap]\n\nfigure\n") == ["a picture without words for those who do not see it"]
+    (problem,) = cell_problems("---\nmystnb:\n  image:\n    alt: One: two\n---\nfigure\n")
+    assert problem.startswith("options")
+    assert (
+        cell_problems("---\nmystnb:\n  image:\n    alt: A curve that falls, and one that rises.\n---\nfigure\n") == []
+    )
+    assert cell_problems(":tags: [wrap]\n\nprint(1)\n") == []
 
 
 def test_readme_and_the_pages_about_use_hold_blocks():
