@@ -327,3 +327,45 @@ def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path
         server.kill()
         server.wait()
     assert os.listdir(tmp_path / ".jounce" / "jobs")  # noqa: PTH208
+
+
+def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(tmp_path):
+    """Values are in the units that are shown; each variant opens as the run that it was."""
+    from jounce.variants.study import run_sweep
+    from jounce.web.studies import swept, write_study
+
+    project = Project(tmp_path)
+    road = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.1 m"}
+    study = {
+        "rig": "kart-quarter-car",
+        "trial": {"speed": "2 m/s", "duration": "0.4 s", "road": road},
+        "design": {"kind": "grid"},
+        "vary": {"strut.spring.rate": ["20 N/mm", "25 N/mm"]},
+        "metrics": ["max strut.deflection"],
+    }
+    wrong = study | {"vary": {"strut.spring.rat": ["20 N/mm"]}}
+    with pytest.raises(DescriptionError, match=r"^study.toml, line \d+: vary.strut.spring.rat: "):
+        write_study(project, "study.toml", wrong)
+    assert list(tmp_path.iterdir()) == []
+    made = write_study(project, "study.toml", study)
+    assert made["count"] == 2
+    with pytest.raises(OutputError, match="the file exists"):
+        write_study(project, "study.toml", study)
+    write_study(project, "study.toml", study, made["digest"])
+    run_sweep(tmp_path / "study.toml", tmp_path / "swept", command="jounce sweep study.toml --out=swept")
+    found = swept(project, "swept")
+    rate, deflection = found["columns"]
+    assert (rate["name"], rate["unit"], rate["values"], rate["is_number"]) == (
+        "strut.spring.rate",
+        "N/mm",
+        [20.0, 25.0],
+        True,
+    )
+    assert (deflection["unit"], deflection["is_number"]) == ("mm", False)
+    assert 1.0 < deflection["values"][1] < deflection["values"][0] < 100.0
+    assert found["summary"]["metrics"][0]["mean"] * 1e3 == pytest.approx(sum(deflection["values"]) / 2)
+    assert found["run"] == {"rig": "kart-quarter-car", "road": road, "speed": "2 m/s", "duration": "0.4 s"}
+    with pytest.raises(OutputError, match="holds no sweep"):
+        swept(project, "nowhere")
+    with pytest.raises(DescriptionError, match="not a place"):
+        swept(project, "..")

@@ -139,6 +139,7 @@ def work(folder: Path) -> int:
             from jounce.cli.reply import followed_by
             from jounce.core.waiting import watched_by
 
+            sys.argv = ["jounce", *job["words"]]  # which results keep
             with followed_by(told.follow), watched_by(told.watch):
                 code = main([*job["words"], *job["own"], "--json"])
     except KeyboardInterrupt:

@@ -10,11 +10,14 @@ from collections import OrderedDict
 from pathlib import Path
 from typing import Any
 
+from pydantic import BaseModel, ConfigDict
+
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
 from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project
+from jounce.web.studies import swept, write_study
 from jounce.web.tasks import Asked, doing_of
 
 require("fastapi", "web")  # ruff: isort: split
@@ -30,6 +33,21 @@ _ALONE = (
 )
 """What a report may do: run its own script, in a place of its own from which nothing here can be asked or read."""
 _KINDS = {".html": "text/html; charset=utf-8", ".pdf": "application/pdf", ".png": "image/png", ".svg": "image/svg+xml"}
+
+
+class Study(BaseModel):
+    """A study of a sweep: the keys of its schema, and the file that it is written to."""
+
+    model_config = ConfigDict(extra="forbid")
+    path: str
+    was: str = ""
+    rig: str
+    trial: dict[str, Any]
+    design: dict[str, Any]
+    vary: dict[str, Any]
+    metrics: list[str]
+    outputs: list[str] | None = None
+    control: str | None = None
 
 
 def routes(project: Project, jobs: Jobs) -> APIRouter:
@@ -122,6 +140,17 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
         if file.suffix.lower() not in _KINDS or not file.is_file():
             raise DescriptionError("not a page or a picture", where="path", found=path, allowed=", ".join(_KINDS))
         return _alone(file.read_bytes(), file.suffix.lower())
+
+    @router.post("/api/study")
+    def study(asked: Study) -> dict[str, Any]:
+        """Write a study of a sweep that is whole; give its text and how many variants it has."""
+        fields = asked.model_dump(exclude={"path", "was"}, exclude_none=True)
+        return write_study(project, asked.path, fields, asked.was)
+
+    @router.get("/api/sweep")
+    def sweep(folder: str) -> dict[str, Any]:
+        """The variants of a sweep that are finished, with their statistics."""
+        return swept(project, folder)
 
     @router.put("/api/upload")
     async def upload(request: Request, path: str) -> dict[str, Any]:

@@ -4,11 +4,14 @@ import "uplot/dist/uPlot.min.css";
 import "../../../src/jounce/report/templates/colours.css";
 import "../viewer.css";
 import "./workbench.css";
+import "./work.css";
 import { make, themeButton } from "../page";
 import * as api from "./api";
+import { jobs } from "./pages/jobs";
 import { kinematics } from "./pages/kinematics";
 import { project } from "./pages/project";
 import { rig } from "./pages/rig";
+import { studies } from "./pages/studies";
 import { trial } from "./pages/trial";
 import { problem } from "./parts";
 import { address, type Page, setLive } from "./shell";
@@ -16,7 +19,7 @@ import { address, type Page, setLive } from "./shell";
 export { live } from "./shell";
 
 /** Every page, by the word in its address, in the order of the head. */
-const PAGES: Record<string, Page> = { project, rig, trial, kinematics };
+const PAGES: Record<string, Page> = { project, rig, trial, kinematics, studies, jobs };
 
 async function show(): Promise<void> {
   const [page = "", values = ""] = location.hash.replace(/^#\//, "").split("?");

@@ -48,13 +48,14 @@ export class Sliders {
   private readonly rows = make("div", {});
   private readonly known = new Map<string, RigNumber>();
 
-  constructor(rig: Rig, first: string[], private readonly moved: () => void) {
+  constructor(rig: Rig, first: string[], private readonly moved: () => void, given: Record<string, number> = {}) {
     const known = this.known;
     for (const one of rig.numbers) known.set(one.path, one);
     const choice = make("select", { "aria-label": tr("another number") }, make("option", { value: "" }, tr("another number …")));
     for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
     choice.addEventListener("change", () => { const one = known.get(choice.value); if (one) this.add(one); choice.value = ""; });
     for (const path of first) { const one = known.get(path); if (one) this.add(one); }
+    for (const [path, value] of Object.entries(given)) { const one = known.get(path); if (one && Number.isFinite(value)) { this.add(one); this.set(path, value); } }
     const back = make("button", { type: "button" }, tr("All as they were"));
     back.addEventListener("click", () => {
       for (const path of Object.keys(this.changes)) delete this.changes[path];

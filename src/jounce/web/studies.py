@@ -1,0 +1,97 @@
+"""Sweeps as the page shows them: a study written from a form, and the variants of one as columns of numbers."""
+
+from __future__ import annotations
+
+import shlex
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import tomlkit
+
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.files import content_of, only_below
+from jounce.web.project import Project, Text
+
+_MOST_ROWS = 2000  # variants that a page draws
+_SIMPLE = {"kind", "height", "depth", "length", "start"}
+
+
+def write_study(project: Project, path: str, study: Mapping[str, Any], was: str = "") -> dict[str, Any]:
+    """Write a study of the schema ``jounce.sweep/1`` and read it again: its text, and how many variants it has.
+
+    What cannot be read is not written.
+    """
+    from jounce.variants.study import read_sweep
+
+    file = project.inside(path)
+    text = tomlkit.dumps({"schema": "jounce.sweep/1", **study})
+    if file.suffix != ".toml":
+        raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
+    trial = file.with_name(f".{file.stem}.trial.toml")  # beside it, where the files that it names are looked for
+    trial.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        trial.write_text(text, encoding="utf-8")
+        with only_below(project.root):
+            count = read_sweep(trial).count
+    except DescriptionError as error:
+        where = error.where.replace(str(trial), path)
+        kind, told = type(error), {"found": error.found, "allowed": error.allowed, "hint": error.hint}
+        raise kind(error.what, where=where, **told) from None
+    finally:
+        trial.unlink(missing_ok=True)
+    written: Text = project.write(path, text, was)
+    return {"path": path, "text": text, "digest": written.digest, "count": count}
+
+
+def swept(project: Project, folder: str) -> dict[str, Any]:
+    """Give the variants of a sweep that are finished, its statistics, and what each variant is as a run."""
+    from jounce.core.display import display_unit
+    from jounce.core.serialise import to_plain
+    from jounce.variants.sensitivity import metrics_of, numbers_of
+    from jounce.variants.shards import load_sweep, read_kept
+    from jounce.variants.summary import summarise
+
+    place = project.inside(folder)
+    kept = read_kept(place)
+    data = load_sweep(place, channels=False)
+    if "variant" not in data.dims:
+        return {"count": kept.count, "finished": 0, "columns": [], "variants": [], "summary": None, "run": None}
+    finished = data.sizes["variant"]
+    rows = np.unique(np.linspace(0, finished - 1, min(finished, _MOST_ROWS)).round().astype(int))
+    numbers, columns = numbers_of(data), []
+    has_metrics = any(one.dims == ("variant",) and one.dtype.kind in "fi" for one in data.data_vars.values())
+    for name in (*numbers, *(metrics_of(data) if has_metrics else ())):
+        values = data[name].to_numpy()
+        finite = values[np.isfinite(values)]
+        unit = display_unit(str(data[name].attrs.get("units", "1")), float(abs(finite).max()) if finite.size else 1.0)
+        shown = [None if not np.isfinite(value) else float(value) * unit.factor for value in values[rows]]
+        about = {"name": name, "unit": unit.name, "factor": unit.factor, "is_number": name in numbers}
+        columns.append({**about, "values": shown})
+    variants = [int(one) for one in data["variant"].to_numpy()[rows]]
+    plain = to_plain(summarise(data))
+    return {"count": kept.count, "finished": finished, "columns": columns, "variants": variants, "summary": plain,
+            "run": _run(project, place, str(kept.about.get("command", "")))}  # fmt: skip
+
+
+def _run(project: Project, place: Path, command: str) -> dict[str, Any] | None:
+    """What a variant is driven over, as the page of trials takes it; None where it cannot show that."""
+    words = shlex.split(command) if command.startswith("jounce sweep ") else []
+    named = next((word for word in words[2:] if word.endswith(".toml")), None)
+    try:
+        study = project.inside(named) if named else place / "study.toml"
+        table = tomllib.loads(content_of(study if study.is_file() else place / "study.toml").decode())
+        rig, trial = str(table["rig"]), table["trial"]
+        beside = (study.parent / rig).resolve()
+        if rig.endswith(".toml"):
+            rig = beside.relative_to(project.root).as_posix()
+        road = trial["road"]
+        if isinstance(road, Mapping):
+            if not {"kind"} <= road.keys() <= _SIMPLE:
+                return None
+            road = dict(road)
+        return {"rig": rig, "road": road, "speed": str(trial["speed"]), "duration": str(trial["duration"])}
+    except (OSError, ValueError, KeyError, TypeError, DescriptionError):
+        return None

@@ -1,0 +1,198 @@
+/** Long work: how it stands, told by the server as it goes on, and how it is begun, stopped and done again. */
+
+import { make, written } from "../page";
+import { asked, get } from "./api";
+import { copied, problem } from "./parts";
+
+export interface Step { evaluation: number; objective: number; parameters: Record<string, { value: number; initial: number; lower: number; upper: number }> }
+export interface Job {
+  id: string; kind: string; asked: Record<string, unknown>; title: string; state: "running" | "cancelling" | "done" | "failed" | "cancelled" | "stopped";
+  python: string; command: string; files: Record<string, string>; out: string; begun: number; ended: number | null;
+  said: string; share: number | null; left: number | null; steps: Step[]; error: string | null; code?: number;
+}
+export interface Whole<T = unknown> extends Job { result: T; has_page: boolean }
+/** What a quick question gives. */
+export interface Told<T> { result: T; python: string; command: string; files: Record<string, string>; report: string }
+
+const send = async <T>(method: string, path: string, body?: unknown): Promise<T> => (await asked(method, path, body)).json() as Promise<T>;
+export const begin = (task: object) => send<Job>("POST", "/api/jobs", task);
+export const ask = <T>(task: object) => send<Told<T>>("POST", "/api/ask", task);
+export const whole = <T>(id: string) => get<Whole<T>>(`/api/jobs/${encodeURIComponent(id)}`);
+
+type Listener = (jobs: Job[]) => void;
+const listeners = new Map<Listener, { node: Node; shown: boolean }>();
+let latest: Job[] | null = null, socket: WebSocket | null = null;
+
+function open(): void {
+  socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
+  socket.addEventListener("message", (event) => { latest = JSON.parse(event.data as string) as Job[]; tell(); });
+  socket.addEventListener("close", () => { socket = null; setTimeout(() => { if (listeners.size) open(); }, 1000); });
+}
+
+function tell(): void {
+  for (const [listener, one] of listeners) {
+    if (one.node.isConnected) one.shown = true;
+    if (one.node.isConnected || !one.shown) listener(latest!); else listeners.delete(listener);
+  }
+}
+
+/** Calls back with all jobs, now and whenever one changes, as long as a node is on the page. */
+export function follow(node: Node, listener: Listener): void {
+  listeners.set(listener, { node, shown: false });
+  if (latest) listener(latest);
+  if (!socket) open();
+}
+
+const WORDS: Record<Job["state"], string> = { running: "running", cancelling: "stopping", done: "done", failed: "failed", cancelled: "cancelled", stopped: "stopped" };
+const TONES: Record<Job["state"], string> = { running: "plain", cancelling: "fair", done: "good", failed: "bad", cancelled: "fair", stopped: "bad" };
+
+export function lasting(seconds: number): string {
+  const whole = Math.max(0, Math.round(seconds));
+  if (whole < 60) return `${whole} s`;
+  return whole < 3600 ? `${Math.floor(whole / 60)} min ${whole % 60} s` : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
+}
+
+/** One job: what it does, how far it is, what went wrong, and what can be done about it. */
+export class JobCard {
+  readonly element = make("article", { class: "job" });
+  private readonly state = make("span", { class: "mark" });
+  private readonly times = make("span", { class: "muted" });
+  private readonly said = make("p", { class: "state", role: "status" });
+  private readonly bar = make("progress", { max: "1" });
+  private readonly actions = make("div", { class: "bar" });
+  private readonly told = make("div", {});
+  private shown = "";
+  private timer = 0;
+
+  constructor(public job: Job, private readonly open?: (job: Job) => void) {
+    this.bar.setAttribute("aria-label", `share of ${job.title} that is done`);
+    this.element.append(make("div", { class: "bar" }, make("h3", {}, job.title), this.state, this.times), this.bar, this.said, this.told, this.actions);
+    this.show(job);
+  }
+
+  show(job: Job): void {
+    this.job = job;
+    const runs = job.state === "running" || job.state === "cancelling";
+    this.state.textContent = WORDS[job.state];
+    this.state.className = `mark ${TONES[job.state]}`;
+    this.bar.hidden = !runs;
+    if (job.share === null) this.bar.removeAttribute("value"); else this.bar.value = job.share;
+    this.said.hidden = !runs;
+    this.said.textContent = job.state === "cancelling" ? "stopping; what is finished is kept" : job.said || "starting";
+    this.tick();
+    clearInterval(this.timer);
+    if (runs) this.timer = window.setInterval(() => { if (this.element.isConnected) this.tick(); else clearInterval(this.timer); }, 1000);
+    if (this.shown === job.state) return;
+    this.shown = job.state;
+    this.told.replaceChildren(...(job.error ? [problem(job.error)] : []));
+    const act = (text: string, does: () => Promise<unknown>, main = false) => {
+      const button = make("button", { type: "button", ...(main ? { class: "main" } : {}), "aria-label": `${text}: ${job.title}` }, text);
+      button.addEventListener("click", () => { button.disabled = true; does().catch((error) => { this.told.replaceChildren(problem(error)); button.disabled = false; }); });
+      return button;
+    };
+    const path = `/api/jobs/${encodeURIComponent(job.id)}`;
+    this.actions.replaceChildren(
+      ...(job.state === "running" ? [act("Cancel", () => send("POST", `${path}/cancel`, {}))] : []),
+      ...(this.open && (job.state === "done" || job.kind === "sweep") ? [act("Show the results", async () => this.open!(this.job), true)] : []),
+      ...(!runs && job.state !== "done" ? [act(job.kind === "sweep" ? "Resume" : "Begin again", () => send("POST", `${path}/again`, {}), true)] : []),
+      ...(!runs ? [act("Take off the list", () => send("DELETE", path))] : []));
+    this.actions.append(make("details", {}, make("summary", {}, "In Python, and on the command line"), ways(job)));
+  }
+
+  private tick(): void {
+    const { begun, ended, share, left, state } = this.job;
+    const since = (ended ?? Date.now() / 1000) - begun;
+    const parts = [ended ? `took ${lasting(since)}` : `for ${lasting(since)}`];
+    if (state === "running" && share !== null) parts.push(`${written(100 * share, 3)} %`);
+    if (state === "running" && left !== null && left >= 1) parts.push(`about ${lasting(left)} left`);
+    this.times.textContent = parts.join(" · ");
+  }
+}
+
+/** All jobs of some kinds (or every one), the newest first, as they are told. */
+export function jobList(kinds: string[] | null, shown: (job: Job) => void, none: string): HTMLElement {
+  const place = make("div", { class: "jobs" }, make("p", { class: "muted" }, "asking …"));
+  const cards = new Map<string, JobCard>();
+  follow(place, (jobs) => {
+    const own = jobs.filter((job) => !kinds || kinds.includes(job.kind));
+    for (const job of own) {
+      const card = cards.get(job.id);
+      if (card) card.show(job); else cards.set(job.id, new JobCard(job, shown));
+    }
+    for (const id of [...cards.keys()]) if (!own.some((job) => job.id === id)) cards.delete(id);
+    const elements = own.map((job) => cards.get(job.id)!.element);
+    if (!elements.length) place.replaceChildren(make("p", { class: "empty" }, none));
+    else if (elements.some((one, k) => place.children[k] !== one) || place.children.length !== elements.length) place.replaceChildren(...elements);
+  });
+  return place;
+}
+
+/** The same in Python and on the command line, to copy. */
+export function ways(told: { python: string; command: string; files: Record<string, string> }): HTMLElement {
+  return make("div", { class: "ways" }, ...(told.python ? [copied("The same in Python", told.python)] : []), ...(told.command ? [copied("The same on the command line", told.command)] : []),
+    ...Object.entries(told.files ?? {}).map(([name, text]) => copied(name, text)));
+}
+
+/** A report in a frame of its own: its script can ask nothing here. */
+export function report(address: string, title: string): HTMLElement {
+  return make("section", { class: "whole" },
+    make("div", { class: "bar" }, make("h2", {}, title), make("a", { href: address, target: "_blank", rel: "noopener" }, "open it in a tab of its own")),
+    make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }));
+}
+
+/** Puts files into the project, one after the other; calls back with the paths they have there. */
+export function dropZone(folder: () => string, words: string, done: (paths: string[]) => void): HTMLElement {
+  const input = make("input", { type: "file", multiple: true, "aria-label": words });
+  const told = make("div", { "aria-live": "polite" });
+  const zone = make("div", { class: "drop" }, make("p", {}, words), input, told);
+  const take = async (files: FileList | null) => {
+    const paths: string[] = [], wrong: HTMLElement[] = [];
+    for (const file of files ?? []) {
+      const path = [folder().replace(/\/+$/, ""), file.name].filter(Boolean).join("/");
+      told.replaceChildren(make("p", { class: "state" }, `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`));
+      try { await upload(path, file); paths.push(path); } catch (error) { wrong.push(problem(error)); }
+    }
+    told.replaceChildren(...wrong, ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: here now.`)] : []));
+    input.value = "";
+    if (paths.length) done(paths);
+  };
+  input.addEventListener("change", () => void take(input.files));
+  zone.addEventListener("dragover", (event) => { event.preventDefault(); zone.classList.add("over"); });
+  zone.addEventListener("dragleave", () => zone.classList.remove("over"));
+  zone.addEventListener("drop", (event) => { event.preventDefault(); zone.classList.remove("over"); void take(event.dataTransfer?.files ?? null); });
+  return zone;
+}
+
+const MOST = 250e6;
+async function upload(path: string, file: File): Promise<void> {
+  if (file.size > MOST) throw new Error(`${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`);
+  const answer = await fetch(`/api/upload?${new URLSearchParams({ path })}`, { method: "PUT", body: file });
+  if (answer.ok) return;
+  const told = await answer.json().catch(() => null) as { error?: { text: string } } | null;
+  throw new Error(told?.error?.text ?? `${file.name}: ${answer.statusText}`);
+}
+
+/** A button that asks a quick question and shows what came of it, or why nothing did. */
+export class Question<T> {
+  readonly button: HTMLButtonElement;
+  readonly place = make("div", { "aria-live": "polite" });
+
+  constructor(label: string, private readonly task: () => object, private readonly show: (told: Told<T>) => (Node | string)[]) {
+    this.button = make("button", { type: "button", class: "main" }, label);
+    this.button.addEventListener("click", () => void this.ask());
+  }
+
+  async ask(): Promise<void> {
+    this.button.disabled = true;
+    const waiting = make("p", { class: "state" }, "working …");
+    this.place.prepend(waiting);
+    try {
+      this.place.replaceChildren(...this.show(await ask<T>(this.task())));
+    } catch (error) {
+      this.place.replaceChildren(problem(error));
+    } finally {
+      waiting.remove();
+      this.button.disabled = false;
+    }
+  }
+}
