@@ -11,8 +11,10 @@ from pathlib import Path
 from typing import ClassVar
 
 from docutils import nodes
+from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
+from sphinx.writers.html5 import HTML5Translator
 
 import jounce
 
@@ -21,7 +23,7 @@ author = "jounce contributors"
 copyright = "2026, jounce contributors"
 version = release = jounce.__version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
 exclude_patterns = ["_build", "_generated"]
 myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
@@ -34,6 +36,7 @@ nb_output_stderr = "remove"  # what compiles, says so there
 html_theme = "furo"
 html_title = f"jounce {release}"
 html_show_sphinx = False
+html_math_renderer = "mathml"  # browsers typeset it themselves, without scripts and without a network
 html_static_path = ["_static"]
 html_css_files = ["site.css", "notebooks.css"]
 bibtex_bibfiles = ["../references.bib"]
@@ -89,6 +92,9 @@ identification_variants.write_table(make_faces.TABLES)
 import make_evidence  # noqa: E402
 
 make_evidence.write()
+import drawings  # noqa: E402
+
+drawings.write()
 
 
 class Drawn(SphinxDirective):
@@ -113,6 +119,17 @@ class Drawn(SphinxDirective):
         return found
 
 
+def inline_formula(self: HTML5Translator, node: nodes.math) -> None:
+    self.body.append(tex2mathml(node.astext()))
+    raise nodes.SkipNode
+
+
+def formula(self: HTML5Translator, node: nodes.math_block) -> None:
+    self.body.append(f'<div class="formula">{tex2mathml(node.astext(), as_block=True)}</div>')
+    raise nodes.SkipNode
+
+
 def setup(app: Sphinx) -> None:
-    """Tell Sphinx of our directive."""
+    """Tell Sphinx of our directive and of formulas."""
     app.add_directive("drawn", Drawn)
+    app.add_html_math_renderer("mathml", (inline_formula, None), (formula, None))

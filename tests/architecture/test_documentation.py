@@ -174,6 +174,15 @@ def test_every_page_is_in_the_table_of_contents():
     assert pages - listed == set()
 
 
+def test_files_that_pages_name_exist():
+    """What holds a part of the theory is a test of today."""
+    for name, page in PAGES.items():
+        if name == "docs/reference/changelog.md":
+            continue
+        for file in re.findall(r"`((?:tests|docs)/[\w/-]+\.(?:py|md|json))", page.read_text(encoding="utf-8")):
+            assert (ROOT / file).is_file(), (name, file)
+
+
 @pytest.mark.parametrize("name", jounce.__all__)
 def test_docstrings_have_no_bars_outside_code(name: str):
     """Sphinx takes ``|v|`` for the name of a substitution."""
