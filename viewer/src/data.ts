@@ -39,7 +39,7 @@ export interface Model {
   stage: boolean; // the mechanism is what it is about
   slower: number | null; // than in reality, at first
 }
-export interface Part { name: string; words: string; colour: string; plate: boolean; points: number[] }
+export interface Part { name: string; words: string; colour: string; plate: boolean; coil: boolean; points: number[] }
 export interface Mechanism {
   side: number;
   travel: number[]; // mm, or what else the poses are counted by, times 1000; ascending

@@ -295,6 +295,10 @@ export class MechanismView {
     const tint = (name: string) => (name === "#22262b" ? dark : name); // the upright is drawn in ink
     for (const part of m.parts) {
       const material = new MeshLambertMaterial({ color: new Color(tint(part.colour)) });
+      if (part.coil) {
+        this.coil(material, part.points[0]!, part.points[1]!, m, size);
+        continue;
+      }
       const ends = part.points.map((_, i) => [i, i + 1] as [number, number]).slice(0, -1);
       if (part.plate) ends.push([part.points.length - 1, 0]);
       for (const [i, j] of ends) {
@@ -389,12 +393,18 @@ export class MechanismView {
       rod.between(a, b);
       tube.between(a, a.clone().addScaledVector(b.clone().sub(a).normalize(), m.strut.tube));
     });
+    const [bottom, top] = m.strut.spring;
+    this.coil(material, bottom, top, m, size);
+  }
+
+  /** A spring between two points, with the turns of the strut's. */
+  private coil(material: MeshLambertMaterial, bottom: number, top: number, m: Mechanism, size: number): void {
     const wire = helix(m.strut.radius, m.strut.coils), along = new CatmullRomCurve3(pointsOf(wire));
     const flat = new TubeGeometry(along, 14 * m.strut.coils, 1, 5), base = (flat.attributes.position!.array as Float32Array).slice();
     const centres = along.getSpacedPoints(14 * m.strut.coils);
     const coil = new Mesh(flat, material);
     this.group.add(coil);
-    const [bottom, top] = m.strut.spring, thick = 0.55 * size, turn = new Quaternion();
+    const thick = 0.55 * size, turn = new Quaternion();
     this.update.push(() => {
       const a = this.points[bottom]!, axis = this.points[top]!.clone().sub(a), length = axis.length();
       turn.setFromUnitVectors(UP, axis.normalize());

@@ -12,7 +12,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import words_of
 from jounce.plots.signals import MOST_COLUMNS
-from jounce.plots.style import PALETTE, new_figure, styled
+from jounce.plots.style import PALETTE, legend_outside, new_figure, styled
 from jounce.plots.thinning import thinned
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def compare(
             panels[step * i + 1].set_ylabel(unit.label("difference\n").replace("\n ", "\n"))
     panels[-1].set_xlabel("time [s]" if axis == "time" else along.label(axis.replace("_", " ")))
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper right", ncols=min(len(labels), 4))
+    legend_outside(figure, handles, labels, 4)
     figure.align_ylabels(panels)
     return figure
 

@@ -13,7 +13,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.plots.display import FAR_AWAY, PARALLEL, settled
-from jounce.plots.style import MUTED, PALETTE, in_legend, new_figure, rendered, styled
+from jounce.plots.style import MUTED, PALETTE, in_legend, legend_outside, new_figure, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -300,7 +300,7 @@ def _steady(axes: Axes, values: Array) -> None:
 
 
 def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
-    """Label the lowest axes of every column, hide the empty ones, and put one legend on top."""
+    """Label the lowest axes of every column, hide the empty ones, and put one legend beside them."""
     columns = grid.shape[1]
     along = _along(sweep)
     unit = display_unit(str(sweep[along].attrs.get("units", "1")))
@@ -312,4 +312,4 @@ def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
             axes.tick_params(labelbottom=True)
     handles, labels = grid.flat[0].get_legend_handles_labels()
     if any(labels):
-        figure.legend(handles, labels, loc="outside upper right", ncols=min(len(labels), 2 * columns))
+        legend_outside(figure, handles, labels, 2 * columns)

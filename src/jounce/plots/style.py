@@ -173,6 +173,36 @@ def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = N
     axes.legend(handles=shown, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=columns, columnspacing=1.4)
 
 
+_BESIDE_TITLE = 0.55  # of a figure's width: what a legend beside its title may take
+
+
+def legend_outside(figure: Figure, handles: Sequence[Any], labels: Sequence[str], columns: int) -> None:
+    """Put one legend of a figure above its axes, or below them where it would meet the title; nothing is cut off.
+
+    ``columns`` are the most it may have.
+    """
+    kept = [at_tick(label, _LONGEST_LABEL) for label in labels]
+    room = float(figure.get_size_inches()[0]) * figure.dpi
+
+    def wide(count: int) -> float:
+        tried = figure.legend(handles, kept, ncols=count)
+        share = float(tried.get_window_extent().width) / room
+        tried.remove()
+        return share
+
+    widths = {count: wide(count) for count in range(min(columns, len(kept)), 0, -1)}
+    most = max(widths)
+    if widths[most] <= _BESIDE_TITLE:
+        figure.legend(handles, kept, loc="outside upper right", ncols=most)
+        return
+    fitting = next((count for count, share in widths.items() if share <= 1.0), 1)
+    if widths[fitting] > 1.0:
+        figure.set_size_inches(1.02 * widths[fitting] * room / figure.dpi, figure.get_size_inches()[1])
+    height = 0.19 * -(-len(kept) // fitting)  # inches that the axes keep
+    figure.set_size_inches(figure.get_size_inches()[0], figure.get_size_inches()[1] + height)
+    figure.legend(handles, kept, loc="outside lower right", ncols=fitting)
+
+
 _LONGEST_LINE, _LONGEST_LABEL, _LONGEST_TICK = 120, 60, 40  # characters
 
 

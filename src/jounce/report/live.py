@@ -378,6 +378,7 @@ def mechanism_data(one: Mechanism, add: Callable[[Array], int] | None = None) ->
                 "words": part.words,
                 "colour": part.colour,
                 "plate": part.plate,
+                "coil": part.coil,
                 "points": [index[name] for name in part.points],
             }
             for part in parts

@@ -8,6 +8,7 @@ import pytest
 import jounce as jn
 from jounce.plots import kinematics
 from jounce.plots.kinematics import SHEETS, kinematic_curves, write_kinematics
+from jounce.plots.style import name_figure
 
 RIG = jn.load("reference-double-wishbone")
 
@@ -96,3 +97,19 @@ def test_variants_are_drawn_over_each_other_with_a_legend() -> None:
         kinematic_curves({"one": sweeps["higher"], "other": jn.sweep_rack(RIG, [0.0, 0.01])})
     with pytest.raises(jn.RecordingError, match="no sweeps"):
         kinematic_curves({})
+
+
+def test_a_wide_legend_meets_neither_the_title_nor_the_edge() -> None:
+    swept = jn.sweep_travel(jn.load("reference-double-wishbone"), [-0.02, 0.0, 0.02])
+    long = ["as drawn in the sketch", "upper arm 10 mm higher in front", "steering rack of another supplier, long"]
+    for names, quantities in ((long, ["camber"]), (long, None), (["a", "b"], None)):
+        figure = jn.plots.kinematic_curves(dict.fromkeys(names, swept), quantities)
+        name_figure(figure, "a rather long title of a suspension and of its travel")
+        figure.draw_without_rendering()
+        legend, title = figure.legends[0].get_window_extent(), figure.texts[0].get_window_extent()
+        assert [text.get_text() for text in figure.legends[0].get_texts()] == names
+        assert legend.x0 >= 0.0
+        assert legend.x1 <= figure.bbox.x1 + 1.0
+        assert not legend.overlaps(title)
+        for axes in figure.axes:
+            assert not axes.get_visible() or not legend.overlaps(axes.get_window_extent())

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _Drawn: TypeAlias = "tuple[Scene, Pose, xr.Dataset]"
 _PAPER = (11.0, 9.2)  # inches
-_ON_ROAD, _ON_BODY = "#c1121f", "#0067a8"
+_ON_ROAD, _ON_BODY = "#c1121f", "#1d2126"  # no part has these colours
 _LONGEST = 0.30  # m on paper: the largest force
 _TOLD = 0.12  # share of the largest force from which a force has its number beside it
 _SEEN = 0.01  # share of the largest force from which it is drawn
@@ -182,16 +182,28 @@ def _tell_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
     sizes = [(float(np.linalg.norm(force)), colour, place, force) for colour, place, force in forces]
     told = sorted((one for one in sizes if one[0] >= _TOLD * largest), key=lambda one: -one[0])
     to_points = axes.transData + axes.figure.dpi_scale_trans.inverted()
+    arrows = [MM * view.flat(_ends(colour, place, force, largest)) for _, colour, place, force in told]
+    along = np.linspace(0.0, 1.0, _SAMPLES)[:, None]
+    lines = [72.0 * to_points.transform(start + along * (end - start)) for start, end in arrows]
+    low, high = 72.0 * to_points.transform(np.transpose([axes.get_xlim(), axes.get_ylim()]))
+    low, high = np.minimum(low, high), np.maximum(low, high)
     taken: list[Array] = []
-    for size, colour, place, force in told:
-        start, end = MM * view.flat(_ends(colour, place, force, largest))
+    for k, (size, colour, _, _) in enumerate(told):
+        start, end = arrows[k]
         free, fast = (start, end) if colour == _ON_ROAD else (end, start)
         text = f"{1e-3 * unit.factor * size:.{2 if unit.name == 'kN' else 0}f}"
         room = np.array([_LETTER * len(text), _LINE])
         at = 72.0 * to_points.transform(free)
-        tried = [np.array(offset) for offset in _beside(room, free - fast)]
-        free_places = [one for one in tried if all((abs(at + one - other) >= room).any() for other in taken)]
-        offset = (free_places or tried)[0]
+
+        def hidden(offset: Array, at: Array = at, room: Array = room) -> tuple[int, int]:
+            """Numbers that one there would meet, or the frame; then how much of arrows it would lie on."""
+            corner = at + offset
+            met = sum(bool((abs(corner - other) < room).all()) for other in taken)
+            met += bool((corner < low).any() or (corner + room > high).any())
+            under = sum(int(((line > corner) & (line < corner + room)).all(axis=1).sum()) for line in lines)
+            return met, under
+
+        offset = min((np.array(one) for one in _beside(room, free - fast)), key=hidden)  # the first of equals
         taken.append(at + offset)
         axes.annotate(
             text, tuple(free), tuple(offset), textcoords="offset points", fontsize=7.5, color=colour, zorder=6.5,
@@ -199,6 +211,7 @@ def _tell_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
         )  # fmt: skip
 
 
+_SAMPLES = 60  # places along an arrow that a number should not hide
 _LETTER, _LINE = 4.9, 9.5  # points, of a number in 7.5 pt
 
 
