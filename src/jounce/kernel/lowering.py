@@ -97,9 +97,25 @@ class Lanes:
         return (element, False) if element < first else (first + (element - first) * self.count, True)
 
 
+@dataclass(frozen=True)
+class Wide:
+    """A function of (x, u, p, m) of ``count`` systems side by side, which have the inputs u in common.
+
+    Of all else, and of the result, an element is ``count`` numbers, one for each system.
+    """
+
+    function: ca.Function
+    count: int
+
+    @property
+    def form(self) -> str:
+        """What there is to the code beside the function."""
+        return f"wide {self.count}"
+
+
 WIDTH = 4
 """Samples that one vector holds in functions that are written for vectors."""
-AnyFunction: TypeAlias = ca.Function | Lanes | Packed
+AnyFunction: TypeAlias = ca.Function | Lanes | Packed | Wide
 
 
 class Lowering:
@@ -125,11 +141,13 @@ class Lowering:
             self._side_by_side(builder, function, native.args[2], point)
             builder.ret_void()
             return
-        lanes = function if isinstance(function, Lanes) else Lanes(function, 1, (1 << 62,) * 5)
+        wide_in = (0, 0, 0, 0, 0) if isinstance(function, Wide) else (1 << 62,) * 5
+        lanes = function if isinstance(function, Lanes) else Lanes(_graph_of(function), _count_of(function), wide_in)
         vector = ir.VectorType(_DOUBLE, lanes.count).as_pointer()
 
         def at(argument: int, element: int) -> ir.Value:
-            place, wide = lanes.place(argument, element)
+            shared = argument == 1 and isinstance(function, Wide)
+            place, wide = (element, False) if shared else lanes.place(argument, element)
             pointer = builder.gep(native.args[argument], [_INDEX(place)])
             return builder.bitcast(pointer, vector) if wide else pointer
 
@@ -138,6 +156,7 @@ class Lowering:
             lanes.function,
             load=lambda argument, element: builder.load(at(argument, element), align=8),
             store=lambda value, element: self._store(builder, value, at(4, element)),
+            operation=self._each if isinstance(function, Wide) else None,
         )
         builder.ret_void()
 
@@ -145,7 +164,8 @@ class Lowering:
         """Append ``void name(x, u, p, m, out, int64 total, int64 first, int64 count)`` for ``count`` samples.
 
         ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
-        loop over the samples; ``p`` and ``m`` are the same for all of them. An internal function is inlined where it
+        loop over the samples; ``p`` and ``m`` are the same for all of them. Of a wide function one system is sampled
+        after the other. An internal function is inlined where it
         is called.
 
         Raises
@@ -160,30 +180,42 @@ class Lowering:
             native.linkage = "internal"
             native.attributes.add("alwaysinline")
         total, first, count = native.args[5:]
-        entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
+        parts = ("entry", "systems", "loop", "next", "leave")
+        entry, systems, loop, another, leave = (native.append_basic_block(part) for part in parts)
         builder = ir.IRBuilder(entry)
         end = builder.add(first, count)
-        builder.cbranch(builder.icmp_signed("<", first, end), loop, leave)
+        builder.cbranch(builder.icmp_signed("<", first, end), systems, leave)
+        builder.position_at_end(systems)
+        system, wide = builder.phi(_INDEX), _count_of(function)
+        system.add_incoming(_INDEX(0), entry)
+        builder.branch(loop)
         builder.position_at_end(loop)
         sample = builder.phi(_INDEX)
-        sample.add_incoming(first, entry)
+        sample.add_incoming(first, systems)
 
         def place(argument: int, element: int) -> ir.Value:
-            offset = builder.add(builder.mul(_INDEX(element), total), sample)
-            return builder.gep(native.args[argument], [offset if argument in (0, 1, 4) else _INDEX(element)])
+            alone = argument == 1 or wide == 1
+            own = _INDEX(element) if alone else builder.add(_INDEX(element * wide), system)
+            if argument in (0, 1, 4):
+                own = builder.add(builder.mul(own, total), sample)
+            return builder.gep(native.args[argument], [own])
 
         if isinstance(function, Packed):
             self._side_by_side(builder, function, native.args[2], place)
         else:
             self._body(
                 builder,
-                function,
+                _graph_of(function),
                 load=lambda argument, element: builder.load(place(argument, element)),
                 store=lambda value, element: builder.store(value, place(4, element)),
             )
         following = builder.add(sample, _INDEX(1))
         sample.add_incoming(following, builder.block)
-        builder.cbranch(builder.icmp_signed("<", following, end), loop, leave)
+        builder.cbranch(builder.icmp_signed("<", following, end), loop, another)
+        builder = ir.IRBuilder(another)
+        further = builder.add(system, _INDEX(1))
+        system.add_incoming(further, another)
+        builder.cbranch(builder.icmp_signed("<", further, _INDEX(wide)), systems, leave)
         ir.IRBuilder(leave).ret_void()
 
     def add_wide(self, name: str, function: ca.Function, count: int) -> None:
@@ -383,6 +415,15 @@ class Lowering:
         if key not in self._made:
             self._made[key] = x, make()
         return self._made[key][1]
+
+
+def _graph_of(function: ca.Function | Wide) -> ca.Function:
+    return function.function if isinstance(function, Wide) else function
+
+
+def _count_of(function: object) -> int:
+    """How many systems a function is of."""
+    return function.count if isinstance(function, Wide) else 1
 
 
 _LONGEST = 250  # instructions; from about there the compiler's time for a block grows faster than its length

@@ -18,8 +18,9 @@ from jounce.core.types import Array
 from jounce.kinematics.loads import ContactLoad
 from jounce.kinematics.model import check_corner, has_rack
 from jounce.kinematics.sweeps import Values, no_pose, prepare_sweep, sweep_values
-from jounce.kinematics.view import CornerView, Quasistatic, Statics
+from jounce.kinematics.view import CornerView
 from jounce.mechanics import Track
+from jounce.mechanics.driven import Quasistatic, Statics
 from jounce.models.attachments import push
 from jounce.models.corner import add_both_alike, add_torsion_bar, suspension
 from jounce.parts import Corner, Rig

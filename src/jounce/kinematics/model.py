@@ -14,13 +14,12 @@ from functools import cached_property
 import casadi as ca
 import numpy as np
 
-from jounce.core.errors import AssemblyError, DescriptionError
+from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
-from jounce.kinematics.view import CornerView, Quasistatic
-from jounce.mechanics import Track
-from jounce.mechanics.linear_algebra import Ldl
+from jounce.kinematics.view import CornerView
+from jounce.mechanics.driven import Driven, Quasistatic
 from jounce.models.attachments import third_law
 from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
@@ -186,65 +185,6 @@ def _build(rig: Corner) -> KinematicModel:
         native=compile_functions({name: functions[name] for name in ("pose", "output")}),
         point_names=tuple(name for name, _ in places),
     )
-
-
-class Driven:
-    """A mechanism, complete but for outputs, whose every motion is driven: as many loop equations as speeds."""
-
-    def __init__(self, mechanism: Quasistatic, tracks: list[Track]) -> None:
-        self.mechanism, self.tracks = mechanism, tracks
-        self.statics = mechanism.statics()
-        self.gradient = ca.jacobian(self.statics.constraint_rate, self.statics.v)
-        if self.gradient.shape[0] != self.gradient.shape[1]:
-            raise AssemblyError("as many motions as drives are needed", found=f"{self.gradient.shape}")
-        self._normal = Ldl(self.gradient @ self.gradient.T)
-        self._rates = [-self._solve(self._still(which)(self.statics.constraint_rate)) for which in range(len(tracks))]
-
-    def along(self, which: int) -> Callable[[ca.SX], ca.SX]:
-        """Give the substitution of all rates by those of a unit rate of one track, without accelerations of tracks."""
-        return self._substitution(which, self._rates[which])
-
-    def accelerated(self, expression: ca.SX) -> ca.SX:
-        """Expression of coordinates, speeds and accelerations for a constant unit rate of the first track."""
-        accelerations = -self._solve(self.statics.constraint_bias)
-        return self.along(0)(self.mechanism.with_accelerations(expression, accelerations))
-
-    def pose(self) -> ca.SX:
-        """Coordinates after a Newton step, residual before it, slopes of the coordinates along each track.
-
-        The step starts from quaternions of length one: extrapolated ones are not, and would hide a residual.
-        """
-        statics = self.statics
-        moved = statics.moved(-self._solve(statics.constraint))
-        residual = ca.sqrt(ca.dot(statics.constraint, statics.constraint))
-        slopes = [self.along(which)(statics.rates) for which in range(len(self.tracks))]
-        start = ca.SX(statics.q)
-        for first in self.mechanism.collection.quaternions.values():
-            e = statics.q[first : first + 4]
-            start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
-        return ca.substitute(ca.vertcat(moved, residual, *slopes), statics.q, start)
-
-    def yielding(self, opened: ca.SX) -> ca.SX:
-        """Slopes of the coordinates that close the loops again, for a rate at which something else opens them."""
-        return ca.substitute(self.statics.rates, self.statics.v, ca.densify(-self._solve(opened)))
-
-    def _solve(self, right: ca.SX) -> ca.SX:
-        """Speeds (or small displacements) that make this rate of the loop equations."""
-        return self.gradient.T @ self._normal.solve(ca.densify(right))
-
-    def _still(self, which: int) -> Callable[[ca.SX], ca.SX]:
-        return self._substitution(which, ca.SX.zeros(self.statics.v.shape[0]))
-
-    def _substitution(self, which: int, speeds: ca.SX) -> Callable[[ca.SX], ca.SX]:
-        tracks = self.tracks
-        symbols = [self.statics.v, *(track.rate for track in tracks), *(track.acceleration for track in tracks)]
-        rates = [ca.SX(float(k == which)) for k in range(len(tracks))]
-        values = [ca.densify(speeds), *rates, *(ca.SX(0.0) for _ in tracks)]
-
-        def substitute(expression: ca.SX) -> ca.SX:
-            return ca.substitute(ca.densify(expression), ca.vertcat(*symbols), ca.densify(ca.vertcat(*values)))
-
-        return substitute
 
 
 def _that_matter(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[str, ca.SX]:

@@ -7,12 +7,13 @@ back what belongs to the ground's axes. All expressions are functions of the pos
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import casadi as ca
 
-from jounce.mechanics import Mechanism, Track
+from jounce.mechanics import Track
+from jounce.mechanics.driven import Quasistatic
 from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import turned, unit
@@ -37,70 +38,6 @@ from jounce.parts.elements import MapDamper
 
 _UP = ca.SX([0.0, 0.0, 1.0])
 _TINY = 1e-12  # m/s: on either side of rest
-
-
-@dataclass(frozen=True)
-class Statics:
-    """What a mechanism without masses is made of: symbols, generalised forces, loop equations with rate and bias."""
-
-    q: ca.SX
-    v: ca.SX
-    p: ca.SX
-    parameters: tuple[str, ...]
-    start: tuple[float, ...]
-    rates: ca.SX
-    load: ca.SX
-    joints: tuple[str, ...]
-    constraint: ca.SX
-    constraint_rate: ca.SX
-    constraint_bias: ca.SX
-    moved: Callable[[ca.SX], ca.SX]
-
-
-class Quasistatic(Mechanism):
-    """A mechanism without time: every switch is where its expression stands, hysteresis is at zero."""
-
-    def switch(self, name: str, expression: ca.SX) -> ca.SX:  # noqa: ARG002 - as the base class names them
-        """Give 1 where the expression is above zero and 0 elsewhere."""
-        return ca.SX(expression) > 0.0
-
-    def internal_state(self, name: str) -> ca.SX:  # noqa: ARG002
-        """Give zero: nothing has moved yet."""
-        return ca.SX(0.0)
-
-    def set_internal_rate(self, name: str, rate: ca.SX) -> None:
-        """Nothing moves in time."""
-
-    def derivative(self, expression: ca.SX) -> ca.SX:
-        """Give the time derivative of an expression of coordinates, tracks, their rates and speeds."""
-        return self.collection.bias_of(expression) + self.accelerated(expression)
-
-    def with_accelerations(self, expression: ca.SX, accelerations: ca.SX) -> ca.SX:
-        """Put the accelerations of the speeds into an expression of them."""
-        return ca.substitute(expression, self.collection.a, ca.densify(accelerations))
-
-    def parameter_symbols(self) -> dict[str, ca.SX]:
-        """Symbols of all numbers by path."""
-        return dict(self.collection.parameters)
-
-    def statics(self) -> Statics:
-        """Give forces and loop equations without masses and weights."""
-        collected = self.collection
-        loops = collected.constraint()
-        return Statics(
-            q=collected.q,
-            v=collected.v,
-            p=ca.vertcat(*collected.parameters.values()),
-            parameters=tuple(collected.parameters),
-            start=tuple(collected.start.values()),
-            rates=ca.vertcat(*collected.rates),
-            load=collected.force_on(collected.v),
-            joints=tuple(equation.joint for equation in loops.equations),
-            constraint=loops.value,
-            constraint_rate=loops.rate,
-            constraint_bias=loops.bias,
-            moved=collected.displaced,
-        )
 
 
 @dataclass(frozen=True)
@@ -543,7 +480,7 @@ class CornerView:
 
     def _elastic(self, law: Callable[[Linkage, Line], ca.SX]) -> Elastic:
         length, line = ca.SX.sym("length"), self.spring
-        force = law(self.linkage, Line(line.bottom, line.top, length, line.rate, line.design))
+        force = law(self.linkage, replace(line, length=length))
         stiffness = -ca.jacobian(force, length)
         return Elastic(*(ca.substitute(part, length, line.length) for part in (ca.SX(force), stiffness)))
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import casadi as ca
 
-from jounce.mechanics import Mechanism, Track
+from jounce.mechanics import System, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import (
     bump_stop_force,
@@ -19,17 +20,15 @@ from jounce.mechanics.elements import (
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.bars import Swing, TBar, t_bar
-from jounce.models.linkage import Linkage
+from jounce.models.linkage import Described, Linkage
 from jounce.parts.elements import CoilSpring, MapDamper
 from jounce.parts.leverage import AXES
 
 
 @dataclass(frozen=True)
-class Line:
-    """The line between the two ends of an element: ends, length and its rate, length at design."""
+class Stretch:
+    """Length of an element, its rate, and the length at design."""
 
-    bottom: Moving
-    top: Moving
     length: ca.SX
     rate: ca.SX
     design: ca.SX
@@ -40,14 +39,27 @@ class Line:
         return self.design - self.length
 
 
+@dataclass(frozen=True)
+class Line(Stretch):
+    """The line between the two ends of an element."""
+
+    bottom: Moving
+    top: Moving
+
+
+def design_length(linkage: Described, element: str) -> ca.SX:
+    """Length of ``"spring"`` or ``"damper"`` at design, m."""
+    design = linkage.end_of(element, "top") - linkage.end_of(element, "bottom")
+    return ca.sqrt(ca.dot(design, design))
+
+
 def line_of(linkage: Linkage, element: str) -> Line:
     """Give the line of ``"spring"`` or ``"damper"``."""
     bottom, top = linkage.end_of(element, "bottom"), linkage.end_of(element, "top")
     lower, upper = linkage.carriers[linkage.rig.strut.on].frame.point(bottom), linkage.chassis.frame.point(top)
     reach = upper - lower
-    length = ca.sqrt(ca.dot(reach.value, reach.value))
-    design = top - bottom
-    return Line(lower, upper, length, ca.dot(reach.value, reach.rate) / length, ca.sqrt(ca.dot(design, design)))
+    length = linkage.of_pose(f"{element}.length", lambda _: ca.sqrt(ca.dot(reach.value, reach.value)))
+    return Line(length, ca.dot(reach.value, reach.rate) / length, design_length(linkage, element), lower, upper)
 
 
 def add_rocker(linkage: Linkage) -> None:
@@ -80,14 +92,14 @@ def add_strut_points(linkage: Linkage) -> None:
         linkage.owners["third_spring_end"] = linkage.carriers[rig.third_spring.on]
 
 
-def spring_law(linkage: Linkage, line: Line) -> ca.SX:
+def spring_law(linkage: Described, line: Stretch) -> ca.SX:
     """Force of the strut's spring (N, compression positive); none where a torsion bar takes its place."""
     if "spring" not in linkage.rig.lacks and "spring" in linkage.rig.without:
         return ca.SX(0.0)
     return coil_law(linkage.mechanism, linkage.rig.strut.spring, "strut.spring", line.length, line.design)
 
 
-def coil_law(mechanism: Mechanism, spring: CoilSpring, path: str, length: ca.SX, design: ca.SX) -> ca.SX:
+def coil_law(mechanism: System, spring: CoilSpring, path: str, length: ca.SX, design: ca.SX) -> ca.SX:
     """Force of a spring (N, compression positive) at a length, which is another one at design (m)."""
     free = spring.free_length is not None
     deflection = mechanism.parameter(f"{path}.free_length") - length if free else design - length
@@ -121,7 +133,7 @@ def _fixed(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
     return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
 
 
-def torsion_law(linkage: Linkage, angle: ca.SX) -> ca.SX:
+def torsion_law(linkage: Described, angle: ca.SX) -> ca.SX:
     """Torque of the torsion bar (N m), positive against bump."""
     number = linkage.mechanism.parameter
     return number("torsion_bar.preload") + number("torsion_bar.stiffness") * angle
@@ -133,14 +145,14 @@ def third_end(linkage: Linkage) -> Moving:
     return linkage.carriers[linkage.rig.third_spring.on].frame.point(linkage.hardpoint("third_spring_end"))
 
 
-def third_law(linkage: Linkage, length: ca.SX) -> ca.SX:
+def third_law(linkage: Described, length: ca.SX) -> ca.SX:
     """Force of the third spring (N, compression positive) at a length (m)."""
     third, design = linkage.rig.third_spring, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
     assert third is not None
     return coil_law(linkage.mechanism, third.spring, "third_spring.spring", length, design)
 
 
-def third_damper_law(linkage: Linkage, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
+def third_damper_law(linkage: Described, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
     """Force of the third damper (N, compression positive)."""
     assert linkage.rig.third_spring is not None
     damper = linkage.rig.third_spring.damper
@@ -172,7 +184,7 @@ def link_end(linkage: Linkage) -> Moving:
     return bar_carrier(linkage).frame.point(linkage.hardpoint("arb_link_end"))
 
 
-def bar_axis(linkage: Linkage) -> ca.SX:
+def bar_axis(linkage: Described) -> ca.SX:
     """Direction of the anti-roll bar's axis on the car's body, to the left (of one across to the left: as given).
 
     A T-bar is hinged across the car; its stem twists by as much as both ends of its bar differ.
@@ -201,7 +213,7 @@ def t_bar_of(left: Linkage, right: Linkage) -> tuple[TBar, ca.SX]:
     return found, found.twist_rate([end.rate for end in ends])
 
 
-def bar_stiffness(linkage: Linkage) -> ca.SX:
+def bar_stiffness(linkage: Described) -> ca.SX:
     """Stiffness of the anti-roll bar with its blades in series, N m/rad of twist."""
     number, bar = linkage.mechanism.parameter, linkage.rig.anti_roll_bar
     stiffness = number("anti_roll_bar.stiffness")
@@ -225,7 +237,7 @@ def bar_stiffness(linkage: Linkage) -> ca.SX:
 # springs and dampers of the strut -------------------------------------------------------------------------------------
 
 
-def stop_law(linkage: Linkage, line: Line) -> ca.SX:
+def stop_law(linkage: Described, line: Stretch) -> ca.SX:
     """Force of bump and rebound stops (N, compression positive)."""
     strut = linkage.rig.strut
     bump = bump_stop_force(linkage.mechanism, strut.bump_stop, "strut.bump_stop", line.deflection)
@@ -233,7 +245,7 @@ def stop_law(linkage: Linkage, line: Line) -> ca.SX:
     return bump - rebound
 
 
-def damper_law(linkage: Linkage, line: Line) -> ca.SX:
+def damper_law(linkage: Described, line: Stretch) -> ca.SX:
     """Damper and friction force (N, compression positive)."""
     mechanism, strut = linkage.mechanism, linkage.rig.strut
     if isinstance(strut.damper, MapDamper):
@@ -249,7 +261,7 @@ def push(linkage: Linkage, line: Line, force: ca.SX) -> None:
     linkage.mechanism.push_apart(linkage.chassis, body, line.top, line.bottom, force)
 
 
-def undeformed_radius(linkage: Linkage) -> ca.SX:
+def undeformed_radius(linkage: Described) -> ca.SX:
     """Radius of the unloaded tyre, m."""
     given = linkage.rig.tyre.undeformed_radius is not None
     return linkage.number("tyre.undeformed_radius" if given else "wheel.radius")
@@ -264,15 +276,25 @@ def wheel_down(linkage: Linkage) -> ca.SX:
 def add_tyre(linkage: Linkage, road: Track) -> tuple[ca.SX, ca.SX]:
     """Let the tyre carry the wheel; give its deflection (m) and force (N), compression positive."""
     rig, mechanism, centre, carrier = linkage.rig, linkage.mechanism, linkage.wheel_centre, linkage.carrier
-    height = carrier.height(centre.value) - road.value
-    if rig.tyre.law == "radial":
-        along = -wheel_down(linkage)
-        deflection = undeformed_radius(linkage) - height / ca.dot(along, carrier.up)
-        rate = mechanism.rate_of(deflection)
-    else:
-        along = carrier.up
-        deflection = undeformed_radius(linkage) - height
-        rate = road.rate - ca.dot(along, carrier.velocity(centre))
-    force = tyre_force(mechanism, rig.tyre, deflection, rate)
+    along = -wheel_down(linkage) if rig.tyre.law == "radial" else carrier.up
+    height, climb = carrier.height(centre.value), ca.dot(carrier.up, carrier.velocity(centre))
+    deflection, force = tyre_law(linkage, road, height, climb, lambda _: ca.dot(along, carrier.up))
     mechanism.apply_force(linkage.upright, force * along, centre)
     return deflection, force
+
+
+def tyre_law(
+    linkage: Described, road: Track, height: ca.SX, climb: ca.SX, upright: Callable[[Linkage], ca.SX]
+) -> tuple[ca.SX, ca.SX]:
+    """Deflection (m) and force (N) of the tyre for the height of the wheel's centre (m) and its rate (m/s).
+
+    ``upright`` gives the cosine of the wheel's lean.
+    """
+    mechanism, tyre, radius = linkage.mechanism, linkage.rig.tyre, undeformed_radius(linkage)
+    if tyre.law == "radial":
+        deflection = radius - (height - road.value) / linkage.of_pose("tyre.upright", upright)
+        rate = mechanism.rate_of(deflection)
+    else:
+        deflection = radius - (height - road.value)
+        rate = road.rate - climb
+    return deflection, tyre_force(mechanism, tyre, deflection, rate)

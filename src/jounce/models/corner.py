@@ -6,15 +6,17 @@ Displacements of body and wheel centre count from the design position; compressi
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar
 
 import casadi as ca
 
 from jounce.control.actuators import AnyActuator
-from jounce.mechanics import Mechanism, Model, Track
+from jounce.mechanics import Mechanism, Model, System, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
 from jounce.models.actuation import controlled_force
 from jounce.models.attachments import (
+    Stretch,
     add_rocker,
     add_strut_points,
     add_tyre,
@@ -40,9 +42,11 @@ from jounce.models.channels import (
     show_strut,
     show_tyre,
 )
-from jounce.models.linkage import Linkage, guided
+from jounce.models.linkage import Described, Linkage, guided
 from jounce.models.templates import double_wishbone, five_link, mcpherson, trailing_arm
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
+
+_AnyLinkage = TypeVar("_AnyLinkage", bound=Linkage)
 
 TEMPLATES: dict[type[Corner], Callable[[Linkage], None]] = {
     DoubleWishbone: double_wishbone,
@@ -71,7 +75,8 @@ def build_linkage(
     rack: Track | ca.SX | None = None,
     ahead: ca.SX | float = 0.0,
     turned: ca.SX | float = 1.0,
-) -> Linkage:
+    kind: type[_AnyLinkage] = Linkage,  # type: ignore[assignment]
+) -> _AnyLinkage:
     """Hang the bodies of a suspension on a body, ``ahead`` (m) along x, on the other side where ``turned`` is -1."""
     steering = getattr(rig, "steering", None)
     if rack is None and steering is not None:
@@ -80,7 +85,7 @@ def build_linkage(
     if rack is not None:
         holder = mechanism.body("rack")
         mechanism.driven("rack", chassis, holder, axis=ca.SX([0.0, 1.0, 0.0]), travel=rack)
-    linkage = Linkage(rig, mechanism, chassis, holder, ahead=ahead, turned=turned)
+    linkage = kind(rig, mechanism, chassis, holder, ahead=ahead, turned=turned)
     TEMPLATES[type(rig)](linkage)
     add_rocker(linkage)
     add_strut_points(linkage)
@@ -102,8 +107,7 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     elements = {**add_strut(linkage, actuator), **add_both_alike(linkage)}
     deflection, force = add_tyre(linkage, road)
     show_tyre(mechanism, deflection, force)
-    _guide_friction(linkage)
-    _motions(linkage)
+    show_motions(linkage, linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]"))
     if detail:
         show_hardpoints(linkage)
         show_reactions(linkage)
@@ -117,30 +121,33 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
 
 def add_strut(linkage: Linkage, actuator: AnyActuator | None = None) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add spring, stops and damper (or actuator); give force and deflection rate of each element."""
-    mechanism = linkage.mechanism
     spring, damper = line_of(linkage, "spring"), line_of(linkage, "damper")
+    sprung, damped = strut_forces(linkage, spring, damper, actuator)
+    push(linkage, spring, sprung)
+    push(linkage, damper, damped)
+    return {"spring": (sprung, -spring.rate), "damper": (damped, -damper.rate), **add_torsion_bar(linkage)}
+
+
+def strut_forces(
+    linkage: Described, spring: Stretch, damper: Stretch, actuator: AnyActuator | None = None
+) -> tuple[ca.SX, ca.SX]:
+    """Forces (N, compression positive) of spring and stops, and of the damper (or actuator); let the strut be seen."""
+    mechanism = linkage.mechanism
     elastic, stops = spring_law(linkage, spring), stop_law(linkage, spring)
     viscous = controlled_force(
         mechanism, actuator, damper.deflection, -damper.rate, lambda: damper_law(linkage, damper)
     )
-    push(linkage, spring, elastic + stops)
-    push(linkage, damper, viscous)
-    total = elastic + stops + viscous
     what = "spring, stops, damper and friction"
-    show_strut(mechanism, spring.deflection, -damper.rate, total, what, " from design")
-    return {
-        "spring": (elastic + stops, -spring.rate),
-        "damper": (viscous, -damper.rate),
-        **add_torsion_bar(linkage),
-    }
+    show_strut(mechanism, spring.deflection, -damper.rate, elastic + stops + viscous, what, " from design")
+    return elastic + stops, viscous
 
 
-def add_torsion_bar(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_torsion_bar(linkage: Described) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add the torsion bar; give its torque (N m) and the rate (rad/s) that winds it up."""
     mechanism, bar = linkage.mechanism, linkage.rig.torsion_bar
     if bar is None:
         return {}
-    angle = winding(linkage, bar.on)
+    angle = linkage.of_pose("torsion_bar.angle", lambda whole: winding(whole, bar.on))
     torque = torsion_law(linkage, angle)
     mechanism.force(angle, -torque)
     mechanism.output("torsion_bar.angle", angle, "rad", "turn of the torsion bar from design, positive in bump")
@@ -148,12 +155,12 @@ def add_torsion_bar(linkage: Linkage) -> dict[str, tuple[ca.SX, ca.SX]]:
     return {"torsion bar": (torque, mechanism.rate_of(angle))}
 
 
-def add_both_alike(linkage: Linkage, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_both_alike(linkage: Described, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add this wheel's half of third spring and Z-bar, the other wheel moving alike; as ``add_strut`` of each."""
     rig, mechanism = linkage.rig, linkage.mechanism
     found: dict[str, tuple[ca.SX, ca.SX]] = {}
     if rig.third_spring is not None:
-        deflection = third_deflection(linkage)
+        deflection = linkage.of_pose("third_spring.deflection", third_deflection)
         force = third_law(linkage, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1] - deflection)
         rate = mechanism.rate_of(deflection)
         force += third_damper_law(linkage, deflection, rate) if damped else 0.0
@@ -161,7 +168,7 @@ def add_both_alike(linkage: Linkage, *, damped: bool = True) -> dict[str, tuple[
         show_third_spring(mechanism, deflection, force)
         found["third spring"] = force, 0.5 * rate
     if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
-        angle = bar_angle(linkage)
+        angle = linkage.of_pose("anti_roll_bar.angle", bar_angle)
         torque = bar_stiffness(linkage) * 2.0 * angle
         mechanism.force(angle, -torque)
         show_bar(mechanism, 2.0 * angle, torque)
@@ -169,41 +176,54 @@ def add_both_alike(linkage: Linkage, *, damped: bool = True) -> dict[str, tuple[
     return found
 
 
-def show_bar(mechanism: Mechanism, twist: ca.SX, torque: ca.SX) -> None:
+def show_bar(mechanism: System, twist: ca.SX, torque: ca.SX) -> None:
     """Let the anti-roll bar be seen."""
     mechanism.output("anti_roll_bar.twist", twist, "rad", "twist of the anti-roll bar from design, as its right end")
     mechanism.output("anti_roll_bar.torque", torque, "N*m", "torque in the anti-roll bar, positive against its twist")
 
 
-def show_third_spring(mechanism: Mechanism, deflection: ca.SX, force: ca.SX) -> None:
+def show_third_spring(mechanism: System, deflection: ca.SX, force: ca.SX) -> None:
     """Let the third spring be seen."""
     mechanism.output("third_spring.deflection", deflection, "m", "third spring, from design, compression positive")
     mechanism.output("third_spring.force", force, "N", "third spring and damper, compression positive")
 
 
-def _guide_friction(linkage: Linkage) -> None:
-    mechanism, friction = linkage.mechanism, linkage.rig.guide_friction
-    if friction is None or linkage.rig.guide == "fixed":
-        return
-    heave = mechanism.coordinate_named("sprung.distance")
-    force = friction_force(mechanism, friction, "guide_friction", mechanism.rate_of(heave))
-    mechanism.force(heave, -force)
-    mechanism.output("guide.force", -force, "N", "guide friction on the sprung mass, up positive")
+def show_motions(linkage: Described, centre: ca.SX, heave: ca.SX | None = None) -> None:
+    """Let body, wheel and its angles be seen, and the guide's friction act; heights (m) count from design.
 
-
-def _motions(linkage: Linkage) -> None:
-    mechanism, rig = linkage.mechanism, linkage.rig
-    centre = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
+    ``heave`` is that of the body, by default the guide's.
+    """
+    mechanism = linkage.mechanism
     bodies = [("unsprung", centre, "wheel centre")]
-    if rig.guide != "fixed":
-        bodies.insert(0, ("sprung", mechanism.coordinate_named("sprung.distance"), "sprung mass"))
+    if linkage.rig.guide != "fixed":
+        heave = mechanism.coordinate_named("sprung.distance") if heave is None else heave
+        _guide_friction(linkage, heave)
+        bodies.insert(0, ("sprung", heave, "sprung mass"))
     for name, z, text in bodies:
         show_height(mechanism, name, z, text, ", height above design")
     show_wheel(linkage)
 
 
-def show_wheel(linkage: Linkage) -> None:
+def _guide_friction(linkage: Described, heave: ca.SX) -> None:
+    mechanism, friction = linkage.mechanism, linkage.rig.guide_friction
+    if friction is None:
+        return
+    force = friction_force(mechanism, friction, "guide_friction", mechanism.rate_of(heave))
+    mechanism.force(heave, -force)
+    mechanism.output("guide.force", -force, "N", "guide friction on the sprung mass, up positive")
+
+
+def show_wheel(linkage: Described) -> None:
     """Let the angles of the wheel be seen."""
-    axis, mechanism = linkage.carrier.outward(linkage.spin_direction.value), linkage.mechanism
-    mechanism.output("wheel.camber", -ca.asin(axis[2]), "rad", "camber, positive top outward")
-    mechanism.output("wheel.steer", ca.atan2(-linkage.side * axis[0], linkage.side * axis[1]), "rad", "steer about +z")
+    show, of_pose = linkage.mechanism.output, linkage.of_pose
+    show("wheel.camber", of_pose("wheel.camber", _camber), "rad", "camber, positive top outward")
+    show("wheel.steer", of_pose("wheel.steer", _steer), "rad", "steer about +z")
+
+
+def _camber(linkage: Linkage) -> ca.SX:
+    return -ca.asin(linkage.carrier.outward(linkage.spin_direction.value)[2])
+
+
+def _steer(linkage: Linkage) -> ca.SX:
+    axis = linkage.carrier.outward(linkage.spin_direction.value)
+    return ca.atan2(-linkage.side * axis[0], linkage.side * axis[1])

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import casadi as ca
 
-from jounce.mechanics import Mechanism
+from jounce.mechanics import Mechanism, System
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
 from jounce.mechanics.frames import Carrier, Moving
@@ -14,22 +16,25 @@ from jounce.mechanics.rotations import normals, unit
 from jounce.parts.corners import Corner
 
 
-@dataclass
-class Linkage:
-    """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them."""
+class Described(ABC):
+    """A suspension as its force laws read it: the numbers of its description, and what they see of its pose."""
 
     rig: Corner  # only its structure matters, its numbers are parameters
-    mechanism: Mechanism
-    chassis: Body
-    rack: Body  # carries the inner end of the tie rod along y
-    upright: Body = field(init=False)  # carries the wheel
-    steering_axis: tuple[Moving, Moving] = field(init=False)  # its lower and upper point
-    carriers: dict[str, Body] = field(default_factory=dict)  # bodies by the names that descriptions use
-    owners: dict[str, Body] = field(default_factory=dict)  # the body that each hardpoint moves with
-    lines: dict[str, tuple[str, ...]] = field(default_factory=dict)  # what to draw: hardpoints along each part
-    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # force (N, ground axes) and power (W)
+    mechanism: System
     ahead: ca.SX | float = 0.0  # how far the whole corner is moved along x, m
     turned: ca.SX | float = 1.0  # -1 for a suspension that stands on the other side than described
+
+    @abstractmethod
+    def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
+        """Give a quantity of the pose relative to the car's body, by its formula or by its name.
+
+        All that forces and channels see of the pose goes through here.
+        """
+
+    @property
+    def side(self) -> ca.SX | float:
+        """1 for a left suspension, -1 for a right one."""
+        return self.rig.sign * self.turned
 
     def hardpoint(self, name: str) -> ca.SX:
         """Design place of a hardpoint, m."""
@@ -52,6 +57,28 @@ class Linkage:
     def number(self, path: str) -> ca.SX:
         """A parameter."""
         return self.mechanism.parameter(path)
+
+
+@dataclass
+class Linkage(Described):
+    """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them."""
+
+    rig: Corner
+    mechanism: Mechanism
+    chassis: Body
+    rack: Body  # carries the inner end of the tie rod along y
+    upright: Body = field(init=False)  # carries the wheel
+    steering_axis: tuple[Moving, Moving] = field(init=False)  # its lower and upper point
+    carriers: dict[str, Body] = field(default_factory=dict)  # bodies by the names that descriptions use
+    owners: dict[str, Body] = field(default_factory=dict)  # the body that each hardpoint moves with
+    lines: dict[str, tuple[str, ...]] = field(default_factory=dict)  # what to draw: hardpoints along each part
+    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # force (N, ground axes) and power (W)
+    ahead: ca.SX | float = 0.0
+    turned: ca.SX | float = 1.0
+
+    def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has its pose
+        """Give a quantity of the pose by its formula."""
+        return formula(self)
 
     def body(self, name: str, path: str | None = None) -> Body:
         """Add the body that the description holds under ``bodies``."""
@@ -143,11 +170,6 @@ class Linkage:
     def carrier(self) -> Carrier:
         """What the suspension's axes belong to: the ground, or the body it hangs on."""
         return self.chassis.carrier
-
-    @property
-    def side(self) -> ca.SX | float:
-        """1 for a left suspension, -1 for a right one."""
-        return self.rig.sign * self.turned
 
     @property
     def spin_axis(self) -> ca.SX:

@@ -218,7 +218,7 @@ def compile_described(
     ``without`` gives the same one without free parameters, where there are some.
     """
     if key not in _compiled:
-        identity = f"{_sources()} {key}"
+        identity = f"{sources()} {key}"
         native, notes = kept_code(identity, lambda: _source(model(), free))
         table: dict[str, Any] = json.loads(notes)
         plain = without() if free and without is not None else None
@@ -247,7 +247,7 @@ def _facts(table: dict[str, Any]) -> Facts:
 
 
 @cache
-def _sources() -> str:
+def sources() -> str:
     """Digest of everything that turns a rig into code: our sources (and version) and the version of the algebra."""
     from importlib.metadata import version
 

@@ -156,8 +156,8 @@ def prepare(
     if exact is not None:  # whose steps have no error that could be controlled
         return prepared
     waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
-    limit = _explicit_limit(rest, waves)
-    control = control._replace(longest=_longest_step(limit, tolerance))
+    limit = float(explicit_limit(rest.fastest_oscillation, rest.fastest_decay, waves))
+    control = control._replace(longest=longest_step(limit, tolerance))
     if _edges_set_the_step(tracks.values(), times, limit, tolerance):
         control = control._replace(tolerance=_SHORT_SHARE * tolerance)
         problem = problem._replace(engine=compiled.short_engine)
@@ -295,7 +295,7 @@ def _motion_size(tracks: dict[str, Segments], rest: Array, offset: Array | None)
     return max(*roads, moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
 
 
-def _longest_step(fastest: float, tolerance: float) -> float:
+def longest_step(fastest: float, tolerance: float) -> float:
     """Step (s) beyond which the interpolant inside it would be worse than its end: a share of the fastest oscillation.
 
     In flight the wheel does not feel the road; this also keeps steps from passing over a whole contact.
@@ -310,15 +310,15 @@ def _edges_set_the_step(signals: Iterable[Segments], times: Array, limit: float,
     """
     inner = [signal.edges[(signal.edges > times[0]) & (signal.edges < times[-1])] for signal in signals]
     gaps = np.diff(np.unique(np.concatenate([times[:1], *inner, times[-1:]])))
-    long, short = _longest_step(limit, tolerance), _SHORT * (tolerance / 1e-5) ** 0.2 / limit
+    long, short = longest_step(limit, tolerance), _SHORT * (tolerance / 1e-5) ** 0.2 / limit
     stages = [each * float(np.sum(np.ceil(gaps / step))) for each, step in ((_STAGES, long), (_SHORT_STAGES, short))]
     return stages[1] < stages[0]
 
 
-def _explicit_limit(rest: Equilibrium, waves: float) -> float:
+def explicit_limit(oscillation: Array | float, decay: Array | float, waves: float) -> Array:
     """What limits the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
     # The oscillations are those without damping: a stiff damper of a soft mode decays but does not oscillate.
-    return max(rest.fastest_oscillation, waves, _STABLE * rest.fastest_decay, 1e-3)
+    return np.maximum(np.maximum(oscillation, _STABLE * np.asarray(decay)), max(waves, 1e-3))
 
 
 def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> Array:

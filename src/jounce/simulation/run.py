@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import excitation, known_actuator
-from jounce.simulation.result import held_to_its_branch, samples_reached
+from jounce.simulation.result import Solution, held_to_its_branch, samples_reached
 from jounce.simulation.settings import Method, RunSettings
 
 if TYPE_CHECKING:
@@ -105,6 +105,10 @@ def solved(
 ) -> Solved:
     """Run what :func:`simulate` records; who shows only some numbers of it needs no Dataset."""
     times, method = settings.times(trial.duration), settings.method
+    if not (offset or detail or control is not None):
+        reduced = _reduced(rig, trial, settings, times)
+        if reduced is not None:
+            return reduced
     loop = None
     if control is not None:
         from jounce.simulation.controlled import check_stable, close_loop, raise_controller_error
@@ -134,14 +138,35 @@ def solved(
         raise_controller_error(loop)
     solution = held_to_its_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
+    found = _solved(compiled, solution, reach)
+    return (
+        replace(found, attributes=found.attributes | {"findings": loop.findings}) if loop and loop.findings else found
+    )
+
+
+def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> Solved | None:
+    """Run a corner by its one internal coordinate; None where that does not do, and the full mechanism has to run."""
+    from jounce.simulation.reduced import DEGREES, ReducedCorner, reduction_for
+
+    reduction = reduction_for(rig, trial, settings)
+    if reduction is None:
+        return None
+    signals = excitation(reduction.compiled(DEGREES[0]).facts, rig, trial)
+    found = ReducedCorner(reduction, rig.parameters(), signals, times, settings.tolerance).run()
+    if found is None:
+        return None
+    return _solved(found[1].compiled, found[0], len(times))
+
+
+def _solved(compiled: Compiled, solution: Solution, reach: int) -> Solved:
+    """What a run gives of its first samples."""
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
     }
-    how: dict[str, Any] = {"status": solution.status.name.lower(), "method": solution.method}
-    if loop and loop.findings:
-        how["findings"] = loop.findings
+    times = solution.time
     times = times if reach == len(times) else times[:reach]  # whole, what follows from them is known already
+    how = {"status": solution.status.name.lower(), "method": solution.method}
     return Solved(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 
 

@@ -35,8 +35,10 @@ class RunSettings:
         Relative error of the displacements: their largest error over the range they sweep; 1e-13 to 0.1.
     method : {"auto", "explicit", "implicit"}
         How to integrate: explicitly, with steps as small as the fastest motion asks, or implicitly, where that motion
-        is stiff and matters little. ``"auto"`` takes what is likely to be faster, and propagates exactly what is linear
-        between its switches; ``attrs["method"]`` of a run says which ran.
+        is stiff and matters little. ``"auto"`` takes what is likely to be faster, propagates exactly what is linear
+        between its switches, and runs a corner that only travels as one coordinate of its body (``"reduced explicit"``,
+        ``"reduced implicit"``); asked for by name, both run the whole mechanism. ``attrs["method"]`` of a run says
+        which ran.
 
     Raises
     ------

@@ -22,6 +22,7 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
+from jounce.simulation.reduced import ReducedCorner, Reduction, reduction_for
 from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
 from jounce.simulation.settings import RunSettings
 from jounce.variants.designs import MOST, Design
@@ -171,6 +172,11 @@ class Study:
             loop = close_loop(self.rig, self.control)
             return compile_rig(self.rig, actuator=loop.actuator if loop else known_actuator(self.trial))
         return compile_rig(self.rig, actuator=known_actuator(self.trial))
+
+    @cached_property
+    def reduction(self) -> Reduction | None:
+        """The rig by its one internal coordinate, where it has one and runs may be made by it."""
+        return reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
 
     @cached_property
     def units(self) -> dict[str, str]:
@@ -388,6 +394,9 @@ class _Group:
         """Run the model with values (SI) of all its parameters."""
         settings, compiled = self.study.settings, self.study.compiled
         times = settings.times(self.trial.duration)
+        reduced = self._reduced(p, signals, times)
+        if reduced is not None:
+            return reduced
         prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
         solution = held_to_its_branch(compiled, prepared.run())
         samples_reached(solution, compiled.facts, check=True)
@@ -395,6 +404,21 @@ class _Group:
         if at is None:
             return solution.outputs, solution.outputs[:, 0]
         return solution.outputs, compiled.evaluate("output", at.x, prepared.still, p, at.modes)
+
+    def _reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
+        """The same by the one internal coordinate of a corner; None where that does not do."""
+        study = self.study
+        if study.reduction is None:
+            return None
+        values = dict(zip(study.compiled.facts.parameters, p.tolist(), strict=True))
+        found = ReducedCorner(study.reduction, values, signals, times, study.settings.tolerance).run()
+        if found is None:
+            return None
+        solution, prepared = found
+        at = prepared.equilibrium
+        assert at is not None
+        still, values_there = prepared.still, prepared.problem.p
+        return solution.outputs, prepared.compiled.evaluate("output", at.x, still, values_there, at.modes)
 
 
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:

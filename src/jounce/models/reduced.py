@@ -1,0 +1,224 @@
+"""A 3-D corner as one coordinate of its body: with its rack held, a suspension on ideal joints only travels.
+
+What forces, masses and channels see of a pose then are functions of the wheel's travel alone. :func:`sampled_corner`
+gives them for driven poses, :func:`reduced_corner` is the corner with polynomials of travel in their place. The
+equations are exact for these functions: with the body's height z and the travel s, all that hangs on the body has the
+kinetic energy 1/2 M z'^2 + P(s) z' s' + 1/2 m(s) s'^2, and every force works along a length that is one of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import casadi as ca
+
+from jounce.mechanics import Model, System
+from jounce.mechanics.driven import Driven, Quasistatic
+from jounce.models.attachments import Stretch, design_length, line_of, tyre_law, wheel_down
+from jounce.models.channels import show_tyre
+from jounce.models.corner import (
+    add_both_alike,
+    add_torsion_bar,
+    build_linkage,
+    show_motions,
+    show_wheel,
+    strut_forces,
+)
+from jounce.models.linkage import Described, Linkage, guided
+from jounce.parts.corners import Corner
+
+MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
+"""Of all that hangs on the body: its mass, and for unit travel rate its upward momentum (kg) and 2 x energy (kg)."""
+_NEEDED = ("bodies", "spring", "damper", "tyre")
+MIDDLE, HALF = "travel.middle", "travel.half"
+"""Parameters: middle and half width of the travel (m) that the polynomials are for."""
+
+
+def is_reducible(rig: Corner) -> bool:
+    """Tell whether one coordinate says where a corner stands on its body: ideal joints, a body that does not turn."""
+    soft = rig.bushings.model_dump(exclude_none=True)
+    return rig.guide != "vertical+spherical" and not soft and not {*_NEEDED} & {*rig.lacks}
+
+
+@dataclass(frozen=True)
+class SampledCorner:
+    """Functions of (q, u, p, m) of a corner whose travel, height of the body and rack are driven.
+
+    ``pose`` is for ``kernel.poses``, ``output`` gives the quantities ``names``; ``tracks`` are the inputs u, ``p`` the
+    numbers at ``parameters``; ``start`` is the design pose.
+    """
+
+    pose: ca.Function
+    output: ca.Function
+    names: tuple[str, ...]
+    tracks: tuple[str, ...]
+    parameters: tuple[str, ...]
+    start: tuple[float, ...]
+
+
+@dataclass
+class _Watched(Linkage):
+    """A linkage that keeps what is asked of its pose."""
+
+    seen: dict[str, ca.SX] = field(default_factory=dict)
+
+    def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
+        self.seen[name] = formula(self)
+        return self.seen[name]
+
+
+def sampled_corner(rig: Corner) -> SampledCorner:
+    """Give what a reduced corner sees of its pose; the values in ``rig`` matter only through its structure."""
+    mechanism = Quasistatic(gravity=ca.SX(0.0))
+    travel, heave = mechanism.track("travel"), mechanism.track("heave")
+    rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
+    linkage = build_linkage(rig, mechanism, guided(mechanism, "vertical"), rack=rack, kind=_Watched)
+    height = mechanism.coordinate_named("sprung.distance")
+    mechanism.condition("heave", height - heave.value)
+    centre = linkage.wheel_centre
+    rise = centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
+    mechanism.condition("wheel_travel", rise - height - travel.value)
+    driven = Driven(mechanism, [travel, heave] if rack is None else [travel, heave, rack])
+    _see(linkage)
+    along = driven.along(0)
+    v = driven.statics.v
+    matrix = sum((inertia.matrix(v) for inertia in mechanism.complete().collection.inertias), ca.SX(*v.shape))
+    one, up = along(v), driven.along(1)(v)
+    masses = {MASS: up.T @ matrix @ up, MOMENTUM: up.T @ matrix @ one, INERTIA: one.T @ matrix @ one}
+    body = linkage.number("sprung.mass")  # no part of what hangs on it
+    quantities = {**{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()}, **linkage.seen}
+    output = along(ca.vertcat(*quantities.values()))
+    made = {"pose": driven.pose(), "output": output}
+    used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*made.values()))}
+    parameters = {path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used}
+    arguments = [
+        driven.statics.q,
+        ca.vertcat(*(track.value for track in driven.tracks)),
+        ca.vertcat(*parameters.values()),
+        ca.SX.sym("m", 1),
+    ]
+    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()}
+    tracks = ("travel", "heave", "rack")[: len(driven.tracks)]
+    start = tuple(driven.statics.start)
+    return SampledCorner(functions["pose"], functions["output"], tuple(quantities), tracks, tuple(parameters), start)
+
+
+def _see(linkage: _Watched) -> None:
+    """Ask for all that the reduced corner asks for."""
+    line_of(linkage, "spring")
+    if _damper_stands_apart(linkage.rig):
+        line_of(linkage, "damper")
+    add_torsion_bar(linkage)
+    add_both_alike(linkage)
+    show_wheel(linkage)
+    if linkage.rig.tyre.law == "radial":
+        up = -wheel_down(linkage)
+        linkage.of_pose("tyre.upright", lambda _: up[2])
+        linkage.of_pose("tyre.lever", lambda whole: ca.dot(up, whole.wheel_centre.rate))
+
+
+def _damper_stands_apart(rig: Corner) -> bool:
+    """Tell whether the damper has ends of its own."""
+    points = rig.hardpoints
+    ends = (f"{element}_{end}" for element in ("spring", "damper") for end in ("bottom", "top"))
+    return any(getattr(points, name) is not None for name in ends)
+
+
+@dataclass
+class _Tabulated(Described):
+    """A suspension of which polynomials of its travel ``x`` (from -1 to 1) say all that is to be known."""
+
+    rig: Corner
+    mechanism: System
+    x: ca.SX
+    degree: int
+
+    def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has no pose
+        """Give the polynomial: even and odd powers apart, so that the processor works on two sums at once."""
+        given = [self.number(path) for path in coefficients(name, self.degree)]
+        square = self.x * self.x
+        even, odd = (ca.SX(0.0), ca.SX(0.0))
+        for number in reversed(given[::2]):
+            even = even * square + number
+        for number in reversed(given[1::2]):
+            odd = odd * square + number
+        return even + self.x * odd
+
+    def quantity(self, name: str) -> ca.SX:
+        """What is no formula of the pose alone."""
+        return self.of_pose(name, lambda whole: whole.wheel_centre.value)
+
+    def stretch(self, element: str) -> Stretch:
+        """Length of the spring or the damper."""
+        length = self.quantity(f"{element if _damper_stands_apart(self.rig) else 'spring'}.length")
+        return Stretch(length, self.mechanism.rate_of(length), design_length(self, element))
+
+
+def coefficients(name: str, degree: int) -> list[str]:
+    """Parameters of the polynomial of a quantity, constant first."""
+    return [f"of_travel.{name}[{k}]" for k in range(degree + 1)]
+
+
+@dataclass(frozen=True)
+class Hanging:
+    """All that hangs on a body that moves along z, and travels by one coordinate: rates of both, masses (see above)."""
+
+    rates: ca.SX
+    mass: ca.SX
+    momentum: ca.SX
+    inertia: ca.SX
+    momentum_rate: ca.SX
+    inertia_rate: ca.SX
+
+    def matrix(self, v: ca.SX) -> ca.SX:
+        """Mass matrix."""
+        jacobian = ca.jacobian(self.rates, v)
+        rows = (ca.horzcat(self.mass, self.momentum), ca.horzcat(self.momentum, self.inertia))
+        return jacobian.T @ ca.vertcat(*rows) @ jacobian
+
+    def bias(self, v: ca.SX) -> ca.SX:
+        """Inertial force of steady travel, which bends the ways of all masses."""
+        travelling = self.rates[1]
+        bent = ca.vertcat(self.momentum_rate * travelling, 0.5 * self.inertia_rate * travelling)
+        return ca.jacobian(self.rates, v).T @ bent
+
+
+def reduced_corner(rig: Corner, degree: int) -> Model:
+    """Write the equations of a corner with polynomials of travel of a degree; channels are those of the full corner."""
+    system = System()
+    gravity, number = system.parameter("gravity"), system.parameter
+    road = system.track("road.z")
+    heave = ca.SX(0.0) if rig.guide == "fixed" else system.coordinate("sprung.z")
+    centre = system.coordinate("unsprung.z")
+    climb, rising = system.rate_of(centre), system.rate_of(heave)
+    travel, travelling = centre - heave, climb - rising
+    linkage = _Tabulated(rig, system, (travel - number(MIDDLE)) / number(HALF), degree)
+    system.output("road.z", road.value, "m", "road height under the wheel")
+    _hang(linkage, gravity, rising, travelling)
+    if rig.guide != "fixed":
+        system.point_mass(number("sprung.mass"), heave)
+        system.force(heave, -number("sprung.mass") * gravity)
+    spring, damper = linkage.stretch("spring"), linkage.stretch("damper")
+    for line, force in zip((spring, damper), strut_forces(linkage, spring, damper), strict=True):
+        system.load(line.rate, force)
+    add_torsion_bar(linkage)
+    add_both_alike(linkage)
+    height = number("hardpoints.wheel_centre[2]") + centre
+    deflection, force = tyre_law(linkage, road, height, climb, lambda whole: -wheel_down(whole)[2])
+    along = climb
+    if rig.tyre.law == "radial":
+        along = linkage.quantity("tyre.upright") * rising + linkage.quantity("tyre.lever") * travelling
+    system.load(along, force)
+    show_tyre(system, deflection, force)
+    show_motions(linkage, centre, heave)
+    return system.finish()
+
+
+def _hang(linkage: _Tabulated, gravity: ca.SX, rising: ca.SX, travelling: ca.SX) -> None:
+    """Hang the masses of the suspension on the body, with their weights."""
+    system = linkage.mechanism
+    mass, momentum, inertia = system.parameter(f"of_travel.{MASS}"), *map(linkage.quantity, (MOMENTUM, INERTIA))
+    rates = ca.vertcat(rising, travelling)
+    system.inertia(Hanging(rates, mass, momentum, inertia, system.rate_of(momentum), system.rate_of(inertia)))
+    system.load(mass * rising + momentum * travelling, -gravity)

@@ -1,0 +1,305 @@
+"""Runs of a 3-D corner by its one internal coordinate: polynomials of travel, how exact they are, and the run.
+
+What the equations see of a pose is sampled at Chebyshev points of a range of travel, each pose exact to rounding. The
+polynomial keeps the first coefficients; those that follow, sampled as well, bound what it leaves out, of the quantity
+and of its slope. Where that is too much, where the wheel leaves the range, or where the run does not reach its end, the
+full mechanism has to be asked.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache, cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import SimulationError
+from jounce.core.segments import Segments
+from jounce.core.types import Array
+from jounce.kernel.engine import Status
+from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.poses import Walk, space_for, walk_variants
+from jounce.parts import Rig
+from jounce.parts.corners import Corner
+from jounce.parts.rig import structure_of
+from jounce.roads import Trial
+from jounce.simulation.compiled import Compiled, compile_described, sources
+from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.result import Solution, held_to_its_branch
+from jounce.simulation.settings import RunSettings
+
+DEGREES = (10, 18)
+"""Of the polynomials; the second where a wheel travels far or the tolerance is tight."""
+_SHARE = 1e-3  # of the tolerance, that a lever or a mass may be wrong by: the static load counts a hundred motions
+_SHOWN = 0.1  # the same for a channel that nothing feels
+_TIGHTEST = 1e-7
+_STEPS_SHARE = 0.9  # of the tolerance that is left for the integration
+_NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: the range of travel on either side to begin with
+_BESIDE = 0.25  # share of the range that a wheel has used, by which it becomes wider on either side
+_FLAT = 1e-3  # slope (1, rad/m) of a quantity below which its error counts as that of this slope
+_OFF = 0.5  # share of the range, by which the pose at rest may lie off its middle
+_TRIES = 3
+_RACK = "steering.rack_travel"
+_MASSES = ("mass", "momentum", "inertia")
+
+
+class Basis(NamedTuple):
+    """Points from -1 to 1, what makes Chebyshev coefficients of values there, and powers of the first of them."""
+
+    points: Array
+    coefficients: Array
+    powers: Array
+    squares: Array
+
+
+@cache
+def basis(degree: int) -> Basis:
+    """Points and matrices of a degree: twice as many points as coefficients that are kept."""
+    count = 2 * (degree + 1)
+    angles = np.pi * (np.arange(count)[::-1] + 0.5) / count
+    orders = np.arange(count)
+    made = 2.0 / count * np.cos(orders[:, None] * angles)
+    made[0] *= 0.5
+    powers = np.zeros((degree + 1, degree + 1))
+    for k in range(degree + 1):
+        powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(np.eye(degree + 1)[k])[: k + 1]
+    return Basis(np.cos(angles), made, powers, orders.astype(float) ** 2)
+
+
+class Table(NamedTuple):
+    """Numbers of a reduced corner for one range of travel (m), and the bound of their relative error."""
+
+    low: float
+    high: float
+    numbers: Array
+    error: float
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """Corners of one structure, reduced: what samples their poses, and the model with polynomials of each degree.
+
+    ``names`` are the quantities sampled, the mass first; ``tracks``, ``parameters`` and ``start`` belong to the poses.
+    """
+
+    rig: Corner
+    native: Native
+    names: tuple[str, ...]
+    tracks: tuple[str, ...]
+    parameters: tuple[str, ...]
+    start: Array
+    placed: dict[int, _Places] = field(default_factory=dict)
+
+    def compiled(self, degree: int) -> Compiled:
+        """Native code of the reduced corner."""
+        return _compiled(self.rig, structure_of(self.rig), degree)
+
+    @cached_property
+    def are_factors(self) -> NDArray[np.bool_]:
+        """Which quantities, but for the first, count by their value: masses, and the tyre's lean."""
+        return np.array([name in _MASSES or name.startswith("tyre.") for name in self.names[1:]])
+
+    @cached_property
+    def only_shown(self) -> NDArray[np.bool_]:
+        """Which quantities, but for the first, are channels alone."""
+        return np.array([name.startswith("wheel.") for name in self.names[1:]])
+
+    def places(self, degree: int) -> _Places:
+        """Where numbers belong among the parameters of the model of a degree."""
+        if degree not in self.placed:
+            from jounce.models.reduced import HALF, MIDDLE, coefficients
+
+            paths = self.compiled(degree).facts.parameters
+            own = [MIDDLE, HALF, f"of_travel.{self.names[0]}"]
+            own += [path for name in self.names[1:] for path in coefficients(name, degree)]
+            place = {path: i for i, path in enumerate(paths)}
+            given = tuple(path for path in paths if path not in set(own))
+            self.placed[degree] = _Places(given, _numbers(place, given), _numbers(place, own))
+        return self.placed[degree]
+
+    def tables(self, p: Array, rack: float, low: float, high: float, degree: int) -> tuple[Array, Array]:
+        """Sample the poses of a range of travel (m) for each row of ``p``; give the numbers of each table, and bounds.
+
+        ``p`` holds the numbers at ``parameters``, ``rack`` (m) is where the rack is held. The bound is that of the
+        relative error; it is no number where a mechanism does not reach all of the range.
+        """
+        points, made, powers, squares = basis(degree)
+        middle, half = 0.5 * (high + low), 0.5 * (high - low)
+        values = self._sampled(p, rack, middle + half * points)
+        series = values[1:] @ made.T
+        kept, left = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
+        levers = np.maximum(kept[..., 1:].sum(axis=-1), _FLAT * half)
+        size = np.where(self.are_factors[:, None], kept[..., 0], levers)
+        size[0] = size[1]  # momentum and inertia belong to one matrix
+        # Forces and masses feel the slope of a quantity, channels the quantity itself.
+        felt, shown = left @ squares[degree + 1 :], _SHARE / _SHOWN * left.sum(axis=-1)
+        errors = np.where(self.only_shown[:, None], shown, felt) / size
+        coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
+        first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
+        return np.concatenate([first, coefficients], axis=1), errors.max(axis=0)
+
+    def _sampled(self, p: Array, rack: float, travel: Array) -> Array:
+        """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
+        up, down = np.flatnonzero(travel >= 0.0), np.flatnonzero(travel < 0.0)[::-1]  # from design to both sides
+        place = np.concatenate([up, down])
+        targets = np.zeros((len(travel), len(self.tracks)))
+        targets[:, 0] = travel[place]
+        if len(self.tracks) > 2:  # travel and height of the body, then the rack
+            targets[:, 2] = rack
+        before = np.arange(-1, len(travel) - 1, dtype=np.int64)
+        before[len(up) : len(up) + 1] = -1
+        address, origin = self.native.address, np.zeros(len(self.tracks))
+        walk = Walk(address["pose"], address["output"], p[0].copy(), self.start, origin, targets, before)
+        values = np.empty((len(self.names), len(p), len(travel)))
+        every = np.arange(len(self.names), dtype=np.int64)
+        walk_variants(walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values)
+        return values
+
+    def table(self, p: Array, rack: float, low: float, high: float, degree: int) -> Table | None:
+        """The same for one row; None where the mechanism does not reach all of the range."""
+        numbers, errors = self.tables(p[None, :], rack, low, high, degree)
+        return Table(low, high, numbers[0], float(errors[0])) if np.isfinite(errors[0]) else None
+
+
+class _Places(NamedTuple):
+    """Paths of the description's numbers, and where these and those of a table belong."""
+
+    given: tuple[str, ...]
+    of_given: NDArray[np.intp]
+    of_table: NDArray[np.intp]
+
+
+def _numbers(place: dict[str, int], paths: Sequence[str]) -> NDArray[np.intp]:
+    return np.array([place[path] for path in paths], dtype=np.intp)
+
+
+_reductions: dict[str, Reduction | None] = {}
+
+
+def reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> Reduction | None:
+    """Give the reduction of a rig where runs on a trial may be reduced; None where the mechanism has to run."""
+    # Below this tolerance rounding alone is more than a table may be wrong by.
+    if settings.method != "auto" or settings.tolerance < _TIGHTEST or trial.actuator_force is not None:
+        return None
+    return reduction_of(rig)
+
+
+def reduction_of(rig: Rig) -> Reduction | None:
+    """Give the reduction of a rig; None where it is no corner whose pose one coordinate tells."""
+    if not isinstance(rig, Corner):
+        return None
+    structure = structure_of(rig)
+    if structure not in _reductions:
+        from jounce.models.reduced import is_reducible
+
+        _reductions[structure] = _reduction(rig, structure) if is_reducible(rig) else None
+    return _reductions[structure]
+
+
+def _reduction(rig: Corner, structure: str) -> Reduction:
+    def source() -> Source:
+        from jounce.models.reduced import sampled_corner
+
+        made = sampled_corner(rig)
+        notes = {"names": made.names, "tracks": made.tracks, "parameters": made.parameters, "start": made.start}
+        return Source({"pose": made.pose, "output": made.output}, None, json.dumps(notes))
+
+    native, notes = kept_code(f"{sources()} sampled {type(rig).__name__} {structure}", source)
+    told = json.loads(notes)
+    names, tracks, parameters = (tuple(told[name]) for name in ("names", "tracks", "parameters"))
+    return Reduction(rig, native, names, tracks, parameters, np.array(told["start"], dtype=float))
+
+
+def _compiled(rig: Corner, structure: str, degree: int) -> Compiled:
+    def model():  # noqa: ANN202
+        from jounce.models.reduced import reduced_corner
+
+        return reduced_corner(rig, degree)
+
+    return compile_described(("reduced", type(rig).__name__, structure, degree), model)
+
+
+@dataclass(frozen=True)
+class ReducedRun:
+    """A run that is laid out, with the table that it holds for."""
+
+    prepared: Prepared
+    table: Table
+
+    @property
+    def rest(self) -> float:
+        """Travel (m) at rest."""
+        assert self.prepared.equilibrium is not None
+        n, x = len(self.prepared.compiled.facts.coordinates), self.prepared.equilibrium.x
+        return float(x[n - 1] - (x[0] if n > 1 else 0.0))
+
+    def travelled(self, solution: Solution) -> tuple[float, float]:
+        """Bounds of the travel (m) at and between the samples."""
+        n, states = len(self.prepared.compiled.facts.coordinates), solution.states
+        travel, rate = states[n - 1], states[2 * n - 1]
+        if n > 1:
+            travel, rate = travel - states[0], rate - states[n]
+        between = float(np.abs(rate).max() * np.diff(solution.time).max(initial=0.0))
+        return float(travel.min()) - between, float(travel.max()) + between
+
+
+@dataclass(frozen=True)
+class ReducedCorner:
+    """A corner with its numbers, on a course: signals of the tracks, sample times (s) and tolerance."""
+
+    reduction: Reduction
+    values: Mapping[str, float]
+    signals: Sequence[Segments]
+    times: Array
+    tolerance: float
+
+    def run(self) -> tuple[Solution, Prepared] | None:
+        """Run it, over a wider range of travel where the wheel leaves the first; None where that does not do."""
+        laid_out = self.lay_out()
+        for _ in range(_TRIES):
+            if laid_out is None:
+                return None
+            solution = laid_out.prepared.run()
+            compiled = laid_out.prepared.compiled
+            if solution.status is not Status.COMPLETED or held_to_its_branch(compiled, solution) is not solution:
+                return None
+            (low, high), table = laid_out.travelled(solution), laid_out.table
+            if table.low <= low and high <= table.high:
+                return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
+            wider = _BESIDE * (high - low)
+            laid_out = self.over(low - wider, high + wider)
+        return None
+
+    def lay_out(self) -> ReducedRun | None:
+        """Lay out a run for a range about the pose at rest; None where no polynomials do, or nothing comes to rest."""
+        around = min(_NARROW + _FOLLOWED * max(signal.extent for signal in self.signals), _WIDE)
+        about_design = self.over(-around, around)
+        if about_design is None or abs(about_design.rest) < _OFF * around:
+            return about_design
+        return self.over(about_design.rest - around, about_design.rest + around)
+
+    def over(self, low: float, high: float) -> ReducedRun | None:
+        """Lay out a run for a range of travel, m."""
+        p, rack = np.array([self.values[path] for path in self.reduction.parameters]), self.values.get(_RACK, 0.0)
+        for degree in DEGREES:
+            table = self.reduction.table(p, rack, low, high, degree)
+            if table is None:
+                return None
+            if table.error <= _SHARE * self.tolerance:
+                return self._with(table, degree)
+        return None
+
+    def _with(self, table: Table, degree: int) -> ReducedRun | None:
+        compiled, places = self.reduction.compiled(degree), self.reduction.places(degree)
+        p = np.empty(len(compiled.facts.parameters))
+        p[places.of_given] = [self.values[path] for path in places.given]
+        p[places.of_table] = table.numbers
+        try:
+            prepared = prepare(compiled, p, self.signals, self.times, tolerance=_STEPS_SHARE * self.tolerance)
+        except SimulationError:  # the full mechanism says why
+            return None
+        return ReducedRun(prepared, table)

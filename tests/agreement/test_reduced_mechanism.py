@@ -1,0 +1,203 @@
+"""A corner run by its one internal coordinate is the corner run as a mechanism.
+
+The two form their equations in different ways: the mechanism with all coordinates, loops and their forces, projected
+after every step; the reduced corner from masses and levers that were sampled over travel. The mechanism is run at a
+tolerance a thousand times tighter.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.kernel.poses import Walk, space_for, walk_poses
+from jounce.simulation.reduced import DEGREES, reduction_of
+
+KART = jn.load("kart-double-wishbone")
+BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike
+    "torsion_bar": {"stiffness": 60.0, "preload": 3.0, "on": "lower_arm"},
+    "third_spring": {"spring": {"rate": 2e3, "preload": 10.0}, "damper": {"coefficient": 40.0}, "on": "lower_arm"},
+    "anti_roll_bar": {"stiffness": 8.0, "on": "lower_arm", "kind": "z"},
+    "hardpoints.third_spring_end": [0.0, 0.12, 0.125],
+    "hardpoints.arb_pivot": [-0.1, 0.1, 0.12],
+    "hardpoints.arb_arm_end": [-0.02, 0.12, 0.12],
+    "hardpoints.arb_link_end": [0.0, 0.2, 0.06],
+}
+ALL_AT_ONCE = {
+    **BESIDE_STRUT,
+    "tyre.law": "radial",
+    "tyre.damping_coefficient": 20.0,
+    "steering.rack_travel": "4 mm",
+    "strut.bump_stop": {"gap": "6 mm", "rate": "50 N/mm", "progression": 1e8},
+    "strut.rebound_stop": {"gap": "8 mm", "rate": "50 N/mm"},
+    "strut.friction": {"force": 8.0, "regularisation_velocity": 0.01},
+    "guide_friction": {"force": 4.0, "regularisation_velocity": 0.01},
+}
+TOLERANCE = 1e-5
+SEED = 20261123
+
+
+def bump(height: float = 0.012, speed: float = 2.0, duration: float = 0.6) -> jn.Trial:
+    return jn.Trial(road=jn.HalfSine(height=height, length=0.06, start=0.1), speed=speed, duration=duration)
+
+
+def errors(reduced, full) -> dict[str, float]:
+    """Largest difference of every channel over the range it sweeps, where it moves at all."""
+    assert list(reduced) == list(full)
+    ranges = {name: float(np.ptp(full[name].values)) for name in full}
+    return {
+        name: float(np.max(np.abs(reduced[name].values - full[name].values))) / size
+        for name, size in ranges.items()
+        if size > 1e-9
+    }
+
+
+def compare(rig: jn.Rig, trial: jn.Trial) -> tuple[bool, float]:
+    """Whether a run is reduced, and how far body and wheel are off, as shares of the tolerance."""
+    reduced = jn.simulate(rig, trial, tolerance=TOLERANCE)
+    if not reduced.attrs["method"].startswith("reduced"):
+        return False, 0.0
+    full = jn.simulate(rig, trial, tolerance=1e-3 * TOLERANCE, method="explicit")
+    found = errors(reduced, full)
+    assert {"reduced explicit", "reduced implicit"} & {reduced.attrs["method"]}
+    return True, max(found[name] for name in ("sprung.z", "unsprung.z") if name in found) / TOLERANCE
+
+
+def random_case(random: np.random.Generator, rig: jn.Rig, *, alike: bool = False) -> tuple[jn.Rig, jn.Trial]:
+    """Other hardpoints, masses and rates, with or without stops and lift-off, over an obstacle or a rough road.
+
+    Those that are ``alike`` all have stops and may lift off, so that one model is compiled for them.
+    """
+    numbers = rig.parameters()
+    changes: dict[str, object] = {}
+    for path, value in numbers.items():
+        if path.startswith("hardpoints.") and not path.startswith(("hardpoints.wheel", "hardpoints.contact")):
+            changes[path] = value + 0.004 * random.uniform(-1.0, 1.0)
+        elif path.endswith(".mass") or path in ("strut.spring.rate", "tyre.stiffness"):
+            changes[path] = value * random.uniform(0.85, 1.15)
+    changes["tyre.lift_off"] = bool(random.random() < 0.7) or alike
+    if random.random() < 0.5 or alike:
+        gap, rate = random.uniform(0.002, 0.02, 2), 5.0 * numbers.get("strut.spring.rate", 3e4)
+        changes["strut.bump_stop"] = {"gap": float(gap[0]), "rate": rate, "progression": 1e7}
+        changes["strut.rebound_stop"] = {"gap": float(gap[1]), "rate": rate}
+    size = max(numbers.get("tyre.undeformed_radius", 0.25), 0.12) / 0.3
+    if random.random() < 0.7:
+        height, length = size * random.uniform(0.005, 0.05), size * random.uniform(0.1, 1.0)
+        road = jn.HalfSine(height=height, length=length, start=0.1)
+        return rig.with_changes(changes), jn.Trial(road=road, speed=random.uniform(1.0, 12.0), duration=0.8)
+    road = jn.Iso8608(**{"class": str(random.choice(list("ABCD")))}, length="30 m", seed=int(random.integers(1000)))
+    return rig.with_changes(changes), jn.Trial(road=road, speed=random.uniform(4.0, 20.0), duration=0.8)
+
+
+def test_random_corners_agree_within_the_tolerance():
+    random = np.random.default_rng(SEED)
+    found = [compare(*random_case(random, KART, alike=True)) for _ in range(15)]
+    assert sum(reduced for reduced, _ in found) >= 12
+    assert max(share for _, share in found) < 1.0
+
+
+@pytest.mark.slow
+def test_five_hundred_random_corners_agree_within_the_tolerance():
+    """Every shipped suspension; cases that cannot stand, or leave the road, are no cases."""
+    random = np.random.default_rng(SEED)
+    names = [
+        "kart-double-wishbone",
+        "reference-double-wishbone",
+        "generic-mcpherson",
+        "sedan-multi-link",
+        "semi-trailing-arm",
+        "formula-student-front",
+        "suv-front",
+        "audi-double-wishbone",
+    ]
+    rigs, found = [jn.load(name) for name in names], []
+    while len(found) < 500:
+        rig, trial = random_case(random, rigs[len(found) % len(rigs)])
+        try:
+            found.append(compare(rig, trial))
+        except jn.JounceError:
+            continue
+    assert sum(reduced for reduced, _ in found) >= 400
+    assert max(share for _, share in found) < 1.0
+
+
+@pytest.fixture(scope="module")
+def everything():
+    return KART.with_changes(ALL_AT_ONCE)
+
+
+def test_every_force_and_every_channel_is_that_of_the_mechanism(everything):
+    trial = bump()
+    reduced = jn.simulate(everything, trial, tolerance=1e-6)
+    full = jn.simulate(everything, trial, tolerance=1e-9, method="explicit")
+    assert reduced.attrs["method"].startswith("reduced")
+    assert full.attrs["method"] == "explicit"
+    assert reduced.attrs["events"] >= 10
+    assert {"third_spring.force", "torsion_bar.torque", "anti_roll_bar.torque"} <= set(reduced)
+    assert {name: reduced[name].attrs for name in reduced} == {name: full[name].attrs for name in full}
+    found = errors(reduced, full)
+    assert len(found) == len(full.data_vars)  # everything moves
+    assert max(found[name] for name in ("sprung.z", "unsprung.z", "strut.deflection", "wheel.steer")) < 1e-6
+    assert max(found.values()) < 1e-4  # accelerations and forces, with steep friction
+
+
+def test_a_body_that_is_held_leaves_one_coordinate():
+    held = KART.with_changes({"guide": "fixed", "sprung": None})
+    reduced, full = (jn.simulate(held, bump(), method=method, tolerance=1e-7) for method in ("auto", "explicit"))
+    assert reduced.attrs["method"] == "reduced explicit"
+    assert "sprung.z" not in reduced
+    assert max(errors(reduced, full).values()) < 1e-5
+
+
+def test_the_bound_of_a_table_holds_between_its_points():
+    """Lengths and masses at other poses than those sampled differ by less than the bound says."""
+    reduction = reduction_of(KART)
+    assert reduction is not None
+    values = KART.parameters()
+    p = np.array([values[path] for path in reduction.parameters])
+    others = np.sort(np.random.default_rng(SEED).uniform(-0.04, 0.04, 23))
+    targets = np.array([[travel, 0.0] for travel in others])
+    address, start = reduction.native.address, reduction.start
+    before = np.full(len(others), -1, dtype=np.int64)
+    walk = Walk(address["pose"], address["output"], p, start, np.zeros(2), targets, before)
+    exact, work = space_for(walk, len(reduction.names))
+    walk_poses(walk, exact, work)
+    bounds = []
+    for degree in DEGREES:
+        table = reduction.table(p, 0.0, -0.04, 0.04, degree)
+        rows = table.numbers[3:].reshape(len(reduction.names) - 1, degree + 1)
+        x = (others - table.numbers[0]) / table.numbers[1]
+        for name, row, wanted in zip(reduction.names[1:], rows, exact.outputs[1:], strict=True):
+            size = np.ptp(wanted) if "." in name else np.abs(row[0])  # a length or an angle, or a mass
+            bound = table.error * (100.0 if name.startswith("wheel.") else 1.0)  # what nothing feels may be less exact
+            assert np.max(np.abs(np.polyval(row[::-1], x) - wanted)) <= bound * size + 1e-15
+        bounds.append(table.error)
+    assert bounds[1] < bounds[0] < 1e-8
+    assert reduction.table(p, 0.0, -0.06, 0.06, DEGREES[0]).error > 10.0 * bounds[0]
+    assert reduction.table(p, 0.0, -0.3, 0.3, DEGREES[0]) is None  # no wheel of a kart travels that far
+
+
+def test_a_wheel_that_travels_far_gets_a_wider_table_or_the_mechanism():
+    soft = KART.with_changes({"strut.spring.rate": 4e3, "strut.spring.preload": None, "strut.damper.coefficient": 20.0})
+    trial = bump(height=0.03, speed=3.0)
+    run = jn.simulate(soft, trial)
+    full = jn.simulate(soft, trial, method="explicit", tolerance=1e-8)
+    travel = (full["unsprung.z"] - full["sprung.z"]).values
+    assert np.ptp(travel) > 0.03
+    assert max(errors(run, full)[name] for name in ("sprung.z", "unsprung.z")) < 1e-5
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"method": "explicit"}, {"detail": True}, {"offset": {"sprung.distance": 0.001}}, {"tolerance": 1e-12}],
+    ids=["asked for", "detail", "from an offset", "tight tolerance"],
+)
+def test_the_mechanism_runs_where_one_coordinate_does_not_do(options):
+    run = jn.simulate(KART, bump(duration=0.05), **options)
+    assert run.attrs["method"] == "explicit"
+
+
+def test_what_no_road_allows_is_said_by_the_mechanism():
+    with pytest.raises(jn.JounceError, match="equilibrium"):
+        jn.simulate(KART.with_changes({"strut.spring.rate": 1.0}), bump())
