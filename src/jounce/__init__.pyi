@@ -49,6 +49,8 @@ from .exchange.equations import Equations as Equations
 from .exchange.equations import equations as equations
 from .exchange.fmu.export import FmuExport as FmuExport
 from .exchange.fmu.export import export_fmu as export_fmu
+from .exchange.mjcf import MjcfExport as MjcfExport
+from .exchange.mjcf import write_mjcf as write_mjcf
 from .exchange.points import write_hardpoints as write_hardpoints
 from .exchange.roads import RoadExport as RoadExport
 from .exchange.roads import write_road as write_road

@@ -109,3 +109,10 @@ def test_rigs_that_are_not_written_on_a_tester(cli, tmp_path: Path, words, messa
     refused = cli("export", "fmu", *words, "--sources-only", "--out", "a.fmu")
     assert (refused.exit_code, message in refused.err) == (2, True), refused.err
     assert not (tmp_path / "a.fmu").exists()
+
+
+def test_a_model_of_mujoco_comes_back(cli, tmp_path: Path) -> None:
+    assert cli("export", "mjcf", "kart-double-wishbone", "--out", "kart.xml").exit_code == 0
+    outcome = cli("import", "mjcf", "kart.xml", "--out", "kart.toml")
+    assert outcome.exit_code == 0, outcome.err
+    assert jn.load(tmp_path / "kart.toml").model == "double-wishbone"

@@ -167,6 +167,31 @@ def chrono(
     return Reply(plain, draw, as_json)
 
 
+@export_app.command("mjcf")
+def mjcf(
+    rig: RigName,
+    out: Annotated[Path, typer.Option(metavar="FILE.xml", help="Model of MuJoCo to write.")],
+    set_: Changes = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Write a 3-D rig on its road as a model of MuJoCo (MJCF): loops by equality constraints.
+
+    Example: jounce export mjcf kart-double-wishbone --out kart.xml
+    """
+    from jounce.exchange.mjcf import write_mjcf
+
+    made = write_mjcf(chosen_rig(rig, changes(set_)), out, force=force)
+    plain = {"rig": rig, **made.to_dict(), "out": str(out)}
+
+    def draw(console: Console) -> None:
+        console.print(f"{made.bodies} bodies, {made.joints} joints, {made.loops} loops; SI, all frames as at design")
+        show_findings(console, list(made.findings))
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json)
+
+
 @export_app.command("road")
 def road_(
     road: Annotated[str, typer.Argument(metavar="ROAD", help="A road file, a shipped road, or iso:A to iso:H.")],

@@ -610,6 +610,42 @@ def hardpoints(
     )
 
 
+@import_app.command("mjcf")
+def mjcf(
+    file: Annotated[Path, typer.Argument(metavar="FILE.xml", help="Model of MuJoCo with one corner of a car.")],
+    out: Annotated[Path | None, typer.Option(help="Rig file to write; stdout by default.")] = None,
+    model: Annotated[str | None, typer.Option(help="Suspension. Default: the one that has these points.")] = None,
+    name: Annotated[
+        list[str] | None, typer.Option(metavar="THEIRS=OURS", help="A name in the file and the hardpoint it is.")
+    ] = None,
+    wheel_radius: Annotated[str | None, typer.Option(help="Undeformed tyre radius. Default: that of the tyre.")] = None,
+    sprung_mass: Annotated[
+        str | None, typer.Option(help="Sprung mass on this wheel. Default: that of the body in the file.")
+    ] = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Convert a model of MuJoCo (MJCF) whose bodies are a suspension to the left corner of a 3-D rig.
+
+    Example: jounce import mjcf corner.xml --out rig.toml
+    """
+    from jounce.parts.importers import import_mjcf
+
+    return _imported(
+        file,
+        out,
+        lambda: import_mjcf(
+            file,
+            names=dict(_pair(text) for text in name or ()),
+            model=model,
+            wheel_radius=optional_positive(wheel_radius, "m", "--wheel-radius", most=LENGTH),
+            sprung_mass=optional_positive(sprung_mass, "kg", "--sprung-mass"),
+        ),
+        force=force,
+        as_json=as_json,
+    )
+
+
 def _pair(text: str) -> tuple[str, str]:
     theirs, equals, ours = text.rpartition("=")
     if not equals or not theirs.strip() or not ours.strip():

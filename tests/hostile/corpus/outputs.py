@@ -110,6 +110,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("export equations", "--out"): tuple(EQUATION_FORMATS.writers),
         ("export hardpoints", "--out"): tuple(POINT_FORMATS.writers),
         ("export chrono", "--out"): (".json",),
+        ("export mjcf", "--out"): (".xml",),
         ("export road", "--out"): tuple(ROAD_FORMATS.writers),
         **dict.fromkeys(
             ((one, "--out") for one in ("simulate", "ride", "inspect simulate")), (*RECORDING_FILES.writers,)

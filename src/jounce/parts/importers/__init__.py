@@ -4,6 +4,7 @@ from jounce.parts.importers.adams import import_adams
 from jounce.parts.importers.chrono import import_chrono
 from jounce.parts.importers.chrono_file import ChronoCorner, DamperMap, RigidPart, read_chrono_corner, shipped_corner
 from jounce.parts.importers.hardpoints import import_hardpoints
+from jounce.parts.importers.mjcf import import_mjcf
 from jounce.parts.importers.tir import TyreProperties, read_tir, tyre_from_tir
 
 __all__ = [
@@ -14,6 +15,7 @@ __all__ = [
     "import_adams",
     "import_chrono",
     "import_hardpoints",
+    "import_mjcf",
     "read_chrono_corner",
     "read_tir",
     "shipped_corner",

@@ -608,12 +608,12 @@ class PointReading:
     def strut(self, model: str) -> dict[str, str]:
         """Which body carries the strut, or the push rod: the arm that its end is nearest to."""
         end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
-        if model != "double-wishbone":
-            return {}
         key = "pushrod_on" if end == "pushrod_outer" else "on"
         rocker = {"on": "rocker"} if key == "pushrod_on" else {}
-        if self.table.carrier:
+        if self.table.carrier in cast(type[Corner], RIGS[model]).needed_bodies:
             return {key: self.table.carrier} | rocker
+        if model != "double-wishbone":
+            return {}
         reach = {arm: self._reach(arm, end) for arm in ("lower", "upper")}
         arm = min(reach, key=lambda name: reach[name])
         self.note(f"{end} is taken to be on the {arm} arm, which is the nearer one (strut.{key}).")

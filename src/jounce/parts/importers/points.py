@@ -185,6 +185,11 @@ def _deep(keys: dict[str, Any], name: str) -> Any:
     )
 
 
+def angles_of(axle: Array) -> dict[str, float]:
+    """Camber and toe (rad) of a wheel whose axis, outboard, has a direction of length 1."""
+    return {"camber": float(-np.arcsin(axle[2])), "toe": float(np.arctan2(axle[0], abs(axle[1])))}
+
+
 def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None:
     """Wheel centre, contact point, camber and toe from the axle's two points and the tyre's size."""
     begin = outer.name.removesuffix("axle_outboard")
@@ -197,8 +202,7 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     offset = _deep(keys, "offset")
     centre = outer.place - (float(offset) if _is_number(offset) else 0.0) * along
     table.rows.append(PointRow(f"{begin}wheel_centre", centre, outer.where))
-    side = 1.0 if centre[1] > 0.0 else -1.0
-    table.wheel = {"camber": float(-np.arcsin(along[2])), "toe": float(np.arctan2(along[0], side * along[1]))}
+    table.wheel = angles_of(along)
     sizes = [_deep(keys, word) for word in ("rim_diameter", "aspect_ratio", "section_width")]
     if not all(map(_is_number, sizes)):
         return

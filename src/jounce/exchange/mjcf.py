@@ -1,0 +1,350 @@
+"""3-D corners as MJCF, the files of MuJoCo: bodies as a tree, loops by equality constraints, springs as tendons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from jounce.core.errors import OutputError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.writing import check_writable, write_atomically
+from jounce.mechanics import Mechanism
+from jounce.models.corner import suspension
+from jounce.parts import Rig
+from jounce.parts.corners import Corner
+from jounce.parts.elements import BilinearDamper, BumpStop, LinearDamper, MapDamper, VelocityTable
+from jounce.parts.leverage import force_at
+
+STEP = 1e-4  # s
+_STIFF = 2.0  # steps: how fast loops close again
+_SMALL = 1e-3  # m: either side of the design length, for the rate of a curve
+_SLOW = 0.05  # m/s: either side of rest, for the coefficient of a damper that is no straight line
+_ROUNDING = 1e-6
+_FAR = 1e3  # m: a length that no strut has
+
+
+@dataclass(frozen=True)
+class MjcfExport(Plain):
+    """What was written.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    bodies, joints, loops : int
+        Counts; loops are equality constraints.
+    findings : tuple of Finding
+        What the file cannot hold, or holds in another way.
+    """
+
+    path: Path
+    bodies: int
+    joints: int
+    loops: int
+    findings: tuple[Finding, ...]
+
+
+def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport:
+    """Write a 3-D corner on its road as MJCF (``.xml``), for MuJoCo.
+
+    All frames coincide in the design pose, so that every place is that of the rig: SI, x forward, y left, z up. Loops
+    are closed by equality constraints, rods are tendons of fixed length; spring, damper, stops and friction are
+    tendons, the tyre is an actuator between ``road`` (a mocap body that can be moved) and the wheel centre. Sites are
+    named like the hardpoints.
+
+    Parameters
+    ----------
+    rig : Rig
+        3-D corner of a car.
+    path : Path or str
+        File to write.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    MjcfExport
+        What was written, with findings: curves become straight lines about design, bushings joints.
+
+    Raises
+    ------
+    OutputError
+        For a rig without hardpoints, a damper with hysteresis, and an existing file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> made = write_mjcf(jn.load("kart-double-wishbone"), tempfile.mkdtemp() + "/kart.xml")
+    >>> made.bodies, made.loops   # body, two arms, upright; upper ball joint and tie rod
+    (4, 2)
+    """
+    file = check_writable(path, what="models of MuJoCo", suffixes=(".xml",), force=force)
+    if not isinstance(rig, Corner):
+        raise OutputError(
+            "the rig is no mechanism in space",
+            where="rig",
+            found=getattr(rig, "model", type(rig).__name__),
+            allowed="3-D corners such as kart-double-wishbone",
+        )
+    rig.require("bodies", "spring", "damper", "tyre", what="a model of MuJoCo")
+    writing = _Writing(rig)
+    root = writing.root()
+    ET.indent(root)
+    write_atomically(file, ET.tostring(root, encoding="utf-8") + b"\n", force=force)
+    kinds = [element.tag for element in root.iter()]
+    joints = sum(kinds.count(kind) for kind in ("joint", "freejoint"))
+    loops = len(root.find("equality") or ())
+    bodies = kinds.count("inertial")
+    return MjcfExport(file, bodies, joints, loops, tuple(writing.findings))
+
+
+def _text(values: Iterable[float] | float) -> str:
+    numbers = [values] if isinstance(values, float | int) else values
+    return " ".join(f"{float(value) + 0.0:.12g}" for value in numbers)
+
+
+def _add(parent: ET.Element, tag: str, *given: Mapping[str, str], **more: str) -> ET.Element:
+    return ET.SubElement(parent, tag, more | {name: text for each in given for name, text in each.items()})
+
+
+@dataclass
+class _Writing:
+    """A rig while it becomes a file."""
+
+    rig: Corner
+    findings: list[Finding] = field(default_factory=list)
+    _tendon: ET.Element = field(default_factory=lambda: ET.Element("tendon"))
+    _equality: ET.Element = field(default_factory=lambda: ET.Element("equality"))
+    _actuator: ET.Element = field(default_factory=lambda: ET.Element("actuator"))
+    _sensor: ET.Element = field(default_factory=lambda: ET.Element("sensor"))
+
+    def root(self) -> ET.Element:
+        """The file."""
+        self._without_bushings()
+        mechanism = Mechanism()
+        mechanism.gravity = mechanism.parameter("gravity")
+        linkage = suspension(self.rig, mechanism)
+        known = {path: value for path, value in self.rig.parameters().items() if path in mechanism.parameters}
+        listed = mechanism.to_dict(known)
+        root = ET.Element("mujoco", model=self.rig.model)  # type: ignore[attr-defined]
+        ET.SubElement(root, "compiler", angle="radian", autolimits="true")
+        option = ET.SubElement(
+            root, "option", timestep=_text(STEP), gravity=f"0 0 {_text(-self.rig.gravity)}", integrator="implicitfast"
+        )
+        ET.SubElement(option, "flag", contact="disable")
+        world = ET.SubElement(root, "worldbody")
+        road = ET.SubElement(world, "body", name="road", mocap="true")
+        ET.SubElement(road, "site", name="road", pos="0 0 0")
+        bodies = self._tree(world, listed)
+        for name, point in self.rig.hardpoints.given().items():
+            carrier = linkage.owners[name].name if name in linkage.owners else linkage.chassis.name
+            axis = {"zaxis": _text(self._axle())} if name == "wheel_centre" else {}  # a site is where, and which way
+            _add(bodies[carrier], "site", axis, name=name, pos=_text(point))
+        root.extend([self._tendon, self._equality, self._actuator, self._sensor])
+        self._close(listed, bodies)
+        self._strut()
+        self._tyre()
+        self._watch(listed)
+        self._note_rest()
+        return root
+
+    def _say(self, place: str, message: str, severity: str = "note") -> None:
+        self.findings.append(Finding(place, severity, message))  # type: ignore[arg-type]
+
+    def _axle(self) -> tuple[float, float, float]:
+        """Direction of the wheel's axis, outboard."""
+        camber, toe = self.rig.wheel.camber, self.rig.wheel.toe
+        return np.sin(toe) * np.cos(camber), self.rig.sign * np.cos(toe) * np.cos(camber), -np.sin(camber)
+
+    def _without_bushings(self) -> None:
+        table = self.rig.bushings
+        soft = [name for name in type(table).model_fields if getattr(table, name) is not None]
+        if soft:
+            self._say("bushings", f"written as ideal joints: {', '.join(soft)}.", "warning")
+            self.rig = self.rig.model_copy(update={"bushings": type(table)()})
+
+    # --- bodies and joints
+
+    def _tree(self, world: ET.Element, listed: dict[str, Any]) -> dict[str, ET.Element]:
+        """Bodies by name; the joint that carries each hangs it on another."""
+        masses = {body["name"]: body for body in listed["bodies"]}
+        bodies = {"ground": world}
+        for joint in listed["joints"]:
+            name = joint["carries"]
+            parent = joint["first"] if joint["second"] == name else joint["second"]
+            body = ET.SubElement(bodies[parent], "body", name=name)
+            if joint["kind"] == "driven":
+                body.set("pos", _text(joint["travel"] * np.array(joint["axis"])))
+            self._joint(body, joint)
+            if masses[name].get("mass") is not None:
+                self._inertial(body, masses[name])
+            bodies[name] = body
+        return bodies
+
+    def _joint(self, body: ET.Element, joint: dict[str, Any]) -> None:
+        kind, name = joint["kind"], joint["name"]
+        friction = self.rig.guide_friction
+        loss = {"frictionloss": _text(friction.force)} if name == "sprung" and friction else {}
+        at = {"pos": _text(joint["at"])} if "at" in joint else {}
+        if kind == "prismatic":
+            _add(body, "joint", loss, name=name, type="slide", axis=_text(joint["axis"]))
+        elif kind == "revolute":
+            _add(body, "joint", at, name=name, type="hinge", axis=_text(joint["axis"]))
+        elif kind == "spherical":
+            _add(body, "joint", at, name=name, type="ball")
+        elif kind == "universal":
+            _add(body, "joint", at, name=name, type="hinge", axis=_text(joint["axis"]))
+            _add(body, "joint", at, name=f"{name}.second", type="hinge", axis=_text(joint["second_axis"]))
+        elif kind == "free":
+            ET.SubElement(body, "freejoint", name=name)
+        elif kind not in ("fixed", "driven"):
+            raise OutputError("no joint of MuJoCo", where=name, found=kind)
+
+    @staticmethod
+    def _inertial(body: ET.Element, given: dict[str, Any]) -> None:
+        xx, yy, zz, xy, xz, yz = (given["inertia"][name] for name in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        moments = {"diaginertia": "1 1 1"}  # of a body that only heaves
+        if xx + yy + zz > 0.0:
+            low, middle, high = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+            more = max(0.0, high - (low + middle) * (1.0 - _ROUNDING))  # thin plates: MuJoCo has no room for rounding
+            moments = {"fullinertia": _text((xx + more, yy + more, zz + more, xy, xz, yz))}
+        _add(body, "inertial", moments, pos=_text(given["centre_of_mass"]), mass=_text(given["mass"]))
+
+    def _close(self, listed: dict[str, Any], bodies: dict[str, ET.Element]) -> None:
+        """Loops: points that stay together, rods, and a point on a line by a slider of next to no mass."""
+        soft = {"solref": f"{_text(_STIFF * STEP)} 1", "solimp": "0.9999 0.9999 0.001"}
+        for loop in listed["closures"]:
+            name, kind = loop["name"], loop["kind"]
+            ends = {"body1": self._body(loop["first"]), "body2": self._body(loop["second"])}
+            if kind == "point to point":
+                _add(self._equality, "connect", ends, soft, name=name, anchor=_text(loop["at"]))
+            elif kind == "rod":
+                self._rod(name, loop, bodies, soft)
+            elif kind == "point on line":
+                slider = ET.SubElement(bodies[loop["first"]], "body", name=name)
+                ET.SubElement(slider, "joint", name=name, type="slide", axis=_text(loop["axis"]))
+                ET.SubElement(slider, "inertial", pos=_text(loop["point"]), mass="0.01", diaginertia="1e-5 1e-5 1e-5")
+                ends["body1"] = name
+                _add(self._equality, "connect", ends, soft, name=name, anchor=_text(loop["point"]))
+                self._say(name, "the strut slides in the upright as a body of 10 g.")
+            else:
+                raise OutputError("no constraint of MuJoCo", where=name, found=kind)
+
+    @staticmethod
+    def _body(name: str) -> str:
+        return "world" if name == "ground" else name
+
+    def _rod(self, name: str, loop: dict[str, Any], bodies: dict[str, ET.Element], soft: dict[str, str]) -> None:
+        """A tendon whose length stays as it is at design."""
+        tendon = ET.SubElement(self._tendon, "spatial", name=name)
+        for end, body, place in (("first", loop["first"], loop["at"]), ("second", loop["second"], loop["second_at"])):
+            site = f"{name}.{end}"
+            ET.SubElement(bodies[body], "site", name=site, pos=_text(place))
+            ET.SubElement(tendon, "site", site=site)
+        _add(self._equality, "tendon", soft, name=name, tendon1=name, polycoef="0 0 0 0 0")
+
+    # --- springs, dampers, tyre
+
+    def _line(self, name: str, element: str, **laws: str) -> None:
+        """A tendon along an element of the strut."""
+        given = self.rig.hardpoints.given()
+        tendon = _add(self._tendon, "spatial", laws, name=name)
+        for end in ("bottom", "top"):
+            site = f"{element}_{end}"
+            ET.SubElement(tendon, "site", site=site if site in given else f"strut_{end}")
+
+    def _strut(self) -> None:
+        strut, points = self.rig.strut, self.rig.hardpoints
+        rate, force = self._spring_at_design()
+        self._line(
+            "spring", "spring", stiffness=_text(rate), springlength=_text(points.length("spring") + force / rate)
+        )
+        friction = {} if strut.friction is None else {"frictionloss": _text(strut.friction.force)}
+        self._line("damper", "damper", damping=_text(self._coefficient()), **friction)
+        design = points.length("spring")
+        for name, side in (("bump_stop", -1.0), ("rebound_stop", 1.0)):
+            stop: BumpStop | None = getattr(strut, name)
+            if stop is None:
+                continue
+            edge = max(design + side * stop.gap, 1e-6)
+            free = (edge, _FAR) if side < 0.0 else (0.0, edge)
+            self._line(name, "spring", stiffness=_text(stop.rate), springlength=_text(free))
+            if stop.progression:
+                self._say(f"strut.{name}", "its progression is left out: MuJoCo's is a straight line.")
+
+    def _spring_at_design(self) -> tuple[float, float]:
+        """Rate and force of the spring at design, N/m and N."""
+        spring = self.rig.strut.spring
+        compressed = 0.0 if spring.free_length is None else spring.free_length - self.rig.hardpoints.length("spring")
+        if spring.rate is not None:
+            return spring.rate, spring.rate * compressed + (spring.preload or 0.0)
+        assert spring.curve is not None
+        curve = spring.curve
+        ends = [force_at(curve, compressed + side * _SMALL) for side in (-1.0, 1.0)]
+        self._say("strut.spring", "its curve is a straight line about design.", "warning")
+        return (ends[1] - ends[0]) / (2.0 * _SMALL), force_at(curve, compressed) + (spring.preload or 0.0)
+
+    def _coefficient(self) -> float:
+        """Of the damper, N s/m."""
+        damper = self.rig.strut.damper
+        if isinstance(damper, LinearDamper):
+            return damper.coefficient
+        if isinstance(damper, BilinearDamper):
+            mean = 0.5 * (damper.bump_coefficient + damper.rebound_coefficient)
+        elif isinstance(damper, VelocityTable):
+            ends = np.interp([-_SLOW, _SLOW], damper.velocity, damper.force)
+            mean = float(ends[1] - ends[0]) / (2.0 * _SLOW)
+        elif isinstance(damper, MapDamper):
+            at = int(np.argmin(np.abs(np.array(damper.length) - self.rig.hardpoints.length("damper"))))
+            ends = np.interp([-_SLOW, _SLOW], damper.velocity, damper.force[at])
+            mean = float(ends[1] - ends[0]) / (2.0 * _SLOW)
+        else:
+            raise OutputError(
+                "a damper with hysteresis is in no file of MuJoCo", where="strut.damper", found=damper.kind,
+                allowed="linear, bilinear, table, map",
+            )  # fmt: skip
+        self._say(
+            "strut.damper", f"{mean:.5g} N s/m in both directions: MuJoCo's damper is a straight line.", "warning"
+        )
+        return mean
+
+    def _tyre(self) -> None:
+        """A force between road and wheel centre that only pushes."""
+        tyre, radius = self.rig.tyre, self.rig.undeformed_radius
+        if tyre.stiffness is not None:
+            stiffness = tyre.stiffness
+        else:
+            assert tyre.curve is not None
+            low = radius - self.rig.hardpoints.wheel_centre[2]
+            ends = [force_at(tyre.curve, low + side * _SMALL) for side in (-1.0, 1.0)]
+            stiffness = (ends[1] - ends[0]) / (2.0 * _SMALL)
+            radius = self.rig.hardpoints.wheel_centre[2] + force_at(tyre.curve, low) / stiffness
+            self._say("tyre.curve", "it is a straight line about design.", "warning")
+        if getattr(tyre, "law", "vertical") == "radial":
+            self._say("tyre.law", "its force is vertical.")
+        limits = {"forcerange": f"0 {_text(1e9)}"} if tyre.lift_off else {}
+        _add(
+            self._actuator, "general", limits, name="tyre", site="wheel_centre", refsite="road", gear="0 0 1 0 0 0",
+            gaintype="fixed", gainprm="0", biastype="affine",
+            biasprm=_text((stiffness * radius, -stiffness, -tyre.damping_coefficient)),
+        )  # fmt: skip
+
+    def _watch(self, listed: dict[str, Any]) -> None:
+        ET.SubElement(self._sensor, "framepos", name="wheel_centre", objtype="site", objname="wheel_centre")
+        ET.SubElement(self._sensor, "actuatorfrc", name="tyre.force", actuator="tyre")
+        ET.SubElement(self._sensor, "tendonpos", name="strut.length", tendon="spring")
+        if any(joint["name"] == "sprung" for joint in listed["joints"]):
+            ET.SubElement(self._sensor, "jointpos", name="sprung.z", joint="sprung")
+
+    def _note_rest(self) -> None:
+        """What the rig holds and the file does not."""
+        left = [name for name in ("anti_roll_bar", "torsion_bar", "third_spring") if getattr(self.rig, name, None)]
+        if left:
+            self._say("rig", f"not in the file: {', '.join(left)}.", "warning")

@@ -1,0 +1,507 @@
+"""Files of MuJoCo (MJCF) whose tree of bodies is a suspension, as 3-D rigs: points by name and by structure."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, cast
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.files import content_of, existing_file
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.parts.corners import Corner
+from jounce.parts.files import RIGS, rig_from_table, rig_text
+from jounce.parts.importers.drafts import SPRUNG_MASS, TYRE_STIFFNESS, Draft, as_table, rig_of, tensor_of
+from jounce.parts.importers.hardpoints import PointReading, known_names
+from jounce.parts.importers.points import PointRow, PointTable, angles_of
+
+_LARGEST = 20_000_000  # bytes
+_DEEPEST = 200  # bodies
+_ARM = 0.1  # m: from a hinge to the points of its axis, where the file names none
+_FAR = 100.0  # m: a tendon's length that means none
+_LENGTHS = 2
+_CARRIERS = {body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)} - {"rocker"}
+_Ball = tuple[str, str, Array]
+
+
+@dataclass
+class _Body:
+    """A body in the world's axes: place, axes as columns, mass properties, and the body it hangs on."""
+
+    name: str
+    parent: str
+    place: Array
+    axes: Array
+    mass: dict[str, Any] | None = None
+    joints: list[tuple[str, str, Array, Array]] = field(default_factory=list)  # name, type, place, axis
+
+
+def import_mjcf(
+    path: Path | str,
+    *,
+    names: Mapping[str, str] | None = None,
+    model: str | None = None,
+    wheel_radius: float | None = None,
+    sprung_mass: float | None = None,
+    source: str | None = None,
+) -> tuple[Corner, list[Finding], str]:
+    """Read a file of MuJoCo that holds one corner of a car as the left corner of a 3-D rig.
+
+    Points are sites, joints and constraints with names that tables of hardpoints have, too; what is not named follows
+    from the structure: two arms on hinges that share an upright by ball joints, a tie rod, a spring. Bodies with mass
+    that are named like ours, the springs and dampers of spatial tendons and a tyre as this program writes it make a rig
+    that can be simulated; without them it is complete for kinematics. x must be forward or to the rear, z up.
+
+    Parameters
+    ----------
+    path : Path or str
+        The ``.xml`` file, whole (without ``include``).
+    names : mapping, optional
+        Name in the file to ours.
+    model : str, optional
+        Suspension; by default the one that has these points.
+    wheel_radius : float, optional
+        Undeformed radius of the tyre [m]; by default that of the tyre, or the height of the wheel centre.
+    sprung_mass : float, optional
+        Share of the body on this wheel [kg]; by default that of the body on which the arms are.
+    source : str, optional
+        Text for ``source`` of the rig; by default the name of the file.
+
+    Returns
+    -------
+    rig : Corner
+        The left corner.
+    findings : list of Finding
+        What was assumed, left out or estimated.
+    text : str
+        The rig file that describes it.
+
+    Raises
+    ------
+    DescriptionError
+        For a file that is missing or no MJCF, places that are given in ways that are not read, a tree that is no
+        suspension, and points that are missing or given twice.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> file = Path(tempfile.mkdtemp()) / "pendulum.xml"
+    >>> _ = file.write_text("<mujoco><worldbody><body><joint type='hinge'/></body></worldbody></mujoco>")
+    >>> import_mjcf(file)   # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    jounce.core.errors.DescriptionError: ... no points are in it...
+    """
+    reading = _Tree(existing_file(path), dict(names or {}))
+    return reading.rig(model, wheel_radius, sprung_mass, source)
+
+
+class _Tree:
+    """A file while it becomes a rig."""
+
+    def __init__(self, file: Path, names: dict[str, str]) -> None:
+        if file.stat().st_size > _LARGEST:
+            raise DescriptionError("too large for a suspension", where=str(file), allowed="up to 20 MB")
+        self.file, self.names, self.draft = file, names, Draft(file)
+        self.root = _parsed(file)
+        compiler = self.root.find("compiler")
+        given = {} if compiler is None else compiler.attrib
+        self._turn = 1.0 if given.get("angle", "degree") == "radian" else np.pi / 180.0
+        self._order = given.get("eulerseq", "xyz")
+        if given.get("coordinate", "local") != "local":
+            raise self._refused(
+                "places in global coordinates", given["coordinate"], "local ones, as MuJoCo has since 2.3"
+            )
+        self._defaults = {
+            one.get("class", "main"): dict(joint.attrib)
+            for one in self.root.iter("default")
+            if (joint := one.find("joint")) is not None
+        }
+        self.sites: dict[str, tuple[Array, str]] = {}
+        self.wheel: dict[str, float] = {}
+        self._known = known_names()
+        self.bodies = {"world": _Body("world", "", np.zeros(3), np.eye(3))}
+        world = self.root.find("worldbody")
+        if world is None:
+            raise self._refused("no MJCF", None, "an element worldbody")
+        self._walk(world, "world", "", 0)
+
+    def _refused(self, what: str, found: object, allowed: str, where: str = "") -> DescriptionError:
+        return DescriptionError(
+            what, where=f"{self.file}: {where}" if where else str(self.file), found=found, allowed=allowed
+        )
+
+    # --- the tree
+
+    def _walk(self, element: ET.Element, name: str, inherited: str, depth: int) -> None:
+        if depth > _DEEPEST:
+            raise self._refused("bodies nested too deeply", depth, f"up to {_DEEPEST}")
+        here = self.bodies[name]
+        for child in element:
+            if child.tag == "site" and child.get("name"):
+                self._keep_site(child.get("name", ""), here.place + here.axes @ self._three(child, "pos"), name)
+                if "zaxis" in child.attrib and self._ours(child.get("name", "")) == "wheel_centre":
+                    along = here.axes @ self._three(child, "zaxis")
+                    self.wheel = angles_of(along / max(float(np.linalg.norm(along)), 1e-12))
+            elif child.tag in ("joint", "freejoint"):
+                self._add_joint(child, here, inherited)
+            elif child.tag == "inertial":
+                here.mass = self._inertial(child, here)
+            elif child.tag == "body":
+                own = child.get("name") or f"body {len(self.bodies)}"
+                if own in self.bodies:
+                    raise self._refused("two bodies have the same name", own, "every name once")
+                axes = here.axes @ self._axes(child)
+                self.bodies[own] = _Body(own, name, here.place + here.axes @ self._three(child, "pos"), axes)
+                self._walk(child, own, child.get("childclass", inherited), depth + 1)
+
+    def _ours(self, name: str) -> str:
+        """Our name of a point, or nothing."""
+        return self.names.get(name, self._known.get(" ".join(name.lower().replace("_", " ").split()), ""))
+
+    def _keep_site(self, name: str, place: Array, body: str) -> None:
+        if name in self.sites:
+            raise self._refused("two sites have the same name", name, "every name once")
+        self.sites[name] = place, body
+
+    def _add_joint(self, child: ET.Element, here: _Body, inherited: str) -> None:
+        given = {
+            **self._defaults.get("main", {}),
+            **self._defaults.get(child.get("class", inherited), {}),
+            **child.attrib,
+        }
+        kind = "free" if child.tag == "freejoint" else given.get("type", "hinge")
+        place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, "joint: pos")
+        axis = here.axes @ self._numbers(given.get("axis", "0 0 1"), 3, "joint: axis")
+        size = float(np.linalg.norm(axis))
+        if size < 1e-9:
+            raise self._refused(
+                "an axis without direction", given.get("axis"), "not all zero", f"joint {child.get('name')}"
+            )
+        here.joints.append((child.get("name", ""), kind, place, axis / size))
+
+    def _numbers(self, text: str, count: int, where: str) -> Array:
+        try:
+            found = np.array([float(word) for word in text.split()])
+        except ValueError:
+            found = np.full(0, np.nan)
+        if len(found) != count or not np.all(np.isfinite(found)):
+            raise self._refused("not the numbers that belong here", text[:80], f"{count} numbers", where)
+        return found
+
+    def _three(self, element: ET.Element, key: str) -> Array:
+        return self._numbers(element.get(key, "0 0 0"), 3, f"{element.tag} {element.get('name', '')}: {key}")
+
+    def _axes(self, element: ET.Element) -> Array:
+        """Axes of a frame as columns, from a quaternion, angles, an axis and an angle, or two axes."""
+        from scipy.spatial.transform import Rotation
+
+        where = f"{element.tag} {element.get('name', '')}"
+        if "quat" in element.attrib:
+            w, x, y, z = self._numbers(element.attrib["quat"], 4, f"{where}: quat")
+            if not np.any([w, x, y, z]):
+                raise self._refused("a quaternion of zeros", element.attrib["quat"], "not all zero", where)
+            return np.asarray(Rotation.from_quat([x, y, z, w]).as_matrix())
+        if "euler" in element.attrib:
+            angles = self._turn * self._numbers(element.attrib["euler"], 3, f"{where}: euler")
+            order = self._order.swapcase()  # small letters turn with the body there, capitals here
+            return np.asarray(Rotation.from_euler(order, angles).as_matrix())
+        if "axisangle" in element.attrib:
+            *axis, angle = self._numbers(element.attrib["axisangle"], 4, f"{where}: axisangle")
+            return np.asarray(
+                Rotation.from_rotvec(np.array(axis) / np.linalg.norm(axis) * angle * self._turn).as_matrix()
+            )
+        if "xyaxes" in element.attrib:
+            six = self._numbers(element.attrib["xyaxes"], 6, f"{where}: xyaxes")
+            x = six[:3] / np.linalg.norm(six[:3])
+            y = six[3:] - (six[3:] @ x) * x
+            y = y / np.linalg.norm(y)
+            return np.column_stack([x, y, np.cross(x, y)])
+        if "zaxis" in element.attrib:
+            raise self._refused("zaxis is not read", element.attrib["zaxis"], "quat, euler, axisangle, xyaxes", where)
+        return np.eye(3)
+
+    def _inertial(self, element: ET.Element, here: _Body) -> dict[str, Any] | None:
+        mass = self._numbers(element.get("mass", ""), 1, "inertial: mass")[0]
+        centre = here.place + here.axes @ self._three(element, "pos")
+        if "fullinertia" in element.attrib:
+            xx, yy, zz, xy, xz, yz = self._numbers(element.attrib["fullinertia"], 6, "inertial: fullinertia")
+            tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        else:
+            tensor = np.diag(self._numbers(element.get("diaginertia", "0 0 0"), 3, "inertial: diaginertia"))
+        axes = here.axes @ self._axes(element)
+        return as_table(float(mass), centre, axes @ tensor @ axes.T) if mass > 0.0 else None
+
+    # --- points
+
+    def _balls(self) -> Iterator[_Ball]:
+        """Two bodies and the point at which they stay together: ball joints and connections."""
+        for body in self.bodies.values():
+            for _, kind, place, _ in body.joints:
+                if kind == "ball":
+                    yield body.parent, body.name, place
+        for one in self.root.iter("connect"):
+            names = one.get("body1", ""), one.get("body2", "world")
+            if one.get("site1") in self.sites:
+                place, first = self.sites[one.get("site1", "")]
+                yield first, self.sites.get(one.get("site2", ""), (place, "world"))[1], place
+            elif names[0] in self.bodies and names[1] in self.bodies:
+                here = self.bodies[names[0]]
+                yield names[0], names[1], here.place + here.axes @ self._three(one, "anchor")
+
+    def _tendons(self) -> dict[str, tuple[dict[str, str], list[str]]]:
+        """Spatial tendons between two sites: attributes and the sites' names."""
+        found: dict[str, tuple[dict[str, str], list[str]]] = {}
+        for one in self.root.iter("spatial"):
+            sites = [site.get("site", "") for site in one if site.tag == "site"]
+            if len(sites) == _LENGTHS and all(site in self.sites for site in sites):
+                found[one.get("name", f"tendon {len(found)}")] = dict(one.attrib), sites
+        return found
+
+    def table(self) -> PointTable:
+        """Points by name, and those that follow from the structure."""
+        table = PointTable(self.file, unit="m")
+        named = {}
+        for name, (place, _) in self.sites.items():
+            named[name] = place
+        for body in self.bodies.values():
+            for name, kind, place, _ in body.joints:
+                if name and kind == "ball":
+                    named.setdefault(name, place)
+        table.rows = [PointRow(name, place, f"{self.file}: {name}") for name, place in named.items()]
+        carriers = [self.sites[name][1] for name in ("pushrod_outer", "strut_bottom") if name in self.sites]
+        table.carrier = carriers[0] if carriers and carriers[0] in _CARRIERS else ""
+        table.wheel = self.wheel
+        own = {self._ours(name) for name in named}
+        for name, place in self._by_structure():
+            if name not in own:
+                table.rows.append(PointRow(name, place, f"{self.file}: structure"))
+                table.notes.append(
+                    f"{name} follows from the structure: {', '.join(f'{1e3 * x:.4g}' for x in place)} mm."
+                )
+        return table
+
+    def _by_structure(self) -> Iterator[tuple[str, Array]]:
+        """Two arms on hinges that share an upright, its tie rod, its wheel; a spring between them and the body."""
+        balls = list(self._balls())
+        hinges = {b.name: b.joints[0] for b in self.bodies.values() if len(b.joints) == 1 and b.joints[0][1] == "hinge"}
+
+        def tied(one: str) -> Iterator[tuple[str, Array]]:
+            for first, second, place in balls:
+                if one in (first, second):
+                    yield (second if first == one else first), place
+
+        shared: dict[str, list[tuple[str, Array]]] = {}
+        for arm in hinges:
+            for other, place in tied(arm):
+                if other not in hinges and other != self.bodies[arm].parent:
+                    shared.setdefault(other, []).append((arm, place))
+        upright = max(shared, key=lambda name: len(shared[name]), default="")
+        arms = sorted(shared.get(upright, []), key=lambda one: float(one[1][2]))
+        for (arm, ball), ours in zip(arms, ("lower", "upper"), strict=False):
+            _, _, place, axis = hinges[arm]
+            ahead = axis if axis[0] >= 0.0 else -axis
+            yield f"{ours}_ball_joint", ball
+            yield f"{ours}_arm_front", place + _ARM * ahead
+            yield f"{ours}_arm_rear", place - _ARM * ahead
+        if not upright:
+            return
+        for body in self.bodies.values():
+            if body.parent == upright and body.joints and body.joints[0][1] == "hinge":
+                yield "wheel_centre", body.joints[0][2]
+        for rods in (*self._rods(), *self._links(balls, upright)):
+            if upright in (rods[0][1], rods[1][1]):
+                outer, inner = rods if rods[0][1] == upright else rods[::-1]
+                yield "tie_rod_outer", outer[0]
+                yield "tie_rod_inner", inner[0]
+        for given, sites in self._tendons().values():
+            if float(given.get("stiffness", "0").split()[0]) > 0.0:
+                low, high = sorted((self.sites[site] for site in sites), key=lambda one: float(one[0][2]))
+                yield "strut_bottom", low[0]
+                yield "strut_top", high[0]
+                return
+
+    def _rods(self) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
+        """Tendons whose length is held."""
+        tendons = self._tendons()
+        for one in self.root.iter("equality"):
+            for held in one.iter("tendon"):
+                if held.get("tendon1") in tendons:
+                    first, second = tendons[held.get("tendon1", "")][1]
+                    yield self.sites[first], self.sites[second]
+
+    @staticmethod
+    def _links(balls: list[_Ball], upright: str) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
+        """Bodies between two ball joints, one of them on the upright."""
+        for first, second, outer in balls:
+            if upright not in (first, second):
+                continue
+            link = second if first == upright else first
+            ends = [(a if b == link else b, place) for a, b, place in balls if link in (a, b)]
+            others = [(place, name) for name, place in ends if name != upright]
+            if len(ends) == _LENGTHS and len(others) == 1:
+                yield (outer, upright), others[0]
+
+    # --- the rig
+
+    def rig(
+        self, model: str | None, wheel_radius: float | None, sprung_mass: float | None, source: str | None
+    ) -> tuple[Corner, list[Finding], str]:
+        """The rig, what there is to say about it, and its file."""
+        table = self.table()
+        if not table.rows:
+            raise self._refused("no points are in it", None, "sites named like hardpoints, or two arms with an upright")
+        tyre = self._tyre()
+        if tyre is not None:
+            table.radius = tyre.pop("radius")
+        reading = PointReading(table, "left", None, self.names)
+        before = {name: np.array(point) for name, point in reading.points.items()}
+        rig, findings, text = reading.rig(None, None, model, wheel_radius, source)
+        whole = self._whole(rig, before, reading.points, tyre, sprung_mass)
+        if whole is None:
+            return rig, findings, text
+        self.draft.findings = findings + self.draft.findings
+        made = rig.model_dump(
+            by_alias=True, exclude_none=True, include={"schema_", "model", "source", "side", "hardpoints", "wheel"}
+        )
+        strut = rig.strut.model_dump(exclude_none=True, include={"on", "pushrod_on"})
+        if table.carrier and rig.strut.on != "rocker":
+            strut["on"] = table.carrier
+        estimated = sorted({*rig.estimated, *self.draft.estimated})
+        made |= {**whole, "estimated": estimated, "strut": {**strut, **whole["strut"]}}
+        comments = [
+            f"Left corner from {self.file.name} of MuJoCo.",
+            *(finding.message for finding in self.draft.findings),
+        ]
+        text = rig_text(rig_of(self.draft, made), comments)
+        return cast(Corner, rig_from_table(tomllib.loads(text), where=str(self.file))), self.draft.findings, text
+
+    def _whole(
+        self,
+        rig: Corner,
+        before: Mapping[str, Array],
+        after: Mapping[str, Array],
+        tyre: dict[str, Any] | None,
+        sprung_mass: float | None,
+    ) -> dict[str, Any] | None:
+        """Masses, strut and tyre; None where the file does not hold them."""
+        kind = RIGS[rig.model]  # type: ignore[attr-defined]
+        assert issubclass(kind, Corner)
+        masses = {name: body.mass for name, body in self.bodies.items() if body.mass is not None}
+        needed = [name for name in kind.needed_bodies if name not in masses]
+        spring = self._spring()
+        if needed or spring is None:
+            lacking = [*needed, *([] if spring is not None else ["a spring"])]
+            text = f"not in the file under our names, so the rig is for kinematics alone: {', '.join(lacking)}."
+            self.draft.note(self.draft.at("bodies"), text)
+            return None
+        flip = np.diag([_sign(before, after, axis) for axis in range(2)] + [1.0])
+        up = after["wheel_centre"] - flip @ before["wheel_centre"]
+        bodies = {
+            name: _moved(masses[name], flip, up)
+            for name in (*kind.needed_bodies, *kind.further_bodies)
+            if name in masses
+        }
+        left = [
+            name for name in masses if name not in bodies and name != "sprung" and self.bodies[name].parent != "world"
+        ]
+        if left:
+            self.draft.note(self.draft.at("bodies"), f"bodies that are left out: {', '.join(left)}.")
+        chassis = masses.get("sprung") or next(
+            (m for n, m in masses.items() if self.bodies[n].parent == "world" and n not in bodies), None
+        )
+        if sprung_mass is None:
+            sprung_mass = SPRUNG_MASS if chassis is None else float(chassis["mass"])
+            if chassis is None:
+                self.draft.estimated.append("sprung.mass")
+                self.draft.note(self.draft.at("sprung.mass"), f"it is not in the file: {SPRUNG_MASS:g} kg assumed.")
+        if tyre is None:
+            tyre = {"stiffness": TYRE_STIFFNESS}
+            self.draft.estimated.append("tyre.stiffness")
+            self.draft.note(self.draft.at("tyre"), "it is not in the file: 250 N/mm assumed.")
+        return {"guide": "vertical", "bodies": bodies, "strut": spring, "tyre": tyre, "sprung": {"mass": sprung_mass}}
+
+    def _spring(self) -> dict[str, Any] | None:
+        """Spring, damper, friction and stops of the tendons with a stiffness or a damping; None without a spring."""
+        spring: dict[str, Any] | None = None
+        stops: dict[str, Any] = {}
+        damping = friction = 0.0
+        for name, (given, sites) in self._tendons().items():
+            numbers = {key: [float(word) for word in text.split()] for key, text in given.items() if _is_numeric(text)}
+            rate, lengths = numbers.get("stiffness", [0.0])[0], numbers.get("springlength", [-1.0])
+            length = float(np.linalg.norm(self.sites[sites[0]][0] - self.sites[sites[1]][0]))
+            if rate > 0.0 and len(lengths) == _LENGTHS:  # a dead band: it works beyond either end
+                for stop, gap in (("bump_stop", length - lengths[0]), ("rebound_stop", lengths[1] - length)):
+                    if lengths[0] > 0.0 if stop == "bump_stop" else lengths[1] < _FAR:
+                        stops[stop] = {"gap": gap, "rate": rate}
+            elif rate > 0.0 and spring is None:
+                spring = {"rate": rate, "free_length": lengths[0] if lengths[0] > 0.0 else length}
+            elif rate > 0.0:
+                self.draft.note(self.draft.at(name), "a further spring, which is left out.")
+            damping += numbers.get("damping", [0.0])[0]
+            friction += numbers.get("frictionloss", [0.0])[0]
+        if spring is None:
+            return None
+        further = {"friction": {"force": friction}} if friction else {}
+        return {"spring": spring, "damper": {"coefficient": damping}, **further, **stops}
+
+    def _tyre(self) -> dict[str, Any] | None:
+        """A tyre as an actuator between the road and the wheel that pushes along z; None where there is none."""
+        for one in self.root.iter("general"):
+            given = one.attrib
+            if (
+                given.get("biastype") == "affine"
+                and given.get("refsite")
+                and given.get("gear", "").split()[:3] == ["0", "0", "1"]
+            ):
+                force, rate, damping = self._numbers(given.get("biasprm", ""), 3, "actuator: biasprm")
+                if force > 0.0 > rate:
+                    return {"stiffness": -rate, "damping_coefficient": -damping, "radius": -force / rate}
+        return None
+
+
+def _sign(before: Mapping[str, Array], after: Mapping[str, Array], axis: int) -> float:
+    """-1 where the table was turned round along an axis."""
+    products = [before[name][axis] * after[name][axis] for name in before if name in after]
+    return -1.0 if min(products, default=0.0) < 0.0 else 1.0
+
+
+def _is_numeric(text: str) -> bool:
+    try:
+        return bool([float(word) for word in text.split()])
+    except ValueError:
+        return False
+
+
+def _moved(table: dict[str, Any], flip: Array, up: Array) -> dict[str, Any]:
+    """Mass properties mirrored and moved."""
+    centre = flip @ np.array(table["centre_of_mass"]) + up
+    return as_table(table["mass"], centre, flip @ tensor_of(table) @ flip)
+
+
+def _parsed(file: Path) -> ET.Element:
+    class Plain(ET.TreeBuilder):
+        """A tree of what has no document type."""
+
+        def doctype(self, name: str, pubid: str | None, system: str | None) -> None:  # noqa: ARG002
+            raise ET.ParseError("a document type")
+
+    try:
+        root = ET.fromstring(content_of(file), ET.XMLParser(target=Plain()))
+    except (ET.ParseError, ValueError, LookupError, RecursionError) as error:
+        raise DescriptionError(f"not XML: {error}", where=str(file), allowed="MJCF") from None
+    if root.tag != "mujoco":
+        raise DescriptionError("no MJCF", where=str(file), found=f"<{root.tag}>", allowed="<mujoco>")
+    if next(root.iter("include"), None) is not None:
+        raise DescriptionError(
+            "it includes other files",
+            where=str(file),
+            allowed="one file",
+            hint="Save the whole model with MuJoCo first.",
+        )
+    return root

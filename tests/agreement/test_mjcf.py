@@ -1,0 +1,91 @@
+"""Rigs as files of MuJoCo: its engine stands and moves as ours, and the file read again has the same points."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.exchange.mjcf import write_mjcf
+
+mujoco = pytest.importorskip("mujoco", reason="the engines of the benchmarks are not installed")
+
+
+def opened(rig, folder: Path):
+    made = write_mjcf(rig, folder / "rig.xml")
+    model = mujoco.MjModel.from_xml_path(str(made.path))
+    return made, model, mujoco.MjData(model)
+
+
+def seen(model, data, name: str) -> np.ndarray:
+    sensor = model.sensor(name)
+    return data.sensordata[sensor.adr[0] : sensor.adr[0] + sensor.dim[0]].copy()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name", ["generic-mcpherson", "sedan-multi-link", "formula-student-front", "semi-trailing-arm", "hmmwv-front"]
+)
+def test_it_stands_as_ours(tmp_path: Path, name: str) -> None:
+    rig = jn.load(name)
+    _, model, data = opened(rig, tmp_path)
+    for i in range(30_000):
+        mujoco.mj_step(model, data)
+        if i < 15_000:  # let it settle
+            data.qvel *= 0.998
+    ours = jn.simulate(rig, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.002))
+    assert seen(model, data, "tyre.force")[0] == pytest.approx(float(ours["tyre.force"][0]), rel=1e-6)
+    assert seen(model, data, "sprung.z")[0] == pytest.approx(float(ours["sprung.z"][0]), abs=1e-7)
+    height = rig.hardpoints.wheel_centre[2] + float(ours["unsprung.z"][0])
+    assert seen(model, data, "wheel_centre")[2] == pytest.approx(height, abs=1e-7)
+
+
+def test_it_moves_as_ours(tmp_path: Path) -> None:
+    """Over a bump that the tyre does not lose: the loops of MuJoCo are a little soft."""
+    rig = jn.load("kart-double-wishbone")
+    _, model, data = opened(rig, tmp_path)
+    trial = jn.Trial(road=jn.HalfSine(height="4 mm", length="300 mm"), speed="3 m/s", duration=0.2)
+    ours = jn.simulate(rig, trial, tolerance=1e-9)
+
+    def road(t: float) -> float:
+        return 0.004 * np.sin(np.pi * t / 0.1) if 0.0 < t < 0.1 else 0.0
+
+    found, channels = [], ("sprung.z", "wheel_centre", "tyre.force")
+    for i in range(2001):
+        if i % 10 == 0:
+            data.mocap_pos[0][2] = road(1e-4 * i)
+            mujoco.mj_forward(model, data)
+            found.append([seen(model, data, name)[-1] for name in channels])
+        data.mocap_pos[0][2] = road(1e-4 * (i + 0.5))
+        mujoco.mj_step(model, data)
+    for channel, theirs in zip(("sprung.z", "unsprung.z", "tyre.force"), np.array(found).T, strict=True):
+        own = ours[channel].values
+        shift = rig.hardpoints.wheel_centre[2] if channel == "unsprung.z" else 0.0
+        assert np.max(np.abs(theirs - shift - own)) < 5e-3 * np.ptp(own), channel
+
+
+def test_stops_and_friction(tmp_path: Path) -> None:
+    stops = {
+        "strut.bump_stop": {"gap": "20 mm", "rate": "50 N/mm"},
+        "strut.rebound_stop": {"gap": "30 mm", "rate": "40 N/mm"},
+    }
+    rig = jn.load("kart-double-wishbone").with_changes({**stops, "strut.friction": {"force": "12 N"}})
+    made, model, _ = opened(rig, tmp_path)
+    assert not made.findings
+    design = rig.hardpoints.length("spring")
+    assert model.tendon_lengthspring[model.tendon("bump_stop").id] == pytest.approx([design - 0.02, 1e3])
+    assert model.tendon_lengthspring[model.tendon("rebound_stop").id] == pytest.approx([0.0, design + 0.03])
+    assert model.tendon_frictionloss[model.tendon("damper").id] == 12.0
+
+
+def test_what_cannot_be_written(tmp_path: Path) -> None:
+    with pytest.raises(jn.OutputError, match="no mechanism in space; found 'quarter-car'"):
+        write_mjcf(jn.load("kart-quarter-car"), tmp_path / "a.xml")
+    with pytest.raises(jn.OutputError, match="format"):
+        write_mjcf(jn.load("kart-double-wishbone"), tmp_path / "a.json")
+    hysteretic = {"kind": "tanh", "coefficient": 800.0, "force": 50.0, "slope": 40.0}
+    with pytest.raises(jn.OutputError, match="hysteresis"):
+        write_mjcf(jn.load("kart-double-wishbone").with_changes({"strut.damper": hysteretic}), tmp_path / "a.xml")
+    assert not list(tmp_path.iterdir())
