@@ -369,3 +369,44 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
         swept(project, "nowhere")
     with pytest.raises(DescriptionError, match="not a place"):
         swept(project, "..")
+
+
+def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
+    import jounce as jn
+    from jounce.web.campaigns import entered, overview
+
+    project = Project(tmp_path)
+    jn.new_campaign(tmp_path / "mine")
+    path = "mine/campaign.toml"
+    before = (tmp_path / path).read_text()
+    shown = overview(project, path)
+    assert [one["name"] for one in shown["bench"]] == ["spring", "decay", "tyre at 0.31 MPa"]
+    assert shown["bench"][0]["found"] == ["mine/bench/spring_1.csv", "mine/bench/spring_2.csv"]
+    assert (shown["mass"], shown["trials"][0]["file"]) == ("16 kg", "mine/trials/01.csv")
+
+    new = tmp_path / "mine" / "bench" / "soft.csv"
+    new.write_text("s [mm],F [N]\n0,0\n10,200\n")
+    fields = {"files": ["mine/bench/soft.csv"], "columns": {"displacement": "s", "force": "F"}, "discard_below": "1 mm"}
+    entered(project, path, "tyre", {**fields, "pressure": "0.2 MPa", "stroke_positive": ""})
+    entered(project, path, "spring", {"files": ["mine/bench/soft.csv"]})
+    entered(project, path, "decay", {"files": ["mine/bench/decay_1.csv"], "replace": True, "columns": {"time": "time"}})
+    entered(project, path, "trial", {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "use": "fit"})
+    campaign, text = jn.campaign.load_campaign(tmp_path / path)
+    assert campaign.bench.tyre["0.2 MPa"].columns == {"displacement": "s", "force": "F"}
+    assert campaign.bench.tyre["0.2 MPa"].discard_below == pytest.approx(1e-3)
+    assert campaign.bench.decay.files == ("bench/decay_1.csv",)
+    assert campaign.bench.spring.files == ("bench/spring_*.csv", "bench/soft.csv")
+    assert (campaign.trial[-1].number, campaign.trial[-1].recording) == (5, "trials/02.csv")
+    assert all(line in text for line in before.splitlines() if line.lstrip().startswith("#"))
+
+    for use, wrong in (
+        ("spring", {"law": "cubic"}),
+        ("spring", {"files": ["mine/bench/soft.csv"], "columns": {"force": "F"}}),  # those that are there have others
+        ("spring", {"files": ["mine/bench/soft.csv"], "discard_below": "1 kg"}),
+        ("tyre", {"files": ["mine/bench/soft.csv"]}),
+        ("trial", {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "number": 1}),
+        ("trial", {"recording": "../secret.csv", "road": "A", "speed": "2 m/s"}),
+    ):
+        with pytest.raises(DescriptionError):
+            entered(project, path, use, wrong)
+    assert (tmp_path / path).read_text() == text

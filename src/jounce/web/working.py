@@ -15,6 +15,7 @@ from pydantic import BaseModel, ConfigDict
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
+from jounce.web.campaigns import Use, entered, overview
 from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project
 from jounce.web.studies import swept, write_study
@@ -48,6 +49,15 @@ class Study(BaseModel):
     metrics: list[str]
     outputs: list[str] | None = None
     control: str | None = None
+
+
+class Entered(BaseModel):
+    """A measured file for a campaign: what it is of, and the keys of its table, files by their paths in the project."""
+
+    model_config = ConfigDict(extra="forbid")
+    campaign: str
+    use: Use
+    fields: dict[str, Any]
 
 
 def routes(project: Project, jobs: Jobs) -> APIRouter:
@@ -151,6 +161,31 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
     def sweep(folder: str) -> dict[str, Any]:
         """The variants of a sweep that are finished, with their statistics."""
         return swept(project, folder)
+
+    @router.get("/api/campaign")
+    def campaign(path: str) -> dict[str, Any]:
+        """What a campaign consists of."""
+        return overview(project, path)
+
+    @router.post("/api/campaign")
+    def enter(asked: Entered) -> dict[str, Any]:
+        """Write a measured file into a campaign, with how it is read."""
+        return entered(project, asked.campaign, asked.use, asked.fields)
+
+    @router.get("/api/choices")
+    def choices() -> dict[str, list[str]]:
+        """Names that come with jounce: testers, methods, controllers, roads."""
+        from jounce.control import CONTROLS
+        from jounce.inspection.methods import METHODS
+        from jounce.parts.testers import library as testers
+        from jounce.roads.loading import road_library
+
+        return {
+            "testers": list(testers()),
+            "methods": list(METHODS),
+            "controls": list(CONTROLS),
+            "roads": list(road_library()),
+        }
 
     @router.put("/api/upload")
     async def upload(request: Request, path: str) -> dict[str, Any]:

@@ -7,6 +7,7 @@ import "./workbench.css";
 import "./work.css";
 import { make, themeButton } from "../page";
 import * as api from "./api";
+import { campaign } from "./pages/campaign";
 import { jobs } from "./pages/jobs";
 import { kinematics } from "./pages/kinematics";
 import { project } from "./pages/project";
@@ -19,7 +20,7 @@ import { address, type Page, setLive } from "./shell";
 export { live } from "./shell";
 
 /** Every page, by the word in its address, in the order of the head. */
-const PAGES: Record<string, Page> = { project, rig, trial, kinematics, studies, jobs };
+const PAGES: Record<string, Page> = { project, rig, trial, kinematics, campaign, studies, jobs };
 
 async function show(): Promise<void> {
   const [page = "", values = ""] = location.hash.replace(/^#\//, "").split("?");

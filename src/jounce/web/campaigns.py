@@ -1,0 +1,146 @@
+"""Campaigns as the page shows them: what was measured, what is to be updated, and measured files entered into them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+import tomlkit
+
+from jounce.core.errors import DescriptionError
+from jounce.core.files import only_below
+from jounce.web.project import Project
+
+_READ = ("columns", "variable", "sample_time", "stroke_positive", "force_positive")
+"""Keys that say how all files of a table are read."""
+Use = Literal["spring", "tyre", "decay", "trial"]
+
+
+def overview(project: Project, path: str) -> dict[str, Any]:
+    """Give what a campaign consists of, in the words of its file, with the files that its patterns find."""
+    from jounce.campaign.description import load_campaign
+
+    file = project.inside(path)
+    with only_below(project.root):
+        campaign, text = load_campaign(file)
+    plain = tomlkit.parse(text).unwrap()
+    folder = file.parent
+    bench = plain.get("bench", {})
+    tables = {"spring": bench.get("spring"), "decay": bench.get("decay")}
+    tables |= {f"tyre at {pressure}": table for pressure, table in bench.get("tyre", {}).items()}
+    return {
+        "title": campaign.title,
+        "synthetic": campaign.synthetic,
+        "rig": campaign.rig,
+        "roads": list(campaign.roads),
+        "mass": _mass(project, campaign.rig, file),
+        "bench": [
+            {"name": name, **table, "found": _found(project, folder, table.get("files", []))}
+            for name, table in tables.items()
+            if table
+        ],
+        "trials": [_place(project, folder, one) for one in plain.get("trial", [])],
+        "updates": plain.get("update", []),
+    }
+
+
+def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) -> dict[str, Any]:
+    """Write a measured file into a campaign: a table of its bench, or one more trial. Comments of the file are kept.
+
+    A campaign that could not be read afterwards is not written.
+    """
+    from jounce.campaign.description import Campaign
+    from jounce.core.description import toml_table
+
+    was = project.read(path)
+    file = project.inside(path)
+    plain = {key: value for key, value in fields.items() if value not in ("", None, {}, [])}
+    pressure, replace = str(plain.pop("pressure", "")), bool(plain.pop("replace", False))
+    for key in ("files", "recording", "excitation"):
+        if key in plain:
+            plain[key] = _relative(project, file, plain[key])
+    document: Any = tomlkit.parse(was.text)
+    if use == "trial":
+        table = tomlkit.table()
+        numbers = [int(one["number"]) for one in document.get("trial", [])]
+        for key, value in {"number": max(numbers, default=0) + 1, **plain}.items():
+            table.add(key, _item(value))
+        if "trial" not in document:
+            document.add("trial", tomlkit.aot())
+        document["trial"].append(table)
+    else:
+        bench = document.setdefault("bench", tomlkit.table(is_super_table=True))
+        if use == "tyre":
+            if not pressure:
+                raise DescriptionError("a tyre's measurements are named by their pressure", where="pressure")
+            bench = bench.setdefault("tyre", tomlkit.table(is_super_table=True))
+        name = pressure if use == "tyre" else use
+        own = bench.setdefault(name, tomlkit.table())
+        before = [] if replace else [str(one) for one in own.get("files", [])]
+        differing = [key for key in _READ if before and own.get(key) != plain.get(key)]
+        if differing:
+            said = ", ".join(differing)
+            hint = "Put the new files in place of those, or give all of them the same columns."
+            raise DescriptionError("the files that are there are read otherwise", where=name, found=said, hint=hint)
+        for key in _READ:
+            own.pop(key, None)
+        for key, value in plain.items():
+            own[key] = _item([*before, *(one for one in value if one not in before)] if key == "files" else value)
+    text = tomlkit.dumps(document)
+    with only_below(project.root):
+        Campaign.from_table(toml_table(text), where=path, text=text)
+    written = project.write(path, text, was.digest)
+    return {"path": path, "text": written.text, "digest": written.digest}
+
+
+def _item(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        table = tomlkit.inline_table()
+        table.update({key: _item(one) for key, one in value.items()})
+        return table
+    return value
+
+
+def _relative(project: Project, campaign: Path, value: Any) -> Any:
+    """Names of files of the project as the campaign beside them writes them."""
+    if isinstance(value, list):
+        return [_relative(project, campaign, one) for one in value]
+    if isinstance(value, Mapping):
+        return {**value, "file": _relative(project, campaign, value["file"])}
+    file = project.inside(str(value))
+    if not file.is_relative_to(campaign.parent):
+        hint = "Upload it there, or copy it."
+        raise DescriptionError("the file does not lie beside the campaign", where=str(value), hint=hint)
+    return file.relative_to(campaign.parent).as_posix()
+
+
+def _found(project: Project, folder: Path, patterns: list[str]) -> list[str]:
+    found = []
+    for pattern in patterns:
+        try:
+            files = sorted(folder.glob(pattern))
+        except (ValueError, NotImplementedError):  # no pattern, or one that leads to the root
+            continue
+        found += [one.resolve() for one in files if one.resolve().is_relative_to(project.root)]
+    return [one.relative_to(project.root).as_posix() for one in dict.fromkeys(found)]
+
+
+def _place(project: Project, folder: Path, trial: Mapping[str, Any]) -> dict[str, Any]:
+    """A trial, and where its recording lies in the project."""
+    named = _found(project, folder, [str(trial.get("recording", ""))]) if trial.get("recording") else []
+    return {**trial, "file": named[0] if named else ""}
+
+
+def _mass(project: Project, rig: str, file: Path) -> str:
+    """The mass that decays, as a text with its unit; nothing where the rig does not say."""
+    from jounce.parts import load
+    from jounce.parts.files import rig_named_in
+
+    try:
+        with only_below(project.root):
+            numbers = load(rig_named_in(rig, file)).parameters()
+    except DescriptionError:
+        return ""
+    value = numbers.get("sprung.mass")
+    return "" if value is None else f"{value:.6g} kg"

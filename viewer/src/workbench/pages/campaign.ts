@@ -1,0 +1,227 @@
+/** A bench campaign: measurements dropped in and read, parts characterised, the model updated, every trial compared. */
+
+import { make, written } from "../../page";
+import * as api from "../api";
+import { ask, begin, dropZone, follow, type Job, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
+import { field, problem } from "../parts";
+import { Reading } from "../reading";
+import { address, type Page, type Values } from "../shell";
+
+export const campaign: Page = { label: "Campaign", show };
+
+interface Bench { name: string; found: string[]; files: string[]; columns?: Record<string, string>; variable?: string; stroke_positive?: string; force_positive?: string; law?: string; discard_below?: string; intercept?: string; branch?: string; channel?: string; from?: string; to?: string; sample_time?: string }
+interface Overview { title: string; synthetic: string; rig: string; roads: string[]; mass: string; bench: Bench[]; trials: Record<string, unknown>[]; updates: Record<string, unknown>[] }
+
+async function show(place: HTMLElement, values: Values): Promise<void> {
+  const job = values.get("job"), file = values.get("file");
+  if (job) { await showRun(place, job); return; }
+  if (file) { await showFile(place, file, values.get("read") ?? ""); return; }
+  const { entries } = await api.project();
+  const files = entries.filter((one) => one.kind === "campaign");
+  const folder = make("input", { type: "text", value: "campaign", spellcheck: "false" }), told = make("div", { "aria-live": "polite" });
+  const start = make("button", { type: "submit", class: "main" }, "Start from it");
+  const form = make("form", { class: "form" }, field("Folder", folder), start);
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    start.disabled = true;
+    ask({ kind: "new-campaign", out: folder.value }).then(() => { location.hash = address("campaign", { file: `${folder.value}/campaign.toml` }); }, (error) => { told.replaceChildren(problem(error)); start.disabled = false; });
+  });
+  place.replaceChildren(make("h1", {}, "Campaigns"),
+    make("p", { class: "muted" }, "From measurements of springs, tyres, decays and trials to a model that holds: characterised, updated, compared with every trial."),
+    files.length ? make("ul", { class: "files" }, ...files.map((one) => make("li", {}, make("a", { href: address("campaign", { file: one.path }) }, one.path)))) : make("p", { class: "empty" }, "No campaign lies here yet. Start from the one below, and put your own measurements in."),
+    make("h2", {}, "Runs"), jobList(["campaign"], (one) => { location.hash = address("campaign", { job: one.id }); }, "No campaign was run here yet."),
+    make("h2", {}, "A campaign to start from"), make("p", { class: "muted" }, "It runs as it is, with synthetic recordings."), form, told);
+}
+
+async function showFile(place: HTMLElement, path: string, read: string): Promise<void> {
+  const found = await api.get<Overview>(`/api/campaign?${api.query({ path })}`);
+  const folder = path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "";
+  const inside = (name: string) => (folder ? `${folder}/${name}` : name);
+  const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
+  const told = make("div", { "aria-live": "polite" }), go = make("button", { type: "button", class: "main" }, "Run the campaign");
+  go.addEventListener("click", () => {
+    begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked }).then((job) => { location.hash = address("campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
+  });
+  const check = make("button", { type: "button" }, "Check it");
+  check.addEventListener("click", () => {
+    api.check(path).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, one))), (error) => told.replaceChildren(problem(error)));
+  });
+  const reader = make("div", {});
+  const open = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
+    reader.replaceChildren(entry(path, file, form, given, found));
+    reader.scrollIntoView({ block: "start" });
+  };
+  const link = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
+    const button = make("button", { type: "button", "aria-label": `look at ${file}` }, file.split("/").pop()!);
+    button.addEventListener("click", () => open(file, form, given));
+    return button;
+  };
+  const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
+  place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig ${found.rig}`),
+    ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
+    make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
+    make("h2", {}, "Parts"), ...(found.bench.length ? found.bench.map((one) => part(one, found, link)) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
+    make("h2", {}, "Trials"), table("trials", ["number", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), String(one.use ?? "hold-out"), String(one.road ?? "measured support"), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
+    make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${typeof bounds === "string" ? bounds : JSON.stringify(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
+    make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
+    dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", (paths) => open(paths[0]!, "recording")), reader);
+  if (read) open(read, "recording");
+}
+
+function table(name: string, header: string[], rows: (Node | string)[][], numbers: number[] = []): HTMLElement {
+  const kind = (k: number): Record<string, string> => (numbers.includes(k) ? { class: "right" } : {});
+  return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": name }, make("table", {}, make("thead", {}, make("tr", {}, ...header.map((one, k) => make("th", { scope: "col", ...kind(k) }, one)))),
+    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((one, k) => (k ? make("td", kind(k), one) : make("th", { scope: "row" }, one))))))));
+}
+
+type Link = (file: string, form: "recording" | "force-deflection", given?: Partial<Bench>) => HTMLElement;
+
+/** One measured part: its files, and what they amount to, asked at once. */
+function part(one: Bench, whole_: Overview, link: Link): HTMLElement {
+  const decays = one.name === "decay", form = decays ? "recording" : "force-deflection";
+  const text = (value: string) => make("input", { type: "text", value });
+  const discard = text(one.discard_below ?? ""), law = make("select", {}, ...["linear", "polynomial", "power", "monotone-spline"].map((word) => make("option", word === one.law ? { value: word, selected: true } : { value: word }, word)));
+  const intercept = make("select", {}, ...["drop", "shift", "keep"].map((word) => make("option", word === one.intercept ? { value: word, selected: true } : { value: word }, word)));
+  const mass = text(whole_.mass), from = text(one.from ?? ""), to = text(one.to ?? "");
+  const common = { files: one.found, columns: one.columns ?? {}, variable: one.variable ?? "", stroke_positive: one.stroke_positive ?? "" };
+  const question = new Question(decays ? "Separate damping and friction" : "Fit the stiffness", () => (decays
+    ? { kind: "decay", ...common, channel: one.channel ?? "sprung.z", mass: mass.value, begin: from.value, end: to.value, sample_time: one.sample_time ?? "" }
+    : { kind: "stiffness", ...common, force_positive: one.force_positive ?? "", law: law.value, discard_below: discard.value, intercept: intercept.value, branch: one.branch ?? "loading" }),
+  (told) => [estimates(told.result as Record<string, unknown>), report(told.report, decays ? "Decay and its bend by friction" : "Fit, with the discarded zone"), ways(told)]);
+  return make("section", { class: "job" }, make("h3", {}, one.name), one.found.length ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one))) : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
+    make("div", { class: "form" }, ...(decays ? [field("Oscillating mass", mass), field("From", from), field("To", to)] : [field("Law", law), field("Ignore smaller deflections", discard), field("Force at zero", intercept)]), question.button), question.place);
+}
+
+const UNITS: Record<string, string> = { stiffness: "N/m", intercept: "N", damping_ratio: "1", damping_coefficient: "N·s/m", coulomb_force: "N", quadratic_drag: "N·s²/m²", natural_frequency_hz: "Hz", equilibrium: "m" };
+
+/** Estimates with their 95 % intervals, and what the reader must know. */
+function estimates(found: Record<string, unknown>): HTMLElement {
+  const rows = Object.entries(found).flatMap(([name, value]) => {
+    const one = value as { value?: number; interval?: [number, number] } | null;
+    return one && typeof one === "object" && typeof one.value === "number" && name in UNITS ? [[name.replaceAll("_", " ").replace(" hz", ""), written(one.value), one.interval ? `${written(one.interval[0])} … ${written(one.interval[1])}` : "–", UNITS[name]!]] : [];
+  });
+  const findings = (found.findings ?? []) as { severity: string; message: string }[];
+  return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...findings.map((one) => make("p", { class: "muted" }, `${one.severity}: ${one.message}`)));
+}
+
+/** A measured file: how it is read, and how it goes into the campaign. */
+function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview): HTMLElement {
+  const place = make("div", {}), told = make("div", { "aria-live": "polite" });
+  let reading = new Reading(file, form, given as object);
+  const kinds: [string, string][] = [["trial", "a trial"], ["decay", "a free decay"], ["spring", "the spring"], ["tyre", "a tyre at a pressure"]];
+  const use = make("select", {}, ...kinds.map(([value, words]) => make("option", (form === "force-deflection") === (value === "spring") && (value === "trial" || value === "spring") ? { value, selected: true } : { value }, words)));
+  const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint });
+  const speed = text("2 m/s"), pressure = text("", "0.31 MPa"), road = make("select", {}, ...whole_.roads.map((one) => make("option", { value: one }, one)), make("option", { value: "" }, "none: the support is measured"));
+  const support = text("", "its file, with road.z"), datum = make("select", {}, make("option", { value: "undeformed" }, "undeformed springs and tyre"), make("option", { value: "rest" }, "the wheel at rest on it"));
+  const goes = make("select", {}, make("option", { value: "hold-out" }, "judges only (hold-out)"), make("option", { value: "fit" }, "is fitted"));
+  const replace = make("input", { type: "checkbox" }), discard = text("", "2 mm"), fields = make("span", { class: "sizes" });
+  const offer = () => {
+    const wanted = use.value === "spring" || use.value === "tyre" ? "force-deflection" : "recording";
+    if (wanted !== reading.form) { reading = new Reading(file, wanted, reading.fields); place.replaceChildren(reading.element); void reading.ask(); }
+    fields.replaceChildren(...(use.value === "trial" ? [field("Road", road), ...(road.value ? [field("Speed", speed)] : [field("File of the support", support), field("Its height counts from", datum)]), field("Tyre pressure", pressure), field("Use", goes)]
+      : use.value === "decay" ? [field("In place of the files there", replace)] : [field("In place of the files there", replace), ...(use.value === "tyre" ? [field("Pressure", pressure)] : []), field("Ignore smaller deflections", discard)]));
+  };
+  use.addEventListener("change", offer);
+  road.addEventListener("change", offer);
+  const enter = make("button", { type: "button", class: "main" }, "Enter it into the campaign");
+  enter.addEventListener("click", () => {
+    const { columns, variable, sample_time, stroke_positive, force_positive } = reading.fields;
+    const how = { columns, variable, stroke_positive, ...(use.value === "decay" ? {} : { force_positive }), ...(reading.form === "recording" ? { sample_time } : {}) };
+    const what = use.value === "trial" ? { recording: file, ...(road.value ? { road: road.value, speed: speed.value } : { excitation: { file: support.value, datum: datum.value } }), tyre_pressure: pressure.value, use: goes.value, ...how }
+      : { files: [file], replace: replace.checked, ...(use.value === "tyre" ? { pressure: pressure.value } : {}), ...(use.value === "decay" ? {} : { discard_below: discard.value }), ...how };
+    enter.disabled = true;
+    api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }).then(() => { location.hash = address("campaign", { file: path, entered: String(Date.now()) }); }, (error) => { told.replaceChildren(problem(error)); enter.disabled = false; });
+  });
+  place.append(reading.element);
+  offer();
+  void reading.ask();
+  return make("section", { class: "job" }, make("h3", {}, file), place, make("div", { class: "form" }, field("It is a measurement of", use), fields, enter), told);
+}
+
+interface Estimated { initial: number; value: number; standard_error: number | null; interval: [number, number] | null; lower: number; upper: number; at_bound: boolean }
+interface Compared { channels: Record<string, { nrmse: number | null; r2: number | null }>; verdict?: string }
+interface Results {
+  synthetic: string; findings: { place: string; severity: string; message: string }[];
+  characterisation: { replaced: { path: string; described: number; measured: number; standard_error: number | null; source: string }[] };
+  updates: { name: string; objective_before: number; objective_after: number; reduction_percent: number; evaluations: number; parameters: Record<string, Estimated>; identifiability: { parameters: string[]; sensitivity: number[]; rank: number; condition: number; correlation: number[][]; findings: { message: string; place: string }[] }; trials: number[]; comparisons: { number: number; is_fitted: boolean; before: Compared | null; after: Compared | null }[]; discrepancy: { parameters: Record<string, { value: number; interval: [number, number]; why: string }> } | null }[];
+  trials: { number: number; use: string; speed: number | null; verdict: string; channels: Record<string, { nrmse: number | null; r2: number | null; iso18571: number | null }>; before: Compared | null }[];
+}
+const TONE: Record<string, string> = { holds: "good", "holds partly": "fair" };
+const tone = (verdict: string) => TONE[verdict] ?? (/not|fail/.test(verdict) ? "bad" : "fair");
+
+async function showRun(place: HTMLElement, id: string): Promise<void> {
+  const first = await whole<Results>(id), units = await unitsOf(String(first.asked.campaign)), results = make("div", {}), live = make("div", {});
+  const card = new JobCard(first);
+  let done = false;
+  place.replaceChildren(make("h1", {}, first.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), " · ", make("a", { href: address("campaign", { file: String(first.asked.campaign) }) }, String(first.asked.campaign))), card.element, live, results);
+  const take = async (job: Job) => {
+    card.show(job);
+    if (job.steps?.length) live.replaceChildren(search(job.steps, job.state === "running", units));
+    if (job.state !== "done" || done) return;
+    done = true;
+    const end = await whole<Results>(id);
+    if (end.result) results.replaceChildren(...answer(end.result, units), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
+  };
+  await take(first);
+  follow(place, (jobs) => { const job = jobs.find((one) => one.id === id); if (job) void take(job); });
+}
+
+/** A search while it goes on: its objective step by step, and every parameter between its bounds. */
+function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
+  const last = steps[steps.length - 1]!, logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
+  const low = Math.min(...logs), high = Math.max(...logs, low + 1e-9), w = 460, h = 150;
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg"), line = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  svg.setAttribute("viewBox", `0 0 ${w} ${h}`);
+  svg.setAttribute("class", "xy");
+  svg.setAttribute("role", "img");
+  svg.setAttribute("aria-label", `objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`);
+  line.setAttribute("d", logs.map((value, k) => `${k ? "L" : "M"}${(8 + (w - 16) * k / Math.max(1, logs.length - 1)).toFixed(1)} ${(8 + (h - 16) * (high - value) / (high - low)).toFixed(1)}`).join(""));
+  line.setAttribute("class", "search");
+  svg.append(line);
+  const figure = make("figure", {});
+  figure.append(svg, make("figcaption", { class: "muted" }, `objective, logarithmic: ${written(steps[0]!.objective, 4)} at first, ${written(last.objective, 4)} after ${last.evaluation} evaluations`));
+  const rows = Object.entries(last.parameters).map(([path, one]) => {
+    const share = (one.value - one.lower) / (one.upper - one.lower || 1);
+    const { unit, factor } = units(path);
+    return make("tr", {}, make("th", { scope: "row" }, path), make("td", {}, unit), make("td", { class: "right" }, written(one.lower * factor)), make("td", {}, make("meter", { min: "0", max: "1", value: String(Math.min(1, Math.max(0, share))), "aria-label": `${path} between its bounds` })), make("td", { class: "right" }, written(one.upper * factor)), make("td", { class: "right" }, written(one.initial * factor)), make("td", { class: "right" }, written(one.value * factor, 5)), make("td", {}, share < 0.001 || share > 0.999 ? make("span", { class: "mark fair" }, "at its bound") : ""));
+  });
+  return make("section", { class: "job" }, make("h3", {}, runs ? "The search goes on" : "The last search"), figure, make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "parameters" }, make("table", {}, make("thead", {}, make("tr", {}, ...["parameter", "unit", "lower bound", "", "upper bound", "at first", "now", ""].map((one, k) => make("th", { scope: "col", ...([2, 4, 5, 6].includes(k) ? { class: "right" } : {}) }, one)))), make("tbody", {}, ...rows))));
+}
+
+function answer(found: Results, units: Units): HTMLElement[] {
+  const mean = (one: Compared | null) => { const all = Object.values(one?.channels ?? {}).map((channel) => channel.nrmse).filter((value): value is number => value !== null); return all.length ? all.reduce((a, b) => a + b) / all.length : null; };
+  const shown: HTMLElement[] = [];
+  if (found.synthetic) shown.push(make("p", { class: "mark fair" }, found.synthetic));
+  shown.push(make("h2", {}, "Verdicts"), table("verdicts", ["trial", "use", "speed [m/s]", "error of the channels (NRMSE)", "verdict"], found.trials.map((one) => [String(one.number), one.use, written(one.speed), Object.entries(one.channels).map(([name, channel]) => `${name} ${written(channel.nrmse, 3)}`).join(", "), make("span", { class: `mark ${tone(one.verdict)}` }, one.verdict)])));
+  if (found.characterisation.replaced.length) shown.push(make("h2", {}, "Characterised"), table("characterised", ["number", "unit", "in the rig's file", "measured", "95 % ±", "from"], found.characterisation.replaced.map((one) => { const { unit, factor } = units(one.path); return [one.path, unit, written(one.described * factor), written(one.measured * factor), one.standard_error === null ? "–" : written(1.96 * one.standard_error * factor, 2), one.source]; }), [2, 3, 4]));
+  for (const one of found.updates) {
+    shown.push(make("h2", {}, `Update: ${one.name}`), make("p", {}, `The objective fell by ${written(one.reduction_percent, 3)} %, from ${written(one.objective_before)} to ${written(one.objective_after)}, in ${one.evaluations} evaluations on trial ${one.trials.join(", ")}.`),
+      table("parameters", ["parameter", "unit", "at first", "value", "95 % interval, noise only", "bounds", "known"], Object.entries(one.parameters).map(([path, p]) => {
+        const law = one.discrepancy?.parameters[path];
+        const { unit, factor } = units(path);
+        return [path, unit, written(p.initial * factor), written(p.value * factor, 5), p.interval ? `${written(p.interval[0] * factor)} … ${written(p.interval[1] * factor)}` : "–", `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
+          p.at_bound ? make("span", { class: "mark fair" }, "at its bound") : law?.why ? make("span", { class: "mark bad" }, `not identified: ${law.why}`) : law ? make("span", { class: "mark good" }, "identified") : "–"];
+      }), [2, 3, 4, 5]),
+      make("h3", {}, "What the data can tell"), make("p", { class: "muted" }, `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${written(one.identifiability.condition, 3)}.`),
+      table("identifiability", ["unknown", "sensitivity", "most alike"], one.identifiability.parameters.map((name, k) => {
+        const row = one.identifiability.correlation[k] ?? [], best = row.reduce((at, value, i) => (i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at), -1);
+        return [name, written(one.identifiability.sensitivity[k], 3), best >= 0 ? `${one.identifiability.parameters[best]} (${written(row[best], 2)})` : "–"];
+      }), [1]), ...one.identifiability.findings.map((finding) => make("p", { class: "muted" }, `${finding.place}: ${finding.message}`)));
+  }
+  const numbers = [...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number)))];
+  if (numbers.length) shown.push(make("h2", {}, "Every update on every trial"), make("p", { class: "muted" }, "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked."),
+    table("every update on every trial", ["update", ...numbers.map((one) => `trial ${one}`)], found.updates.map((one) => [one.name, ...numbers.map((number) => { const two = one.comparisons.find((three) => three.number === number); return two ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? ", fitted" : ""}${two.after?.verdict ? `: ${two.after.verdict}` : ""}` : "–"; })])));
+  if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...found.findings.map((one) => make("li", { class: one.severity === "problem" ? "problem" : "" }, `${one.place}: ${one.message}`))));
+  return shown;
+}
+
+type Units = (path: string) => { unit: string; factor: number };
+/** Units in which numbers of a campaign's rig are shown; SI where the rig cannot be asked. */
+async function unitsOf(path: string): Promise<Units> {
+  const known = new Map<string, { unit: string; factor: number }>();
+  try {
+    const { rig } = await api.get<Overview>(`/api/campaign?${api.query({ path })}`), folder = path.includes("/") ? `${path.slice(0, path.lastIndexOf("/"))}/` : "";
+    for (const one of (await api.rig(rig.endsWith(".toml") ? folder + rig : rig)).numbers) known.set(one.path, { unit: one.unit || "–", factor: one.factor });
+  } catch { /* the campaign was moved since */ }
+  return (number) => known.get(number) ?? { unit: "SI", factor: 1 };
+}
