@@ -57,7 +57,7 @@ test: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile
 
 test-pages: $(VENV)/.test $(VENV)/.loops
-	$(BIN)/python -m pytest -n auto --dist loadfile -m "pages and not slow"
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "(pages or examples) and not slow"
 
 test-all: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"

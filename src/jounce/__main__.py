@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import sys
 
 
 def run() -> int:
@@ -12,6 +13,8 @@ def run() -> int:
     it seldom, and not at all when the process ends.
     """
     gc.set_threshold(50_000)
+    if not any(word.startswith("--cluster") for word in sys.argv):
+        sys.modules.setdefault("dask", None)  # type: ignore[arg-type]  # xarray loads it wherever it is installed: 0.3 s
     from jounce.cli import main
 
     code = main()

@@ -77,6 +77,7 @@ def test_module_documents_what_it_offers(name: str) -> None:
     assert problems == []
 
 
+@pytest.mark.examples
 @pytest.mark.parametrize("name", modules())
 def test_examples_are_true(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     module = importlib.import_module(name)

@@ -65,6 +65,7 @@ PATIENCE, COMPILING = 10.0, 60.0
 """With a mutant a test may take this many times as long as the slowest of its file without, and this many seconds."""
 ENOUGH = 30.0
 """Seconds of tests, the quickest first, that a mutant is held against; all of them where a place is given."""
+QUIET = ("-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning")
 IDLE = ("-p", "no:unraisableexception", "-p", "no:cov", "-p", "no:xdist")
 """Plugins that a mutant's process would wait for: one collects garbage twice, of all libraries."""
 
@@ -308,7 +309,7 @@ class Childless(Clock):
 def run_tests(options: Sequence[str], clock: Clock, times: Path | None = None) -> int:
     """Run pytest in this process; its exit code."""
     code = pytest.main(
-        ["-q", "--no-header", "-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning", *options],
+        ["-q", "--no-header", *QUIET, "-m", "not slow and not pages", *options],
         plugins=[clock],
     )
     if times:

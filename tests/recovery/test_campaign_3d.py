@@ -223,6 +223,7 @@ def shipped(shipped_folder):
     return run_campaign(shipped_folder / "campaign.toml")
 
 
+@pytest.mark.examples
 def test_shipped_campaign_runs_the_double_wishbone(shipped):
     assert shipped.is_complete
     assert shipped.rig.model == "double-wishbone"
@@ -235,6 +236,7 @@ def test_shipped_campaign_runs_the_double_wishbone(shipped):
             assert rig_from_table(tomllib.loads(text)).parameters() == known.parameters()
 
 
+@pytest.mark.examples
 def test_shipped_rig_is_the_librarys_with_friction_to_be_found(shipped):
     own = shipped.rig.parameters()
     differs = {path for path, value in KART.parameters().items() if own[path] != value}
@@ -246,6 +248,7 @@ def test_shipped_rig_is_the_librarys_with_friction_to_be_found(shipped):
     }
 
 
+@pytest.mark.examples
 def test_shipped_campaign_finds_spring_friction_and_lags(shipped):
     found = shipped.strategies[-1].update
     assert found.parameters["strut.spring.rate"].value == pytest.approx(SPRING_RATE, rel=0.03)
@@ -259,6 +262,7 @@ def test_shipped_campaign_finds_spring_friction_and_lags(shipped):
         assert found.lags[f"trial {number}"] == pytest.approx(true_pass(rows[number]).lag, abs=0.6e-3)
 
 
+@pytest.mark.examples
 def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, quick_look):
     """Both campaigns look at the same recordings; single obstacles, held out, errors in the mean."""
     quick, _ = quick_look
@@ -271,6 +275,7 @@ def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, quick_l
     assert misfit(shipped) > 0.03  # the bench is richer than either
 
 
+@pytest.mark.examples
 def test_report_says_where_the_lumped_model_differs(shipped):
     found = shipped.lumped
     assert {peak.trial for peak in found.peaks} == {f"trial {i}" for i in range(1, 17)}

@@ -126,3 +126,21 @@ def test_no_name_of_a_package_is_that_of_a_module_in_it(package):
     assert not {module.name for module in pkgutil.iter_modules(whole.__path__)} & set(whole.__all__)
     for name in whole.__all__:
         assert getattr(whole, name) is not None
+
+
+@pytest.mark.parametrize(
+    ("words", "may_come"), [(["modes", "kart-quarter-car"], False), (["sweep", "--cluster=x", "--help"], True)]
+)
+def test_a_command_loads_dask_only_for_a_cluster(
+    words: list[str], may_come: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where Dask is installed xarray loads it on first use, which takes a third of a second."""
+    from jounce.__main__ import run
+
+    monkeypatch.delitem(sys.modules, "dask", raising=False)
+    monkeypatch.setattr(sys, "argv", ["jounce", *words])
+    monkeypatch.setattr("jounce.cli.main", lambda: 0)
+    monkeypatch.setattr("gc.freeze", lambda: None)
+    assert run() == 0
+    assert ("dask" not in sys.modules) == may_come
+    sys.modules.pop("dask", None)
