@@ -46,9 +46,9 @@ class Asked:
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         connection.request("POST", path, json.dumps(body), given | {"Accept": "application/octet-stream"})
         answer = connection.getresponse()
-        assert (answer.status, answer.getheader("content-type")) == (200, "application/octet-stream")
         got = answer.read()
         connection.close()
+        assert (answer.status, answer.getheader("content-type")) == (200, "application/octet-stream"), got
         start = 4 + int.from_bytes(got[:4], "little")
         content = json.loads(got[4:start])
         return content, [np.frombuffer(got, "<f8", one["n"], start + one["at"]) for one in content["arrays"]]
@@ -214,6 +214,79 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
         (one["path"], one["kind"]) for one in ask("GET", "/api/project")[1]["entries"]
     }
     assert ask("GET", "/api/check?path=karts/mine.toml")[1]["problems"] == []
+
+
+def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
+    asked = RUN | {"title": "as it is"}
+    status, kept = ask("POST", "/api/keep", asked)
+    assert (status, kept["path"], kept["version"]) == (200, "runs/as it is.nc", jn.__version__)
+    assert ask("POST", "/api/keep", asked)[0] == 409
+    for title in ("../out", "a/b", "", ".hidden", "x" * 200):
+        assert ask("POST", "/api/keep", asked | {"title": title})[0] == 422
+    stiffer = {"changes": {"strut.spring.rate": "30 N/mm"}}
+    other = ask("POST", "/api/keep", asked | stiffer | {"title": "stiffer"})[1]
+    again = ask("POST", "/api/keep", asked | {"title": "again"})[1]
+    assert again["rig_digest"] == kept["rig_digest"] != other["rig_digest"]
+    assert {one["trial_digest"] for one in (kept, other, again)} == {kept["trial_digest"]}
+    assert [one["path"] for one in ask("GET", "/api/history")[1]][:3] == [
+        f"runs/{title}.nc" for title in ("again", "stiffer", "as it is")
+    ]
+    run = jn.read_recording(ask.folder / "runs" / "stiffer.nc")[0]
+    assert json.loads(run.attrs["jounce_changes"]) == stiffer["changes"]
+    content, arrays = ask.straight("/api/compare", {"paths": [kept["path"], other["path"]], "channels": ["sprung.az"]})
+    curves = content["viewers"][0]["scenes"][0]["panes"][0]["curves"]
+    assert [curve["label"] for curve in curves] == [kept["path"], other["path"]]
+    assert arrays[curves[1]["y"]] == pytest.approx(run["sprung.az"].to_numpy(), abs=1e-6)
+
+
+def test_a_recording_stands_beside_a_run_on_its_time_and_as_spectra(ask):
+    rig, road = jn.load("kart-quarter-car"), jn.HalfSine(start="0.2 m", height="10 mm", length="60 mm")
+    run = jn.simulate(rig, jn.Trial(road=road, speed="2 m/s", duration="0.4 s"))
+    time = xr.Variable("time", run["time"].to_numpy() + 3.0, {"units": "s"})
+    twice = xr.Variable("time", 2.0 * run["sprung.az"].to_numpy(), {"units": "m/s^2"})
+    jn.write_recording(xr.Dataset({"sprung.az": twice}, coords={"time": time}), ask.folder / "late.nc")
+    asked = RUN | {"measured": "late.nc", "begins": "3 s", "channels": ["sprung.az"]}
+    content, arrays = ask.straight("/api/simulate", asked)
+    one, two = content["viewers"][0]["scenes"][0]["panes"][0]["curves"]
+    assert two["label"] == "late.nc"
+    both = np.isfinite(arrays[two["y"]])
+    assert arrays[two["y"]][both] == pytest.approx(2.0 * arrays[one["y"]][both], abs=1e-3)
+    assert both.sum() >= 0.9 * len(both)
+    status, answer = ask("POST", "/api/simulate", asked | {"begins": "9 s"})
+    assert (status, answer["error"]["where"]) == (422, "begins")
+    content, arrays = ask.straight("/api/simulate", asked | {"spectra": True})
+    scene = content["viewers"][0]["scenes"][0]
+    assert (content["viewers"][0]["x"]["unit"], scene["panes"][0]["unit"]) == ("Hz", "m/s²/sqrt(Hz)")
+    one, two = (arrays[curve["y"]] for curve in scene["panes"][0]["curves"])
+    seen = np.isfinite(two)
+    assert two[seen].max() == pytest.approx(2.0 * one[seen].max(), rel=0.02)
+
+
+def test_of_a_long_record_every_peak_is_seen_at_every_zoom(ask):
+    n = 300_000
+    noise = np.random.default_rng(1).standard_normal(n)
+    noise[123_456] = 50.0
+    time = xr.Variable("time", np.arange(n) / 1000.0, {"units": "s"})
+    record = xr.Dataset({"sprung.az": ("time", noise, {"units": "m/s^2"})}, coords={"time": time})
+    record.to_netcdf(ask.folder / "long.nc", engine="h5netcdf")
+    status, about = ask("GET", "/api/record?path=long.nc")
+    assert (status, about["count"], about["channels"]) == (200, n, [{"name": "sprung.az", "unit": "m/s^2"}])
+    for low, high in ((None, None), (100.0, 150.0), (123.0, 124.0), (123.4559, 123.4561)):
+        asked = {"path": "long.nc", "channels": ["sprung.az"], "low": low, "high": high, "columns": 400}
+        content, arrays = ask.straight("/api/record", asked)
+        scene = content["viewers"][0]["scenes"][0]
+        x, y = arrays[scene["x"]], arrays[scene["panes"][0]["curves"][0]["y"]]
+        assert len(x) == len(y) <= 1601
+        assert y.max() == 50.0
+        assert x[y.argmax()] == pytest.approx(123.456, abs=2.0 * (x[-1] - x[0]) / 400 + 1e-3)
+    few = noise[123_000:124_001]
+    assert y.min() >= few.min()
+    for wrong in ({"path": "../long.nc"}, {"channels": ["nothing"]}, {"columns": 1}):
+        assert ask("POST", "/api/record", {"path": "long.nc", "channels": ["sprung.az"]} | wrong)[0] == 422
+    (ask.folder / "broken.nc").write_bytes((ask.folder / "long.nc").read_bytes()[:5000])
+    assert ask("GET", "/api/record?path=broken.nc")[0] == 422
+    (ask.folder / "no-time.csv").write_text("a [mm], b [N]\n1, 2\n2, 3\n")
+    assert "time" in str(ask("GET", "/api/record?path=no-time.csv")[1])
 
 
 def test_what_a_file_was_before_it_was_saved_is_kept_and_compared(ask):

@@ -100,7 +100,15 @@ export class Store {
   /** The smallest step between two values of an array; 0 where it is exact. */
   step(index: number): number {
     const { even, step } = this.content.arrays[index]!;
-    return even || !step ? 0 : step;
+    return even ? 0 : step || this.finest(index);
+  }
+
+  /** Of an array as it is: what is rounding beside its range, and on no screen. */
+  private finest(index: number): number {
+    const values = this.get(index);
+    let low = Infinity, high = -Infinity;
+    for (let i = 0; i < values.length; i++) { const one = values[i]; if (one !== null && one !== undefined) { if (one < low) low = one; if (one > high) high = one; } }
+    return high > low ? (high - low) * 1e-7 : 0;
   }
 
   get(index: number): Numbers {

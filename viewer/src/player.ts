@@ -31,6 +31,8 @@ export class Player {
   private playing = false;
   private way = 1;
   private last = 0;
+  /** Hears what place of the axis is looked at. */
+  moved: ((place: number) => void) | null = null;
   /** Milliseconds between the pictures shown while playing, the last of them last. */
   readonly frames: number[] = [];
 
@@ -55,14 +57,17 @@ export class Player {
 
   /** Takes content of the same kind in place of what it has: what is chosen, and the part that is looked at, stay. */
   replace(model: Model, store: Store): void {
+    const isOther = model.x.words !== this.model.x.words;
     const index = Math.max(this.model.scenes.indexOf(this.scene), 0), before = this.plots.window, [first, last] = this.plots.whole;
     const scene = model.scenes[Math.min(index, model.scenes.length - 1)]!;
-    const all = before[0] <= first && before[1] >= last;
-    if (model.roles.length !== this.model.roles.length) this.offerRoles(model);
+    const all = isOther || (before[0] <= first && before[1] >= last);
+    if (model.roles.map((one) => one.label).join() !== this.model.roles.map((one) => one.label).join() || model.roles.length !== this.model.roles.length) this.offerRoles(model);
     this.model = model;
     this.store = store;
     this.scene = scene;
     const x = store.get(scene.x);
+    if (isOther) this.offer(scene);
+    if (this.view) this.view.element.hidden = !scene.motion;
     this.slider.min = String(x[0]); this.slider.max = String(x[x.length - 1]);
     this.plot(all ? null : before);
     if (scene.motion && this.view) this.view.show(store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
@@ -77,6 +82,7 @@ export class Player {
     this.slider.value = String(this.now);
     this.clock.textContent = `${localised(this.now.toFixed(3))} ${this.model.x.unit}`;
     this.plots.mark(this.now);
+    this.moved?.(this.now);
     const motion = this.scene.motion;
     if (motion && this.view) {
       const x = this.store.get(this.scene.x), read = (index: number) => at(x, this.store.get(index), this.now);

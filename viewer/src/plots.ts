@@ -13,6 +13,7 @@ export interface Plotted {
   panes: PlotPane[];
   spans: [number, number][];
   window: [number, number] | null;
+  whole?: [number, number]; // of which only a part is held
 }
 
 const AXIS = 62;
@@ -79,6 +80,7 @@ export class LinkedPlots {
 
   get whole(): [number, number] {
     const x = this.shown?.x;
+    if (this.shown?.whole) return this.shown.whole;
     return x && x.length ? [x[0] as number, x[x.length - 1] as number] : [0, 1];
   }
 
@@ -86,7 +88,7 @@ export class LinkedPlots {
 
   /** Shows from `low` to `high`, kept within what there is. */
   zoom(low: number, high: number): void {
-    const [first, last] = this.whole, least = (last - first) * 1e-4 || 1;
+    const [first, last] = this.whole, least = (last - first) * (this.shown?.whole ? 1e-7 : 1e-4) || 1;
     const span = Math.min(Math.max(high - low, least), last - first);
     const start = Math.min(Math.max(low, first), last - span);
     this.range = [start, start + span];

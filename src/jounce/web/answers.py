@@ -106,14 +106,51 @@ def simulated(
     channels: Sequence[str] | None,
     *,
     text: str | None = None,
+    measured: str = "",
+    begins: str = "",
+    spectra: bool = False,
 ) -> Shown:
-    """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same."""
+    """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same.
+
+    A ``measured`` recording of the project stands beside them, its time counted from where it ``begins``; ``spectra``
+    are drawn instead of the curves over time.
+    """
     import jounce as jn
 
-    on = _trial(project, trial)
+    on = trial_of(project, trial)
     rigs = variants(project, name, changes, text)
     with ONE:
         runs = {label: jn.simulate(rig, on, detail=_is_spatial(rig)) for label, rig in rigs.items()}
+    if measured:
+        runs[measured] = _measured(project, measured, begins, on)
+    ways = _ways_of(name, changes, trial, on, measured)
+    if spectra:
+        from jounce.report.recordings import curve_viewer
+        from jounce.web.spectra import spectra_of
+
+        return Shown(curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways)
+    return Shown(_curves(runs, channels, rigs, on), ways)
+
+
+def _measured(project: Project, path: str, begins: str, on: Trial) -> xr.Dataset:
+    """What of a recording falls into a trial, on its time."""
+    import jounce as jn
+    from jounce.core.units import to_si
+
+    record, _ = jn.read_recording(project.inside(path))
+    time = record["time"] - (to_si(begins, "s", where="begins") if begins.strip() else 0.0)
+    kept = record.assign_coords(time=time.assign_attrs(record["time"].attrs))
+    kept = kept.isel(time=((time >= 0.0) & (time <= on.duration)).to_numpy())
+    if kept.sizes["time"] < 2:
+        hint = "Say where the trial begins in it."
+        raise DescriptionError(
+            "the recording holds nothing of the trial's time", where="begins", found=begins, hint=hint
+        )
+    return kept
+
+
+def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], on: Trial, measured: str) -> dict[str, Any]:
+    """Python and command of a run."""
     road = dict(trial["road"])
     kind = road.pop("kind")
     python = (
@@ -121,11 +158,12 @@ def simulated(
         f"road = jn.{type(on.road).__name__}({arguments(road)})\n"
         f"run = jn.simulate(rig, jn.Trial(road=road, speed={trial['speed']!r}, duration={trial['duration']!r}))\n"
     )
+    if measured:
+        python += f"measured, findings = jn.read_recording({measured!r})\n"
     command = ["jounce", "simulate", name, *set_by(changes), "--road", "road.toml"]
     command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
     table = tomlkit.dumps({"kind": kind, **road})
-    answer = {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
-    return Shown(_curves(runs, channels, rigs, on), answer)
+    return {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
 
 
 def variants(project: Project, name: str, changes: Changes, text: str | None = None) -> dict[str, Rig]:
@@ -153,7 +191,7 @@ def _curves(
     return curve_viewer({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial)
 
 
-def _trial(project: Project, table: Mapping[str, Any]) -> Trial:
+def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
     """A trial over one obstacle, or over a road file's table."""
     from jounce.core.errors import unknown
     from jounce.core.files import only_below

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from importlib import metadata, resources
 from pathlib import Path
@@ -12,7 +13,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from jounce.core.errors import JounceError, OutputError, unforeseen
 from jounce.core.optional import require
 from jounce.web import answers, forms, sweeps
+from jounce.web import kept as history
 from jounce.web.jobs import Jobs
+from jounce.web.levels import Records
 from jounce.web.project import LONGEST, Project, Text, Version
 from jounce.web.safety import Guard
 from jounce.web.working import routes
@@ -53,6 +56,16 @@ class Edited(_Asked):
     changes: dict[str, float] = Field(default_factory=dict, max_length=200)
 
 
+class Part(_Asked):
+    """Part of a record, in the unit of its time (all of it without ends), in so many columns."""
+
+    path: str
+    channels: list[str] = Field(min_length=1, max_length=20)
+    low: float | None = None
+    high: float | None = None
+    columns: int = Field(default=1000, ge=10, le=8000)
+
+
 class Changed(_Asked):
     """A rig (path in the project, or name in the library) with changed numbers (SI or with units, by path).
 
@@ -71,6 +84,22 @@ class Run(Changed):
     road: dict[str, Any]
     speed: str
     duration: str
+    measured: str = ""
+    begins: str = ""
+    spectra: bool = False
+
+
+class Keep(Run):
+    """A run that is written into the project under a title."""
+
+    title: str
+
+
+class Compared(_Asked):
+    """Recordings of the project that are drawn over each other."""
+
+    paths: list[str] = Field(min_length=1, max_length=6)
+    channels: list[str] = Field(default_factory=list, max_length=60)
 
 
 class Sweep(Changed):
@@ -94,6 +123,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
     project = Project(folder)
     jobs = Jobs(project)
+    records = Records(project, jobs)
     version = metadata.version("jounce")
 
     @asynccontextmanager
@@ -108,7 +138,9 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def refused(_: Request, error: JounceError) -> JSONResponse:
         found = None if error.found is None else str(error.found)
         plain = {"what": error.what, "where": error.where, "found": found, "allowed": error.allowed, "hint": error.hint}
-        return JSONResponse({"error": plain | {"text": str(error)}}, 409 if isinstance(error, OutputError) else 422)
+        here = f"{project.root}{os.sep}"  # files are named as the project names them
+        told = {key: text and text.replace(here, "") for key, text in (plain | {"text": str(error)}).items()}
+        return JSONResponse({"error": told}, 409 if isinstance(error, OutputError) else 422)
 
     @app.exception_handler(OSError)
     def unwritten(_: Request, error: OSError) -> JSONResponse:
@@ -187,12 +219,42 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         """A text of a rig as a form: its values, what is wrong with it, and what differs from the saved file."""
         return forms.form_of(project, asked.path, asked.text, asked.sets, asked.changes)
 
+    @app.get("/api/record")
+    def record(path: str) -> dict[str, Any]:
+        """What a record holds: channels with their units, samples, and from when to when."""
+        return records.open(path).about
+
+    @app.post("/api/record")
+    def part(asked: Part, request: Request) -> Response:
+        """Some channels of a record, as much of them as a screen shows."""
+        found = records.open(asked.path)
+        low = found.about["first"] if asked.low is None else asked.low
+        high = found.about["last"] if asked.high is None else asked.high
+        return _told(answers.Shown(found.viewer(asked.channels, low, high, asked.columns), {}), request)
+
     @app.post("/api/simulate")
     def simulate(asked: Run, request: Request) -> Response:
         """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
-        shown = answers.simulated(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text)
+        shown = answers.simulated(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
+                                  measured=asked.measured, begins=asked.begins, spectra=asked.spectra)  # fmt: skip
         return _told(shown, request)
+
+    @app.post("/api/keep")
+    def kept(asked: Keep) -> dict[str, Any]:
+        """Write a run into the project, with what it was made of."""
+        trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
+        return history.keep(project, asked.rig, asked.changes, trial, asked.title)
+
+    @app.get("/api/history")
+    def runs() -> list[dict[str, Any]]:
+        """Runs that were kept, the newest first: rig and trial by their digests, changes, version and seed."""
+        return history.history(project)
+
+    @app.post("/api/compare")
+    def compare(asked: Compared, request: Request) -> Response:
+        """Draw recordings over each other."""
+        return _told(history.compared(project, asked.paths, asked.channels), request)
 
     @app.post("/api/kinematics")
     def kinematics(asked: Sweep, request: Request) -> Response:

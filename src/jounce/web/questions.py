@@ -20,7 +20,13 @@ _MOST_COLUMNS, _MOST_POINTS = 200, 2000
 def answer(question: Mapping[str, Any]) -> int:
     """Print the answer as one JSON object; give the exit code."""
     try:
-        sys.stdout.write(to_json(preview(question)))
+        if question["kind"] == "levels":
+            from jounce.web.levels import write_levels
+
+            found = write_levels(Path(question["file"]), Path(question["folder"]))
+        else:
+            found = preview(question)
+        sys.stdout.write(to_json(found))
     except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
         known = unforeseen(error)
         plain = {"message": str(known), "what": known.what, "where": known.where, "hint": known.hint or None}

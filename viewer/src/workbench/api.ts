@@ -47,4 +47,5 @@ export function schema(model: string): Promise<object> {
   return found;
 }
 export const form = async (path: string, text: string, sets: unknown[], changes: Record<string, number>) => (await asked("POST", "/api/form", { path, text, sets, changes })).json() as Promise<Form>;
-export const curves = async (question: "simulate" | "kinematics", body: unknown) => (await asked("POST", `/api/${question}`, body, "application/octet-stream")).arrayBuffer();
+export const binary = async (path: string, body: unknown) => (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();
+export const curves = (question: "simulate" | "kinematics", body: unknown) => binary(`/api/${question}`, body);

@@ -11,6 +11,7 @@ import { campaign } from "./pages/campaign";
 import { jobs } from "./pages/jobs";
 import { kinematics } from "./pages/kinematics";
 import { project } from "./pages/project";
+import { record } from "./pages/record";
 import { rig } from "./pages/rig";
 import { studies } from "./pages/studies";
 import { trial } from "./pages/trial";
@@ -20,7 +21,16 @@ import { address, type Page, setLive } from "./shell";
 export { live } from "./shell";
 
 /** Every page, by the word in its address, in the order of the head. */
-const PAGES: Record<string, Page> = { project, rig, trial, kinematics, campaign, studies, jobs };
+const PAGES: Record<string, Page> = {
+  project,
+  rig,
+  trial,
+  kinematics,
+  record,
+  campaign,
+  studies,
+  jobs,
+};
 
 async function show(): Promise<void> {
   const [page = "", values = ""] = location.hash.replace(/^#\//, "").split("?");

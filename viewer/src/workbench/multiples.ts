@@ -161,14 +161,14 @@ export class Multiples {
 }
 
 /** Round numbers between two ends, about so many. */
-function ticks(low: number, high: number, count: number): number[] {
+export function ticks(low: number, high: number, count: number): number[] {
   const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw)!;
   const found: number[] = [];
   for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) found.push(k * step);
   return found;
 }
 
-function short(value: number): string {
+export function short(value: number): string {
   const text = Number(value.toPrecision(4));
   return localised(Math.abs(text) >= 1e5 || (text !== 0 && Math.abs(text) < 1e-3) ? text.toExponential(0) : String(text));
 }

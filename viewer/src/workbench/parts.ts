@@ -1,6 +1,6 @@
 /** Pieces of which the pages are made. */
 
-import { Store } from "../data";
+import { type Model, Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
 import { tr } from "../words";
@@ -102,6 +102,9 @@ export class Live {
   private player: Player | null = null;
   private busy = false;
   private again = false;
+  /** Hears what is shown, and what place of its axis is looked at. */
+  shown: ((model: Model, store: Store) => void) | null = null;
+  moved: ((place: number) => void) | null = null;
   /** Milliseconds from a question to its curves. */
   readonly times: number[] = [];
 
@@ -122,7 +125,9 @@ export class Live {
       else {
         this.player = new Player(model, store);
         this.place.replaceChildren(this.player.element);
+        this.player.moved = (place) => this.moved?.(place);
       }
+      this.shown?.(model, store);
       this.ways.replaceChildren(...ways(store.content as unknown as Answer));
       this.times.push(performance.now() - began);
       this.state.textContent = `${tr("computed and drawn in")} ${written(this.times[this.times.length - 1]!, 2)} ms`;

@@ -1,6 +1,7 @@
 /** What a page of the workbench is, and what pages share: addresses, rigs to choose from, and the live curves that are open. */
 
 import { make } from "../page";
+import { tr } from "../words";
 import * as api from "./api";
 
 export type Values = URLSearchParams;
@@ -15,10 +16,10 @@ export let live: { times: number[] } | null = null;
 export function setLive(curves: { times: number[] } | null): void { live = curves; }
 
 /** Rigs to choose from, where none was. */
-export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false): Promise<void> {
+export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false, kinds = RIGS, more: Record<string, string> = {}): Promise<void> {
   const { entries } = await api.project();
-  const names = [...entries.filter((entry) => RIGS.includes(entry.kind)).map((entry) => entry.path), ...(shipped ? (await api.library()).map((one) => one.name) : [])];
+  const names = [...entries.filter((entry) => kinds.includes(entry.kind)).map((entry) => entry.path), ...(shipped ? (await api.library()).map((one) => one.name) : [])];
   place.replaceChildren(make("h1", {}, label), names.length
-    ? make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name }) }, name))))
-    : make("p", { class: "empty" }, "No rig lies here yet: ", make("a", { href: address("project") }, "start from an example"), "."));
+    ? make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name))))
+    : make("p", { class: "empty" }, kinds === RIGS ? tr("No rig lies here yet: ") : tr("Nothing of that kind lies here yet: "), make("a", { href: address("project") }, tr("to the project")), "."));
 }

@@ -1,34 +1,84 @@
-/** What lies in the folder, and the way to a first rig. */
+/** What lies in the folder, what to do next, the way to a first rig, and the runs that were kept. */
 
+import { Store } from "../../data";
 import { make, written } from "../../page";
+import { Player } from "../../player";
+import { tr } from "../../words";
 import * as api from "../api";
-import { field, problem } from "../parts";
-import { address, type Page, RIGS } from "../shell";
+import { field, problem, ways } from "../parts";
+import { address, type Page } from "../shell";
 
 export const project: Page = { label: "Project", show };
 
+interface Kept { path: string; rig: string; changes: Record<string, number | string>; trial: { road: Record<string, string>; speed: string; duration: string }; seed: number | null; version: string; rig_digest: string; trial_digest: string; when: number }
+
+/** Where a file of a kind opens, and in which words. */
+const OPENS: Record<string, [page: string, key: string, words: string][]> = {
+  rig: [["rig", "name", "edit"], ["trial", "rig", "drive it"], ["kinematics", "rig", "kinematics"]],
+  record: [["record", "path", "look at it"], ["trial", "record", "beside a run"]],
+};
+const moment = (seconds: number) => new Date(seconds * 1000).toISOString().slice(0, 16).replace("T", " ");
+
 async function show(place: HTMLElement): Promise<void> {
-  const [{ name, folder, entries }, library] = await Promise.all([api.project(), api.library()]);
+  const [{ name, folder, entries }, library, kept] = await Promise.all([api.project(), api.library(), api.get<Kept[]>("/api/history")]);
   document.getElementById("project")!.textContent = name;
-  const rows = entries.map((entry) => make("tr", {},
-    make("th", { scope: "row" }, entry.kind === "rig" ? make("a", { href: address("rig", { name: entry.path }) }, entry.path) : entry.path),
-    make("td", {}, entry.kind), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`),
-    make("td", {}, new Date(entry.modified * 1000).toISOString().slice(0, 16).replace("T", " ")),
-    make("td", {}, ...(RIGS.includes(entry.kind) ? [make("a", { href: address("trial", { rig: entry.path }) }, "drive it")] : []))));
+  const rows = entries.map((entry) => {
+    const opens = OPENS[entry.kind] ?? [], [first] = opens;
+    const page = entry.kind === "page" && entry.path.endsWith(".html") ? `/api/document?${api.query({ path: entry.path })}` : null;
+    return make("tr", {},
+      make("th", { scope: "row" }, first ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path) : page ? make("a", { href: page, target: "_blank" }, entry.path) : entry.path),
+      make("td", {}, tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(entry.modified)),
+      make("td", {}, ...opens.slice(1).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
+  });
   const choice = make("select", {}, ...library.map((one) => make("option", { value: one.name }, one.name)));
   const target = make("input", { type: "text", value: `${library[0]?.name ?? "rig"}.toml`, spellcheck: "false" });
   choice.addEventListener("change", () => { target.value = `${choice.value}.toml`; });
   const told = make("div", { "aria-live": "polite" });
-  const copy = make("button", { type: "submit", class: "main" }, "Copy it here");
-  const form = make("form", { class: "form" }, field("Shipped rig", choice), field("Name of your file", target), copy);
+  const copy = make("button", { type: "submit", class: "main" }, tr("Copy it here"));
+  const form = make("form", { class: "form" }, field(tr("Shipped rig"), choice), field(tr("Name of your file"), target), copy);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     api.start(choice.value, target.value).then((made) => { location.hash = address("rig", { name: made.path }); }, (error) => told.replaceChildren(problem(error)));
   });
   place.replaceChildren(
-    make("h1", {}, name), make("p", { class: "muted" }, folder),
+    make("h1", {}, name), make("p", { class: "muted" }, folder), next(entries, kept),
     entries.length
-      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "files" }, make("table", {}, make("thead", {}, make("tr", {}, ...["file", "what it is", "size", "written (UTC)", ""].map((text) => make("th", { scope: "col" }, text)))), make("tbody", {}, ...rows)))
-      : make("p", { class: "empty" }, "No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder."),
-    make("h2", {}, "Start from an example"), form, told);
+      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written (UTC)"), tr("to do")].map((text) => make("th", { scope: "col" }, text)))), make("tbody", {}, ...rows)))
+      : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
+    make("h2", {}, tr("Start from an example")), form, told, ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []));
+}
+
+/** What there is to do with what lies here. */
+function next(entries: api.Entry[], kept: Kept[]): HTMLElement {
+  const of = (kind: string) => entries.filter((one) => one.kind === kind), [rig] = of("rig"), [record] = of("record");
+  const steps: HTMLElement[] = [];
+  if (!rig) steps.push(make("li", {}, tr("Start from a shipped rig, below.")));
+  else {
+    if (!kept.length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Drive # over an obstacle", rig.path)), tr(", and keep the run.")));
+    if (kept.length === 1) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Change # and keep another run", rig.path)), tr(", to compare the two.")));
+    if (record && !of("campaign").length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path, record: record.path }) }, tr("Look at # beside a run", record.path)), "."));
+    if (!of("sweep").length) steps.push(make("li", {}, make("a", { href: address("studies") }, tr("Vary its numbers in a study")), "."));
+  }
+  return steps.length ? make("section", { class: "next", "aria-label": tr("What to do next") }, make("h2", {}, tr("What to do next")), make("ul", {}, ...steps)) : make("section", { hidden: true });
+}
+
+/** Runs with what they were made of; those that are chosen are drawn over each other. */
+function history(kept: Kept[]): HTMLElement {
+  const boxes = kept.map((one, i) => make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 })), out = make("div", {});
+  const compare = make("button", { type: "button" }, tr("Compare those that are chosen"));
+  const short = (digest: string) => make("code", { title: digest }, digest.slice(0, 8));
+  compare.addEventListener("click", () => {
+    const paths = kept.filter((_, i) => boxes[i]!.checked).map((one) => one.path).slice(0, 6);
+    if (!paths.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Choose one or more of them."))); return; }
+    api.binary("/api/compare", { paths }).then((answer) => {
+      const store = Store.of(answer);
+      out.replaceChildren(new Player(store.content.viewers[0]!, store).element, make("div", { class: "ways" }, ...ways(store.content as unknown as api.Answer)));
+    }, (error) => out.replaceChildren(problem(error)));
+  });
+  const road = ({ trial }: Kept) => `${tr(String(trial.road.kind ?? "").replace("-", " "))} ${Object.entries(trial.road).filter(([key]) => !["kind", "start"].includes(key)).map(([, value]) => value).join(" × ")}, ${trial.speed}`;
+  return make("section", {}, make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("Runs that were kept") }, make("table", {},
+    make("thead", {}, make("tr", {}, ...["", tr("run"), tr("rig"), tr("changes"), tr("trial"), tr("inputs"), tr("seed"), tr("version"), tr("kept (UTC)")].map((text) => make("th", { scope: "col" }, text || make("span", { class: "hidden" }, tr("compare")))))),
+    make("tbody", {}, ...kept.map((one, i) => make("tr", {}, make("td", {}, boxes[i]!), make("th", { scope: "row" }, make("a", { href: address("record", { path: one.path }) }, one.path.replace(/^runs\//, ""))), make("td", {}, one.rig),
+      make("td", {}, Object.entries(one.changes).map(([path, value]) => `${path} = ${typeof value === "number" ? written(value, 5) : value}`).join(", ") || "–"), make("td", {}, road(one)), make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)), make("td", {}, one.seed === null ? "–" : String(one.seed)), make("td", {}, one.version), make("td", {}, moment(one.when)))))),
+  ), make("p", { class: "bar" }, compare), out);
 }

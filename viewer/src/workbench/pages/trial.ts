@@ -1,10 +1,12 @@
 /** A rig over an obstacle, with sliders. */
 
 import { make } from "../../page";
+import { tr } from "../../words";
 import * as api from "../api";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, Live, Sliders } from "../parts";
-import { choose, type Page, setLive, type Values } from "../shell";
+import { field, Live, problem, Sliders } from "../parts";
+import { Phase } from "../phase";
+import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
 export const trial: Page = { label: "Trial", show };
 
@@ -12,9 +14,9 @@ const FIRST = ["strut.spring.rate", "strut.damper.coefficient", "strut.damper.bu
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
-  if (!name) { await choose(place, "trial", "Trial", "rig", true); return; }
+  if (!name) { await choose(place, "trial", tr("Trial"), "rig", true, RIGS, values.get("record") ? { record: values.get("record")! } : {}); return; }
   const rig = await api.rig(name);
-  const kind = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, one.replace("-", " "))));
+  const kind = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))));
   const sizes = make("span", { class: "sizes" });
   const road = told<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
   if (road.kind && road.kind in OBSTACLES) kind.value = road.kind;
@@ -22,19 +24,37 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const offered = () => sizes.replaceChildren(...OBSTACLES[kind.value]!.map((one) => {
     const input = make("input", { type: "text", value: road[one] ?? USUAL[one]!, name: one });
     input.addEventListener("change", () => void curves.ask());
-    return field(one[0]!.toUpperCase() + one.slice(1), input);
+    return field(tr(one[0]!.toUpperCase() + one.slice(1)), input);
   }));
   const sliders = new Sliders(rig, FIRST, () => void curves.ask(), told<Record<string, number>>(values.get("set")));
-  const curves = new Live(() => api.curves("simulate", {
+  const asked = () => ({
     rig: name, changes: sliders.changes, speed: speed.value, duration: duration.value,
     road: { kind: kind.value, start: road.start ?? "0.2 m", ...Object.fromEntries([...sizes.querySelectorAll("input")].map((one) => [one.name, one.value])) },
-  }));
+  });
+  const { entries } = await api.project();
+  const look = make("select", {}, ...([["time", tr("time")], ["spectra", tr("frequency (spectra)")]] as const).map(([value, words]) => make("option", { value }, words)));
+  const measured = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((one) => one.kind === "record").map(({ path }) => make("option", { value: path, ...(path === values.get("record") ? { selected: true } : {}) }, path)));
+  const begins = make("input", { type: "text", value: "0 s" });
+  const curves = new Live(() => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value }));
+  const phase = new Phase();
+  curves.shown = (model, store) => { phase.element.hidden = look.value !== "time"; if (look.value === "time") phase.show(model, store); };
+  curves.moved = (time) => { if (look.value === "time") phase.mark(time); };
+  for (const one of [look, measured, begins]) one.addEventListener("change", () => void curves.ask());
+  const title = make("input", { type: "text", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
+  const keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), make("button", { type: "submit" }, tr("Keep it")), kept);
+  keep.addEventListener("submit", (event) => {
+    event.preventDefault();
+    api.asked("POST", "/api/keep", { ...asked(), title: title.value }).then(async (answer) => {
+      const { path } = await answer.json() as { path: string };
+      kept.replaceChildren(tr("Kept as "), make("a", { href: address("record", { path }) }, path), ". ", make("a", { href: address("project") }, tr("Compare it in the project")));
+    }, (error) => kept.replaceChildren(problem(error)));
+  });
   kind.addEventListener("change", () => { offered(); void curves.ask(); });
   for (const one of [speed, duration]) one.addEventListener("change", () => void curves.ask());
   offered();
   setLive(curves);
-  place.replaceChildren(make("h1", {}, `${name} over an obstacle`),
-    make("div", { class: "form" }, field("Obstacle", kind), sizes, field("Speed", speed), field("Duration", duration)), sliders.element, curves.element);
+  place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)),
+    make("div", { class: "form" }, field(tr("Obstacle"), kind), sizes, field(tr("Speed"), speed), field(tr("Duration"), duration), field(tr("Curves over"), look), field(tr("Beside a recording"), measured), field(tr("where it begins"), begins)), sliders.element, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep);
   await curves.ask();
 }
 

@@ -1,0 +1,176 @@
+"""Long records seen at once: a child reads a file once and keeps its channels with the extremes of every 256 samples.
+
+What is seen of a record is then as many columns as a screen has, each with its least and greatest value, from single
+samples where there are few of them: no peak is lost at any zoom.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.display import DisplayUnit
+from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.types import Array
+
+if TYPE_CHECKING:
+    from jounce.report.live import Viewer
+    from jounce.web.jobs import Jobs
+    from jounce.web.project import Project
+
+BLOCK = 256
+_PIECE, _UNEVEN = 50_000, 1e-3  # samples; shares of a step by which evenly spaced instants may be off
+_ABOUT, _PLACE, _MOST_KEPT = "about.json", (".jounce", "levels"), 6
+_MOST_CHANNELS = 200
+_MEMORY, _SECONDS = 6e9, 120.0
+
+
+def write_levels(file: Path, folder: Path) -> dict[str, Any]:
+    """Read a record as it is written, and keep its channels in a folder; give what is known of it."""
+    from jounce.recordings.reader import ReaderOptions
+    from jounce.recordings.readers import reader_of
+
+    tables = [
+        [one for one in table if one.fault is None] for table in reader_of(file).read(file, ReaderOptions()).tables
+    ]
+    table = max((one for one in tables if one), key=lambda one: one[0].values.size, default=[])
+    time = next((one for one in table if one.name == "time"), None)
+    if time is None or time.values.size < 2:
+        raise RecordingError("no time", where=str(file.name), allowed="a column 'time' of two values at least")
+    count = time.values.size
+    step = float(time.values[-1] - time.values[0]) / (count - 1)
+    even = _is_even(time.values, step, str(file.name))
+    folder.mkdir(parents=True, exist_ok=True)
+    if not even:
+        np.save(folder / "time.npy", time.values)
+    channels = []
+    for k, one in enumerate([one for one in table if one is not time][:_MOST_CHANNELS]):
+        values = np.asarray(one.values, np.float32)
+        np.save(folder / f"{k}.npy", values)
+        starts = np.arange(0, count, BLOCK)
+        np.save(folder / f"{k}.levels.npy", np.stack([end.reduceat(values, starts) for end in (np.fmin, np.fmax)]))
+        channels.append({"name": one.name, "unit": one.unit})
+    about = {"count": count, "first": float(time.values[0]), "step": float(step), "even": even,
+             "last": float(time.values[-1]), "unit": time.unit or "s", "channels": channels}  # fmt: skip
+    (folder / _ABOUT).write_text(json.dumps(about), encoding="utf-8")
+    return about
+
+
+def _is_even(time: Array, step: float, where: str) -> bool:
+    """Whether instants are evenly spaced; refuse those that do not ascend. Piece by piece, as a memory is fast."""
+    even = True
+    for start in range(0, len(time) - 1, _PIECE):
+        part = time[start : start + _PIECE + 1]
+        if not bool(np.all(part[1:] > part[:-1])):
+            raise RecordingError("time does not ascend", where=where)
+        wanted = time[0] + step * np.arange(start, start + len(part))
+        even = even and bool(np.abs(part - wanted).max() <= _UNEVEN * step)
+    return even
+
+
+@dataclass(frozen=True)
+class Levels:
+    """A record that was read: its channels, and extremes of every 256 samples."""
+
+    folder: Path
+    about: dict[str, Any]
+
+    def viewer(self, names: Sequence[str], low: float, high: float, columns: int) -> Viewer:
+        """Give some channels from ``low`` to ``high`` (in the unit of its time) in so many columns."""
+        from jounce.report.live import Curve, Pane, Scene, Viewer
+
+        known = {one["name"]: k for k, one in enumerate(self.about["channels"])}
+        for name in names:
+            if name not in known:
+                raise unknown(name, known, what="channel", where="channels")
+        first, last = self._index(low), min(self._index(high) + 1, self.about["count"])
+        if last - first < 2:
+            first, last = max(0, first - 1), min(first + 2, self.about["count"])
+        edges = None if last - first <= 4 * columns else np.linspace(first, last, columns + 1).astype(np.int64)
+        panes = []
+        for name in names:
+            y = self._values(known[name], first, last, edges)
+            unit = self.about["channels"][known[name]]["unit"]
+            panes.append(Pane(name, name, DisplayUnit(unit, 1.0).name, (Curve(name, "after", y),)))
+        places = np.arange(first, last) if edges is None else _twice(edges)
+        scene = Scene("record", "record", self._time(places), tuple(panes))
+        return Viewer("", (scene,), (("after", "record", True),), unit=self.about["unit"])
+
+    def _values(self, channel: int, first: int, last: int, edges: Any) -> Array:
+        values = np.load(self.folder / f"{channel}.npy", mmap_mode="r")
+        if edges is None:
+            return np.asarray(values[first:last], float)
+        if (last - first) / (len(edges) - 1) >= 4 * BLOCK:
+            levels = np.load(self.folder / f"{channel}.levels.npy", mmap_mode="r")
+            starts = edges[:-1] // BLOCK
+            below, above = levels[0, : -(-last // BLOCK)], levels[1, : -(-last // BLOCK)]
+        else:
+            part = np.asarray(values[first:last])
+            starts, below, above = edges[:-1] - first, part, part
+        ends = np.fmin.reduceat(below, starts), np.fmax.reduceat(above, starts)
+        return np.stack(ends, axis=1).ravel().astype(float)
+
+    def _index(self, time: float) -> int:
+        count = int(self.about["count"])
+        if self.about["even"]:
+            found = int(np.floor(np.clip((time - self.about["first"]) / self.about["step"], 0.0, count - 1)))
+        else:
+            found = int(np.searchsorted(np.load(self.folder / "time.npy", mmap_mode="r"), time, "right")) - 1
+        return min(max(found, 0), count - 1)
+
+    def _time(self, places: Any) -> Array:
+        if self.about["even"]:
+            return np.asarray(self.about["first"] + self.about["step"] * places, float)
+        times = np.load(self.folder / "time.npy", mmap_mode="r")
+        whole = np.floor(places).astype(np.int64)
+        return np.asarray(
+            times[whole] + (places - whole) * (times[np.minimum(whole + 1, len(times) - 1)] - times[whole])
+        )
+
+
+def _twice(edges: Any) -> Any:
+    """Two places a column: at its begin, and in its middle."""
+    return np.stack([edges[:-1], 0.5 * (edges[:-1] + edges[1:])], axis=1).ravel()
+
+
+class Records:
+    """The records of a project that were looked at; what was read of them is kept beside it, the last few."""
+
+    def __init__(self, project: Project, jobs: Jobs) -> None:
+        self.project, self.jobs = project, jobs
+
+    def open(self, path: str) -> Levels:
+        """Read a record, in a process of its own, unless that was done."""
+        from jounce.web.tasks import Doing
+
+        file = self.project.inside(path)
+        if not file.is_file():
+            raise DescriptionError("no such file", where=path, hint="Choose a record of the project.")
+        state = file.stat()
+        key = sha256(f"{path}\0{state.st_size}\0{state.st_mtime_ns}".encode()).hexdigest()[:24]
+        folder = self.project.inside("/".join((*_PLACE, key)))
+        if not (folder / _ABOUT).is_file():
+            question = {"kind": "levels", "file": str(file), "folder": str(folder)}
+            try:
+                self.jobs.ask(
+                    Doing(f"Reading {path}", [], limits=(_MEMORY, _SECONDS), patience=90.0, question=question)
+                )
+            except Exception:
+                shutil.rmtree(folder, ignore_errors=True)
+                raise
+            self._forget(folder)
+        return Levels(folder, json.loads((folder / _ABOUT).read_text(encoding="utf-8")))
+
+    def _forget(self, new: Path) -> None:
+        """Take away what was read longest ago."""
+        kept = sorted((one for one in new.parent.iterdir() if one.is_dir()), key=lambda one: one.stat().st_mtime)
+        for old in kept[:-_MOST_KEPT]:
+            if old != new:
+                shutil.rmtree(old, ignore_errors=True)

@@ -1,0 +1,87 @@
+/** One channel over another, with a mark where the run is looked at. */
+
+import { at, type Model, type Numbers, type Store } from "../data";
+import { colour, make, whenColoursChange, written } from "../page";
+import { tr } from "../words";
+import { short, ticks } from "./multiples";
+import { field } from "./parts";
+
+const HEIGHT = 320, LEFT = 62, BOTTOM = 40, TOP = 10, RIGHT = 14;
+
+export class Phase {
+  private readonly canvas = make("canvas", { role: "img" });
+  private readonly across = make("select", {});
+  private readonly upward = make("select", {});
+  private readonly values = make("output", {});
+  readonly element = make("section", { class: "phase", "aria-label": tr("Phase plot") }, make("h2", {}, tr("Phase plot")), make("div", { class: "form" }, field(tr("Across"), this.across), field(tr("Upward"), this.upward), this.values), this.canvas);
+  private model: Model | null = null;
+  private store: Store | null = null;
+  private time = 0;
+  private known = "";
+
+  constructor() {
+    for (const one of [this.across, this.upward]) one.addEventListener("change", () => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.element);
+    whenColoursChange(() => this.draw());
+  }
+
+  show(model: Model, store: Store): void {
+    this.model = model; this.store = store;
+    const names = model.scenes[0]!.panes.filter((pane) => !pane.name.startsWith("Δ")).map((pane) => pane.name);
+    if (names.join() !== this.known) {
+      this.known = names.join();
+      const before = [this.across.value, this.upward.value], usual = ["strut.deflection", "strut.velocity"];
+      [this.across, this.upward].forEach((select, i) => {
+        select.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
+        select.value = [before[i]!, usual[i]!, names[Math.min(i, names.length - 1)]!].find((one) => names.includes(one)) ?? "";
+      });
+    }
+    this.draw();
+  }
+
+  mark(time: number): void { this.time = time; this.draw(); }
+
+  private draw(): void {
+    const width = Math.floor(this.element.clientWidth), scene = this.model?.scenes[0], store = this.store;
+    if (!scene || !store || width < 100) return;
+    const [first, second] = [this.across, this.upward].map((select) => scene.panes.find((pane) => pane.name === select.value));
+    if (!first || !second) return;
+    const wide = Math.min(width, 720), context = this.canvas.getContext("2d", { willReadFrequently: true })!;
+    this.canvas.width = wide; this.canvas.height = HEIGHT;
+    const lines = first.curves.flatMap((curve) => { const other = second.curves.find((one) => one.role === curve.role); return other ? [{ role: curve.role, label: curve.label, x: store.get(curve.y), y: store.get(other.y) }] : []; });
+    const [left, right] = ends(lines.map((one) => one.x)), [low, high] = ends(lines.map((one) => one.y)), time = store.get(scene.x);
+    const toX = (value: number) => LEFT + (value - left) / (right - left) * (wide - LEFT - RIGHT), toY = (value: number) => TOP + (high - value) / (high - low) * (HEIGHT - TOP - BOTTOM);
+    context.font = "12px system-ui, sans-serif"; context.fillStyle = colour("muted"); context.strokeStyle = colour("line"); context.lineWidth = 1;
+    context.textAlign = "center";
+    for (const x of ticks(left, right, 6)) { context.beginPath(); context.moveTo(toX(x), TOP); context.lineTo(toX(x), HEIGHT - BOTTOM); context.stroke(); context.fillText(short(x), toX(x), HEIGHT - BOTTOM + 15); }
+    context.textAlign = "right";
+    for (const y of ticks(low, high, 5)) { context.beginPath(); context.moveTo(LEFT, toY(y)); context.lineTo(wide - RIGHT, toY(y)); context.stroke(); context.fillText(short(y), LEFT - 5, toY(y) + 4); }
+    context.fillStyle = colour("ink"); context.textAlign = "center";
+    context.fillText(`${first.name} [${first.unit || "–"}]`, 0.5 * (LEFT + wide), HEIGHT - 8);
+    context.save(); context.translate(12, 0.5 * (TOP + HEIGHT - BOTTOM)); context.rotate(-Math.PI / 2); context.fillText(`${second.name} [${second.unit || "–"}]`, 0, 0); context.restore();
+    for (const { role, x, y } of [...lines].reverse()) {
+      context.strokeStyle = colour(role); context.lineWidth = 1.4; context.beginPath();
+      let down = false;
+      for (let i = 0; i < x.length; i++) {
+        const a = x[i], b = y[i];
+        if (a === null || b === null || a === undefined || b === undefined) { down = false; continue; }
+        if (down) context.lineTo(toX(a), toY(b)); else context.moveTo(toX(a), toY(b));
+        down = true;
+      }
+      context.stroke();
+      const a = at(time, x, this.time), b = at(time, y, this.time);
+      if (Number.isFinite(a) && Number.isFinite(b)) { context.fillStyle = colour(role); context.beginPath(); context.arc(toX(a), toY(b), 5, 0, 2 * Math.PI); context.fill(); }
+    }
+    const a = lines[0] ? at(time, lines[0].x, this.time) : NaN, b = lines[0] ? at(time, lines[0].y, this.time) : NaN;
+    this.values.textContent = `${written(a)} ${first.unit}, ${written(b)} ${second.unit}`;
+    this.canvas.setAttribute("aria-label", `${second.name} ${tr("over")} ${first.name}`);
+  }
+}
+
+function ends(lines: Numbers[]): [number, number] {
+  let low = Infinity, high = -Infinity;
+  for (const line of lines) for (let i = 0; i < line.length; i++) { const value = line[i]; if (value !== null && value !== undefined && Number.isFinite(value)) { if (value < low) low = value; if (value > high) high = value; } }
+  if (!(high > low)) return [(Number.isFinite(low) ? low : 0) - 1, (Number.isFinite(low) ? low : 0) + 1];
+  const room = 0.05 * (high - low);
+  return [low - room, high + room];
+}
