@@ -372,3 +372,54 @@ def test_the_reference_inside_is_what_the_fmu_gives(written, tmp_path, version, 
     for i, name in enumerate(outputs):
         own = table[name]
         assert np.abs(np.array(found)[:, i] - own).max() < 6e-3 * np.ptp(own), name
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_casadi_reads_rates_and_derivatives(written, tmp_path, version):
+    """Another importer, with the FMU's own directional derivatives for its Jacobian."""
+    import casadi as ca
+
+    name = "kart-quarter-car"
+    with zipfile.ZipFile(written(name, version)) as archive:
+        archive.extractall(tmp_path)
+    importer = ca.DaeBuilder("kart", str(tmp_path))
+    rates = importer.create("rates", ["x", "u"], ["ode"])
+    slope = importer.create("slope", ["x", "u"], ["jac_ode_x"])
+    compiled = compile_rig(jn.load(name))
+    p = compiled.parameter_values(jn.load(name).parameters())
+    x, u = np.array([-0.012, -0.004, 0.3, -0.2]), np.array([0.001, 0.05])
+    modes = np.ones(len(compiled.facts.switches))
+    assert importer.x() == [fmu_name.replace(" ", "_") for fmu_name in compiled.facts.states]
+    assert np.array(rates(x, u)).ravel() == pytest.approx(compiled.evaluate("rate", x, u, p, modes), rel=1e-12)
+    assert np.array(slope(x, u)) == pytest.approx(compiled.evaluate("rate_x", x, u, p, modes), rel=1e-9)
+
+
+def test_libcosim_runs_it(written):
+    """The engine of the Open Simulation Platform reads FMI 2.0; its own files of FMI 3.0 make it fail."""
+    cosim = pytest.importorskip("libcosimpy", reason="libcosimpy is not installed")
+    del cosim
+    from libcosimpy.CosimExecution import CosimExecution
+    from libcosimpy.CosimManipulator import CosimManipulator
+    from libcosimpy.CosimObserver import CosimObserver
+    from libcosimpy.CosimSlave import CosimLocalSlave
+
+    slave = CosimLocalSlave(fmu_path=str(written("kart-quarter-car", 2)), instance_name="kart")
+    execution = CosimExecution.from_step_size(step_size=1e6)  # ns
+    index = execution.add_local_slave(local_slave=slave)
+    observer, manipulator = CosimObserver.create_last_value(), CosimManipulator.create_override()
+    assert execution.add_observer(observer=observer)
+    assert execution.add_manipulator(manipulator=manipulator)
+    references = {
+        v.name: v.valueReference
+        for v in fmpy.read_model_description(str(written("kart-quarter-car", 2))).modelVariables
+    }
+    trial = bump(0.05)
+    ours = jn.simulate(jn.load("kart-quarter-car"), trial, tolerance=1e-9)
+    drive, found = course("kart-quarter-car", trial), []
+    inputs = [references[name] for name in drive.names]
+    for i in range(50):
+        manipulator.slave_real_values(slave_index=index, variable_references=inputs, values=drive.values(1e-3 * i))
+        assert execution.step()
+        found.append(observer.last_real_values(slave_index=index, variable_references=[references["sprung.z"]])[0])
+    own = ours["sprung.z"].values[1:51]
+    assert np.max(np.abs(np.array(found) - own)) < 5e-3 * np.ptp(own)
