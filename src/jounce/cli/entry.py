@@ -50,6 +50,7 @@ from jounce.cli.reply import (
 )
 from jounce.core.errors import JounceError, OutputError, nearest
 from jounce.core.text import shortened
+from jounce.core.trust import trusting
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
 _LONGEST = 1000  # characters of what the parser of the command line says
@@ -205,7 +206,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise JounceError("an argument with a NUL character", found=next(word for word in words if "\0" in word))
         if _COMPLETION in os.environ:
             return _complete(words)
-        exit_code = _answer(words)
+        with trusting(False):
+            exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort):
         tell("interrupted; no file is left half-written.")

@@ -32,6 +32,7 @@ from jounce.cli.options import (
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.display import shown_as, size
 from jounce.core.errors import DescriptionError
+from jounce.core.trust import trusting
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -57,6 +58,9 @@ RideDuration = Annotated[
     typer.Option(help=f"Time over the road; by default 60 s on ISO roads, {_TO_THE_END}"),
 ]
 Seed = Annotated[int, typer.Option(min=0, help="Seed of the random road.")]
+Trust = Annotated[
+    bool, typer.Option("--trust", help="Run FMUs of controllers in this process: faster, and a crash ends all of it.")
+]
 
 
 def ride(
@@ -71,6 +75,7 @@ def ride(
     ] = None,
     duration: RideDuration = None,
     seed: Seed = 0,
+    trust: Trust = False,
     set_: Changes = None,
     out: Annotated[
         Path | None, typer.Option(help="Write the recording of a single run (.nc, .csv, .mat, .mf4, .parquet).")
@@ -90,7 +95,7 @@ def ride(
             "one file holds one run", where="--out", found=", ".join(names), allowed="one --control with --out"
         )
     check_outputs(recording=out, figure=figure, report=report, force=force)
-    study, plain, rig = _study(vehicle, road, speed, duration, seed, names, set_)
+    study, plain, rig = _study(vehicle, road, speed, duration, seed, names, set_, trust=trust)
     if out is not None:
         from jounce.recordings import write_recording
 
@@ -143,6 +148,7 @@ def compare(
         str | None, typer.Option(help=f"Time over the road; by default 20 s on ISO roads, {_TO_THE_END}")
     ] = None,
     seed: Seed = 0,
+    trust: Trust = False,
     set_: Changes = None,
     figure: FigureFile = None,
     report: ReportFile = None,
@@ -156,7 +162,7 @@ def compare(
     length = duration if duration is not None else ("20 s" if road.lower().startswith("iso:") else None)
     names = _names(control or ["all"])
     check_outputs(figure=figure, report=report, force=force)
-    study, plain, rig = _study(vehicle, road, speed, length, seed, names, set_)
+    study, plain, rig = _study(vehicle, road, speed, length, seed, names, set_, trust=trust)
     title = f"{vehicle} on {road} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
     drawn, missing = write_picture(study, figure, title, force=force)
     document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
@@ -183,6 +189,8 @@ def _study(
     seed: int,
     names: list[str],
     set_: list[str] | None,
+    *,
+    trust: bool,
 ) -> tuple[RideStudy, dict[str, Any], Rig]:
     """Run the study that the options describe; give it with what ``--json`` prints, and the rig."""
     seed = _seed(road, seed)
@@ -193,7 +201,8 @@ def _study(
         from jounce.ride.study import compare_rides
 
         rig = chosen_rig(vehicle, wanted)
-        study = compare_rides(rig, _trial(rig, road, v, lasting, seed), names, progress=say)
+        with trusting(trust):
+            study = compare_rides(rig, _trial(rig, road, v, lasting, seed), names, progress=say)
     return study, {"vehicle": vehicle, "changes": wanted, "road": road, "seed": seed, **study.to_dict()}, rig
 
 

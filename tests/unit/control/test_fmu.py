@@ -12,6 +12,7 @@ from jounce.cli import main
 from jounce.control.fmu import FmuControl, caller
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import DescriptionError, JounceError, SimulationError
+from jounce.core.trust import trusting
 
 fmu_component = pytest.importorskip("fmu_component")
 TRIAL = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="0.05 s")
@@ -244,3 +245,43 @@ def test_the_caller_stands_alone() -> None:
     from pathlib import Path
 
     assert "jounce." not in Path(caller.__file__).read_text(encoding="utf-8")
+
+
+@needs_compiler
+def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, capsys) -> None:
+    """A binary of others runs in this process only after the user's own word."""
+    fmu_component.write(tmp_path / "a.fmu", 3, library(3))
+    words = ["law = 'fmu'", "file = 'a.fmu'", "output = 'coefficient'", "trusted = true", "[inputs]"]
+    words += [f"{name} = '{channel}'" for name, channel in INPUTS.items()]
+    file = tmp_path / "law.toml"
+    file.write_text("\n".join(["schema = 'jounce.control/1'", *words]))
+    with trusting(False):
+        alone = jn.simulate(RIG, TRIAL, control=file)
+    assert any("Say --trust, too" in finding for finding in alone.attrs["findings"])
+    asked = []
+
+    class Seen(caller.Instances):
+        def __init__(self, told) -> None:
+            asked.append("here")
+            super().__init__(told)
+
+    monkeypatch.setattr(caller, "Instances", Seen)
+    command = [
+        "ride",
+        "kart-quarter-car",
+        "--road",
+        "iso:A",
+        "--duration",
+        "4 s",
+        "--speed",
+        "5 m/s",
+        "--control",
+        str(file),
+    ]
+    assert main(command) == 0
+    assert not asked
+    assert main([*command, "--trust"]) == 0, capsys.readouterr().err
+    assert asked
+    asked.clear()
+    assert not any("--trust" in finding for finding in jn.simulate(RIG, TRIAL, control=file).attrs["findings"])
+    assert asked  # in Python the description decides

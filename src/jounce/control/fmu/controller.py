@@ -20,6 +20,7 @@ from jounce.control.fmu import caller
 from jounce.control.fmu.component import FmuComponent, FmuVariable, read_fmu, unpacked
 from jounce.core.errors import DescriptionError, SimulationError, unknown
 from jounce.core.findings import Finding
+from jounce.core.trust import trust_said
 from jounce.core.units import to_si
 from jounce.core.writing import working_folder
 
@@ -54,7 +55,8 @@ class FmuControl(CallbackController):
         Whether channels are changes from static equilibrium instead of values.
     trusted : bool
         Run in this process: an instant takes microseconds, and an FMU that crashes takes Python with it. Otherwise it
-        runs in a child. Neither is a protection against evil: run only what you would start as a program.
+        runs in a child, as it does in commands without ``--trust``, whatever a file says. Neither is a protection
+        against evil: run only what you would start as a program.
 
     Examples
     --------
@@ -270,7 +272,11 @@ class _FmuRegulator:
         self._to_own = _conversions([pair for one in wires for pair in one.to_own])
         self._to_si = _conversions([pair for one in wires for pair in one.to_si])
         self._limits = Limits(setting.controllers)
-        self._told, self._is_trusted = told, law.trusted
+        said = trust_said()
+        self._told, self._is_trusted = told, law.trusted if said is None else said
+        if law.trusted and said is False:
+            text = "trusted = true in a file is not enough: it runs in a process of its own. Say --trust, too."
+            self._notes.append(Finding(self._file, "note", text))
         self._instances: _Asked | None = None
         self._instant = 0
 

@@ -1,0 +1,30 @@
+"""Whether programs of others (FMUs) may run in this process, where the user has said so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+_SAID: ContextVar[bool | None] = ContextVar("trust", default=None)
+
+
+def trust_said() -> bool | None:
+    """What the user said; None where nobody was asked, as in Python, where the description decides.
+
+    >>> with trusting(False):
+    ...     trust_said()
+    False
+    >>> trust_said()
+    """
+    return _SAID.get()
+
+
+@contextmanager
+def trusting(whether: bool) -> Iterator[None]:
+    """Let what happens within trust programs of others, or not, whatever their descriptions say."""
+    token = _SAID.set(whether)
+    try:
+        yield
+    finally:
+        _SAID.reset(token)
