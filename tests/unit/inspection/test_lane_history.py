@@ -64,6 +64,18 @@ def test_csv_has_a_row_for_each_wheel_and_one_for_what_could_not_be_read(store, 
         export([], file)
 
 
+def test_an_axle_that_fails_with_wheels_that_pass_says_why_in_the_table(tmp_path: Path) -> None:
+    wheels = [{**WHEEL, "wheel": side, "verdict": "pass", "reasons": ["good."]} for side in ("left", "right")]
+    store = Store(tmp_path / "lane.sqlite")
+    store.accept(
+        RecordEntry("a.csv", b"a"),
+        Grading("fail", "limits 1", "0.1", {"wheels": wheels, "reasons": ["difference left to right 19 deg: fail."]}),
+    )
+    rows = rows_of(store.records())
+    assert [(row["verdict"], row["reasons"]) for row in rows] == [("pass", "good.")] * 2
+    assert {row["axle_reasons"] for row in rows} == {"difference left to right 19 deg: fail."}
+
+
 def test_parquet_has_types_and_units(store, tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     file = export(rows_of(store.records()), tmp_path / "lane.parquet")

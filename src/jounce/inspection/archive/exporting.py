@@ -24,11 +24,12 @@ VALUES = {
 _OF_RECORD = ("number", "name", "plate", "vehicle", "date", "axle", "tester", "accepted")
 TEXTS = (
     *_OF_RECORD[1:], "wheel", *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict",
-    "limits", "software",
+    "axle_reasons", "limits", "software",
 )  # fmt: skip
 COLUMNS = (
     *_OF_RECORD, "wheel", *(column for name in VALUES for column in (name, f"{name}_half_width")), "lift_off",
-    *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict", "limits", "software",
+    *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict", "axle_reasons", "limits",
+    "software",
 )  # fmt: skip
 
 
@@ -41,6 +42,7 @@ def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
         if record.grading is not None:
             grading = record.grading
             about |= {"axle_verdict": grading.verdict, "limits": grading.limits, "software": grading.software}
+            about["axle_reasons"] = " ".join(result.get("reasons", []))  # an axle may fail whose wheels pass
         wheels = result.get("wheels") or [{"verdict": "not graded", "reasons": result.get("reasons", [])}]
         rows += [{**about, **_of_wheel(wheel)} for wheel in wheels]
     return rows
