@@ -8,6 +8,8 @@ from .campaign import CampaignResult as CampaignResult
 from .campaign import load_truth as load_truth
 from .campaign import new_campaign as new_campaign
 from .campaign import run_campaign as run_campaign
+from .campaign.posterior import campaign_next_trials as campaign_next_trials
+from .campaign.posterior import campaign_posterior as campaign_posterior
 from .campaign.speed_sweep import speed_sweep as speed_sweep
 from .control import ActiveActuator as ActiveActuator
 from .control import Controller as Controller
@@ -64,6 +66,11 @@ from .identify.doubt import Doubt as Doubt
 from .identify.fit_problem import FitTrial as FitTrial
 from .identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
 from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path
+from .identify.next_trial import Candidate as Candidate
+from .identify.next_trial import next_trials as next_trials
+from .identify.posterior import Posterior as Posterior
+from .identify.posterior import posterior as posterior
+from .identify.posterior import posterior_of as posterior_of
 from .identify.stiffness import fit_stiffness as fit_stiffness
 from .identify.update import UpdatedParameter as UpdatedParameter
 from .identify.update import UpdateResult as UpdateResult

@@ -134,3 +134,26 @@ def test_demo_makes_numbered_folders(cli, tmp_path: Path) -> None:
     refused = cli("demo", "--out", "demo-1")
     assert refused.exit_code == 2
     assert "--force" in refused.err
+
+
+def test_posterior_and_the_next_trial(cli, campaign: Path, tmp_path: Path) -> None:
+    outcome = cli("campaign", "posterior", campaign, "--out", "sure", "--draws", "1000", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    found = outcome.json
+    low, high = found["parameters"]["strut.damper.coefficient"]["interval"]
+    assert 170.0 < low < high < 190.0
+    assert found["counted"] == "noise only"
+    made = {str(file.relative_to(tmp_path / "sure")) for file in (tmp_path / "sure").rglob("*") if file.is_file()}
+    assert {"report.html", "posterior.json", "draws.nc", "draws.png", "profiles.png", "bands/trial-1.csv"} <= made
+    again = cli("campaign", "posterior", campaign, "--out", "sure", "--draws", "1000")
+    assert again.exit_code == 2
+    unknown = cli("campaign", "posterior", campaign, "--out", "other", "--strategy", "none of them")
+    assert unknown.exit_code == 2
+    assert "unknown update" in unknown.err
+    assert not (tmp_path / "other").exists()
+    ranked = cli("campaign", "next", campaign, "--speed", "1 m/s", "--speed", "2 m/s", "--count", "2", "--json")
+    assert ranked.exit_code == 0, ranked.err
+    gains = [one["gain"] for one in ranked.json["candidates"]]
+    assert gains == sorted(gains, reverse=True)
+    assert len(ranked.json["series"]) == 2
+    assert cli("campaign", "next", campaign, "--road", "nowhere").exit_code == 2

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -88,6 +88,31 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     >>> result.is_complete, result.strategies[0].update.reduction_percent > 0.0
     (True, True)
     """
+    runner, rig, knowledge = prepared_campaign(path, progress)
+    campaign, bench, findings = runner.campaign, runner.bench, runner.findings
+    strategies = runner.compare_strategies(runner.update_all(knowledge))
+    trials = runner.compare_all(knowledge, strategies)
+    lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
+    poses = runner.poses(trials)
+    return CampaignResult(
+        campaign,
+        runner.folder,
+        rig,
+        knowledge.rig,
+        bench,
+        tuple(strategies),
+        tuple(trials),
+        tuple(_leading(_unique(findings))),
+        lumped,
+        poses,
+    )
+
+
+def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig, Knowledge]:
+    """Read a campaign, refuse what cannot be meant, and characterise: ready for updates.
+
+    Gives what runs them, the rig as described, and what is known before any update.
+    """
     file = Path(path)
     campaign, text = load_campaign(file)
     rig_file = rig_named_in(campaign.rig, file)
@@ -101,25 +126,10 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     bench, knowledge = characterise(rig, campaign.bench, file.parent)
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
-    runner = _Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    runner = Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
     runner.truth = _truth(campaign, file.parent, findings)
     runner.decide_datums(knowledge)
-    strategies = runner.compare_strategies(runner.update_all(knowledge))
-    trials = runner.compare_all(knowledge, strategies)
-    lumped = runner.compare_with_lumped(strategies[-1].knowledge if strategies else knowledge)
-    poses = runner.poses(trials)
-    return CampaignResult(
-        campaign,
-        file.parent,
-        rig,
-        knowledge.rig,
-        bench,
-        tuple(strategies),
-        tuple(trials),
-        tuple(_leading(_unique(findings))),
-        lumped,
-        poses,
-    )
+    return runner, rig, knowledge
 
 
 def _truth(campaign: Campaign, folder: Path, findings: list[Finding]) -> BenchTruth | None:
@@ -263,7 +273,9 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
 
 
 @dataclass
-class _Runner:
+class Runner:
+    """What runs the updates of a campaign and compares trials with the model."""
+
     campaign: Campaign
     folder: Path
     loaded: dict[int, _Loaded]
@@ -276,6 +288,7 @@ class _Runner:
     truth: BenchTruth | None = None
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
+        """Give a trial with the rig as it was set up for it."""
         entry = item.entry
         rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
@@ -290,9 +303,12 @@ class _Runner:
                 self.sensors[number] = decided.sensors
         self.findings += start_findings(starts)
 
-    def update_all(self, start: Knowledge) -> list[StrategyResult]:
+    def update_all(self, start: Knowledge, chosen: Sequence[str] | None = None) -> list[StrategyResult]:
+        """Run all updates, or those of some names."""
         done: dict[str, StrategyResult] = {}
         for k, entry in enumerate(self.campaign.update, 1):
+            if chosen is not None and entry.name not in chosen:
+                continue
             try:
                 self.progress(f"update {k} of {len(self.campaign.update)}: {entry.name}")
                 done[entry.name] = self._update(entry, start, done)
@@ -300,7 +316,10 @@ class _Runner:
                 self.findings.append(Finding(entry.name, "problem", f"{unforeseen(error)} The update is left out."))
         return list(done.values())
 
-    def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
+    def set_up(
+        self, entry: UpdateEntry, start: Knowledge, done: Mapping[str, StrategyResult]
+    ) -> tuple[Knowledge, list[_Loaded], list[FitTrial], dict[str, Any]]:
+        """What is known before an update, the trials it is fitted on, and how :func:`jounce.update_model` is asked."""
         knowledge = start
         if entry.start_from is not None:
             if entry.start_from not in done:
@@ -310,18 +329,21 @@ class _Runner:
             knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)
         chosen = self._chosen(entry)
         trials = [self.fit_trial(item, knowledge) for item in chosen]
-        result = update_model(
-            trials,
-            entry.free,
-            name=entry.name,
-            method=entry.method,
-            weights=entry.weights,
-            channels=entry.channels,
-            align=entry.align,
-            starts=entry.starts,
-            doubt=self.campaign.doubt,
-            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},
-        )
+        asked: dict[str, Any] = {
+            "name": entry.name,
+            "method": entry.method,
+            "weights": entry.weights,
+            "channels": entry.channels,
+            "align": entry.align,
+            "starts": entry.starts,
+            "doubt": self.campaign.doubt,
+            "bench": bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},
+        }
+        return knowledge, chosen, trials, asked
+
+    def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
+        knowledge, chosen, trials, asked = self.set_up(entry, start, done)
+        result = update_model(trials, entry.free, **asked)
         self.findings += [
             f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)
             for f in result.findings

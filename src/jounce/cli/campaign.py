@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -16,8 +16,10 @@ from jounce.core.optional import require
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.campaign import CampaignResult
+    from jounce.campaign import Campaign, CampaignResult
     from jounce.core.findings import Finding
+    from jounce.identify.posterior import Posterior
+    from jounce.identify.prediction import Band
 
 
 class TableKind(StrEnum):
@@ -206,6 +208,147 @@ def synthesise(
         console.print(f"Next: jounce campaign run {file} --out results")
 
     return Reply({"folder": str(folder), "seed": seed, "changes": changed, "files": made}, draw, as_json)
+
+
+Strategy = Annotated[str, typer.Option(help="Name of the update; the last one by default.")]
+NoiseOnly = Annotated[
+    bool, typer.Option("--noise-only", help="Count noise only, not what the campaign doubts of model and measurement.")
+]
+
+
+@app.command("posterior")
+def posterior(
+    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file with updates.")],
+    out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for report, pictures, posterior.json and draws.nc.")],
+    strategy: Strategy = "",
+    draws: Annotated[int, typer.Option(min=1000, max=10_000_000, help="Number of draws, at least.")] = 20_000,
+    seed: Annotated[int, typer.Option(min=0, help="Of everything at random.")] = 1,
+    noise_only: NoiseOnly = False,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Draw what the recordings say of an update's parameters, and what that predicts for every trial.
+
+    Example: jounce campaign posterior campaign.toml --strategy "strategy 2" --out posterior
+    """
+    check_outputs(folder=out, force=force)
+    require("emcee", "posterior")
+    require("arviz_stats.base", "posterior")
+    with progress() as say:
+        from jounce.campaign import load_campaign
+        from jounce.campaign.posterior import campaign_posterior
+
+        found = campaign_posterior(campaign, strategy, draws=draws, seed=seed, noise_only=noise_only, progress=say)
+        say("writing the report")
+        missing = _write_posterior(found, load_campaign(campaign)[0], out, force=force)
+    plain = {**_posterior_table(found), "out": str(out)}
+    del plain["profiles"]
+
+    def draw(console: Console) -> None:
+        rows = [
+            (path, one.unit, one.value, *one.interval, one.convergence.r_hat, round(one.convergence.bulk))
+            for path, one in found.parameters.items()
+        ]
+        header = ("parameter", "unit", "value", "95 % from", "to", "R-hat", "effective draws")
+        console.print(table(f"Posterior of {found.name}, {found.counted}", header, rows, text=(0, 1)))
+        show_findings(console, found.findings)
+        console.print(f"written: {out}" + (f", open {out / 'report.html'}" if (out / "report.html").exists() else ""))
+
+    return Reply(plain, draw, as_json, DONE, missing)
+
+
+def _posterior_table(found: Posterior) -> dict[str, Any]:
+    """Plain data without curves over time: of each band the share of samples inside."""
+    plain = found.to_dict()
+    plain["predictions"] = {
+        trial: {name: {"inside": band.inside, "is_fitted": band.is_fitted} for name, band in channels.items()}
+        for trial, channels in found.predictions.items()
+    }
+    return plain
+
+
+def _bands_csv(channels: Mapping[str, Band]) -> str:
+    """Bands of one trial as a table, SI."""
+    time = next(iter(channels.values())).time
+    columns: dict[str, Any] = {"time [s]": time}
+    for name, band in channels.items():
+        low, high = band.ends()
+        given = {"measured": band.measured, "mean": band.mean, "lower": low, "upper": high}
+        columns |= {f"{name} {word} [{band.unit}]": values for word, values in given.items()}
+    rows = [",".join(columns), *(",".join(f"{v:.9g}" for v in row) for row in zip(*columns.values(), strict=True))]
+    return "\n".join(rows) + "\n"
+
+
+def _write_posterior(found: Posterior, campaign: Campaign, out: Path, *, force: bool) -> list[Finding]:
+    """Write the numbers and draws, and then the page; give what could not be drawn."""
+    from dataclasses import replace
+
+    from jounce.core.serialise import to_json
+    from jounce.plots.style import rendered
+    from jounce.recordings.writers import netcdf_of
+    from jounce.report import Page, Picture, posterior_page, write_page
+    from jounce.report.page import slug
+
+    computed: dict[str, bytes | str] = {
+        "posterior.json": to_json(_posterior_table(found)) + "\n",
+        "draws.nc": netcdf_of(found.samples),
+        **{f"bands/{slug(trial)}.csv": _bands_csv(channels) for trial, channels in found.predictions.items()},
+    }
+
+    def page() -> Page:
+        whole = posterior_page(found, title=campaign.title, synthetic=campaign.synthetic)
+        pictures = [one for one in whole.pictures() if isinstance(one, Picture)]
+        drawn = {f"{one.name}.png": rendered(one.figure, [".png"])[".png"] for one in pictures}
+        return replace(whole, files=tuple(drawn.items()))
+
+    with drawing() as missing:
+        write_page(page, out, files=computed, force=force)
+    return missing
+
+
+@app.command("next")
+def next_(
+    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN.toml", help="Campaign file with updates.")],
+    strategy: Strategy = "",
+    speed: Annotated[
+        list[str] | None,
+        typer.Option(help='A speed that could be driven, e.g. "2.5 m/s"; repeat it. By default five are tried.'),
+    ] = None,
+    road: Annotated[list[str] | None, typer.Option(help="A road of the campaign; repeat it. By default all.")] = None,
+    strut_angle: Annotated[
+        list[str] | None, typer.Option(help='A strut angle to set up, e.g. "26 deg"; repeat it.')
+    ] = None,
+    tyre_pressure: Annotated[
+        list[str] | None, typer.Option(help='A tyre pressure, e.g. "0.31 MPa"; repeat it.')
+    ] = None,
+    count: Annotated[int, typer.Option(min=1, max=20, help="Trials to choose one after the other.")] = 3,
+    noise_only: NoiseOnly = False,
+    as_json: AsJson = False,
+) -> Reply:
+    """Rank trials that could be run by what they are expected to tell about an update's parameters.
+
+    Example: jounce campaign next campaign.toml --strategy "strategy 4" --strut-angle "26 deg"
+    """
+    with progress() as say:
+        from jounce.campaign.posterior import campaign_next_trials
+
+        found = campaign_next_trials(
+            campaign, strategy, speeds=speed, roads=road, strut_angles=strut_angle, tyre_pressures=tyre_pressure,
+            count=count, noise_only=noise_only, progress=say,
+        )  # fmt: skip
+    plain = found.to_dict()
+
+    def draw(console: Console) -> None:
+        rows: list[tuple[object, ...]] = [("today", "", *found.now.values())]
+        rows += [(one.name, one.gain, *one.standard_errors.values()) for one in found.candidates[:20]]
+        header = ("trial", "gain nat", *(f"± {path} {found.units[path]}" for path in found.now))
+        console.print(table(f"What the next trial would tell, {found.counted}", header, rows, text=(0,)))
+        if len(found.candidates) > 20:
+            console.print(f"and {len(found.candidates) - 20} that tell less; --json has all.")
+        console.print("one after the other: " + ", then ".join(one.name for one in found.series))
+        show_findings(console, found.findings)
+
+    return Reply(plain, draw, as_json)
 
 
 def campaign_reply(

@@ -9,8 +9,9 @@ parameters already.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -283,6 +284,7 @@ class _Calibration:
     def __init__(
         self, trials: Sequence[FitTrial], free: Sequence[Free], doubt: Doubt, *, channels: Sequence[str] | None,
         weights: str | Mapping[str, float], align: bool, tolerance: float, priors: Mapping[str, tuple[float, float]],
+        richer: Richer | None = None,
     ) -> None:  # fmt: skip
         self.free, self.align, self.tolerance, self.doubt = tuple(free), align, tolerance, doubt
         prepared = [prepare_trial(trial, self.free, channels, weights) for trial in trials]
@@ -292,7 +294,7 @@ class _Calibration:
         ]
         rig = trials[0].rig
         used = compile_rig(rig).facts.parameters
-        self.richer = Richer(rig, [item.path for item in free], doubt, _ridden(prepared[0]), used)
+        self.richer = richer or Richer(rig, [item.path for item in free], doubt, _ridden(prepared[0]), used)
         self.lanes = len(self.richer.nuisances)
         self.columns = self.richer.columns()
         self.runs = [_Run(one, self) for one in prepared]
@@ -603,6 +605,48 @@ def calibrate(  # noqa: PLR0913 - each is a choice of its own
     hold the result against, ``priors`` mean and standard deviation of parameters that are known beforehand (both SI,
     of the first trial's set-up).
     """
+    found = calibrated(
+        trials, free, start, doubt=doubt, lags=lags, align=align, channels=channels, weights=weights,
+        tolerance=tolerance, priors=priors,
+    )  # fmt: skip
+    return _reported(found, bench or {})
+
+
+@dataclass(frozen=True)
+class Calibrated:
+    """Where the richer model ended: its unknowns, all blocks there, and the linear equations with their solution.
+
+    ``first`` are the mean squares of the residuals of each channel at the start, SI.
+    """
+
+    one: _Calibration
+    state: _State
+    blocks: list[_Block]
+    states: list[States]
+    system: _System
+    step: _Step
+    first: Mapping[str, float]
+
+    @property
+    def variance(self) -> dict[str, float]:
+        """Variance with which the residuals of each channel count: noise, and the rest as few observations (SI)."""
+        return {name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS for name in self.one.names}
+
+
+def calibrated(
+    trials: Sequence[FitTrial],
+    free: Sequence[Free],
+    start: Mapping[str, float],
+    *,
+    doubt: Doubt,
+    lags: Mapping[str, float],
+    align: bool,
+    channels: Sequence[str] | None = None,
+    weights: str | Mapping[str, float] = "normalised",
+    tolerance: float = 1e-8,
+    priors: Mapping[str, tuple[float, float]] | None = None,
+) -> Calibrated:
+    """Search as :func:`calibrate` does, and give where it ended."""
     one = _Calibration(
         trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {}
     )
@@ -625,7 +669,7 @@ def calibrate(  # noqa: PLR0913 - each is a choice of its own
         if share == 1.0 and np.all(np.abs(found.step[:p]) < _SETTLED * errors):
             break
     system = one.system(blocks, state)
-    return _reported(one, state, system, system.solved(), states, bench or {}, first)
+    return Calibrated(one, state, blocks, states, system, system.solved(), first or {})
 
 
 def _mean_squares(blocks: Sequence[_Block]) -> dict[str, float]:
@@ -655,12 +699,25 @@ def _next(
 # what is reported ---------------------------------------------------------------------------------------------------
 
 
-def _reported(
-    one: _Calibration, state: _State, system: _System, found: _Step, states: Sequence[States],
-    bench: Mapping[str, Estimate], first: Mapping[str, float] | None,
-) -> Discrepancy:  # fmt: skip
+@dataclass(frozen=True)
+class Readings:
+    """What a test machine gives of each parameter, and the model's law over the ride: rows of (2, parameters), SI.
+
+    ``slopes`` (2, parameters, unknowns) are those by scaled parameters and whitened nuisances; ``freedom`` are the
+    degrees of freedom (1) of the standard ``errors``.
+    """
+
+    values: Array
+    slopes: Array
+    errors: Array
+    freedom: Array
+
+
+def readings_of(calibration: Calibrated) -> Readings:
+    """Read the parts off a richer model where it ended."""
+    one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
     p, q, count = len(one.free), len(one.nuisances), len(one.runs)
-    laws = Laws(one.richer, states)
+    laws = Laws(one.richer, calibration.states)
     run = one.runs[0]
 
     def readings(x: Array) -> Array:
@@ -675,8 +732,17 @@ def _reported(
     )
     covariance = found.covariance[: p + q, : p + q]
     errors = np.sqrt(np.maximum(np.einsum("kij,jl,kil->ki", slopes, covariance, slopes), 0.0))
-    shares = _shares(one, system, found, slopes[0], errors[0])
     freedom = count / np.maximum(_share_of_rest(system, found, slopes, errors), 1e-3) ** 2
+    return Readings(values, slopes, errors, freedom)
+
+
+def _reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepancy:
+    one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
+    p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), calibration.first
+    read = readings_of(calibration)
+    values, slopes, errors, freedom = read.values, read.slopes, read.errors, read.freedom
+    covariance = found.covariance[: p + q, : p + q]
+    shares = _shares(one, system, found, slopes[0], errors[0])
     after = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     nuisances = _nuisances(one, state, after[p:])
     unexplained = {n: found.energy[n] / (found.energy[n] + _length(system, n) * found.noise[n]) for n in one.names}
@@ -966,3 +1032,108 @@ def _moved(track: Segments, edges: Array) -> Segments:
         table[polynomial, power] *= stretch[polynomial] ** power
     table[~polynomial, 2] *= stretch[~polynomial]
     return replace(track, edges=edges, coefficients=table)
+
+
+# what draws predict -----------------------------------------------------------------------------------------------
+
+
+class DrawnRun:
+    """A trial, fitted or not, that is simulated with the richer model for draws of its unknowns."""
+
+    def __init__(self, found: Calibrated, one: _Calibration, place: int, fitted: int | None) -> None:
+        self.found, self.one, self.run, self.fitted = found, one, one.runs[place], fitted
+        self.channels, self.rate = self.run.channels, self.run.prepared.rate
+        self.units = {output.name: output.unit for output in self.run.compiled.facts.outputs}
+        state = self._state(found.state.theta, np.zeros(len(found.step.step) - len(found.one.free)), None)
+        inputs = self._inputs(state)
+        solution = self.run.simulate(self.run.compiled, self.run.numbers(state), inputs)
+        self.run.beside = self.run.forces(States.of(self.run.compiled, solution))
+
+    def _inputs(self, state: _State) -> dict[str, float]:
+        found = {name: self.one.value(name, state.xi) for name in _INPUTS}
+        return found | {name: d * float(state.own[0, j]) for j, (name, d) in enumerate(self.one.own)}
+
+    def _state(self, theta: Array, step: Array, rng: np.random.Generator | None) -> _State:
+        """Unknowns of this trial; those that no fitted trial knows are drawn from their priors, or are as meant."""
+        found, one = self.found, self.one
+        q, names = len(found.one.nuisances), found.one.place
+        known = found.state.xi + step[:q]
+
+        def drawn(count: int) -> Array:
+            return np.zeros(count) if rng is None else rng.normal(size=count)
+
+        xi, own = drawn(len(one.nuisances)), drawn(len(one.own))
+        for i, nuisance in enumerate(one.nuisances):
+            if nuisance.name in names:
+                xi[i] = known[names[nuisance.name]]
+        if self.fitted is not None:
+            mine = step[q:].reshape(len(found.one.runs), -1)[self.fitted]
+            own = found.state.own[self.fitted] + mine[: len(found.one.own)]
+        return _State(theta, xi, own[None, :], np.zeros(1))
+
+    def drawn(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
+        """Reading of each channel without lag, for scaled parameters and a step of the doubts."""
+        state = self._state(theta, step, rng)
+        plain = self.run.compiled.plain
+        solution = self.run.simulate(plain, self.run.numbers(state), self._inputs(state))
+        prepared, readings = replace(self.run.prepared, compiled=plain), {}
+        for channel in self.channels:
+            sensed = self.one._sensed(channel, state.xi)
+            table = prepared.table(sensed, solution)
+            readings[channel.name] = channel.offset(table, np.zeros(len(table)))[0][:, 0]
+        return readings
+
+
+def richer_runs(found: Calibrated, trials: Sequence[FitTrial], settings: Mapping[str, Any]) -> Iterator[DrawnRun]:
+    """Trials ready to be simulated with the richer model, fitted ones with what is known of each."""
+    places = {run.prepared.source.name: i for i, run in enumerate(found.one.runs)}
+    for trial in trials:
+        one = _Calibration(
+            [trial], found.one.free, found.one.doubt, channels=settings["channels"], weights=settings["weights"],
+            align=found.one.align, tolerance=1e-6, priors={}, richer=found.one.richer,
+        )  # fmt: skip
+        yield DrawnRun(found, one, 0, places.get(trial.name))
+
+
+def candidate_information(
+    found: Calibrated,
+    trial: FitTrial,
+    noise: Mapping[str, float],
+    rest: Mapping[str, float],
+    channels: Sequence[str] | None,
+) -> Array:
+    """Information that one more trial adds about scaled parameters and common doubts.
+
+    ``noise`` is the variance of each channel's noise (SI), ``rest`` what nothing explains, over the energy of the
+    signal (1). What is in doubt of this trial alone is integrated out.
+    """
+    one = _Calibration(
+        [trial], found.one.free, found.one.doubt, channels=channels, weights="printed", align=found.one.align,
+        tolerance=found.one.tolerance, priors={}, richer=found.one.richer,
+    )  # fmt: skip
+    p, q = len(one.free), len(found.one.nuisances)
+    xi = np.zeros(len(one.nuisances))
+    places = {i: found.one.place[n.name] for i, n in enumerate(one.nuisances) if n.name in found.one.place}
+    for i, place in places.items():
+        xi[i] = found.state.xi[place]
+    state = _State(found.state.theta, xi, np.zeros((1, len(one.own))), np.zeros(1))
+    blocks, _ = one.blocks(state)
+    system = one.system(blocks, state)
+    information = np.diag(system.prior)
+    shared = [*range(p), *(p + i for i in places)]
+    information[shared, shared] = 0.0  # their priors are in what is known already
+    for block in blocks:
+        moved = (
+            block.residual - one.runs[0].channels[[c.name for c in one.runs[0].channels].index(block.channel)].measured
+        )
+        variance = noise[block.channel] + rest[block.channel] * float(np.sum((moved - moved[0]) ** 2))
+        information = information + system.normal[block.channel][0] / variance
+    others = [i for i in range(len(information)) if i not in shared]
+    whole = information[np.ix_(shared, shared)]
+    if others:
+        mixed = information[np.ix_(shared, others)]
+        whole = whole - mixed @ np.linalg.solve(information[np.ix_(others, others)], mixed.T)
+    added = np.zeros((p + q, p + q))
+    target = [*range(p), *(p + place for place in places.values())]
+    added[np.ix_(target, target)] = whole
+    return added

@@ -16,6 +16,7 @@ from jounce.plots.kinematics import kinematic_curves, write_kinematics
 from jounce.plots.mechanisms.drawing import mechanism
 from jounce.plots.mechanisms.geometry import suspension_geometry
 from jounce.plots.paper_figures import adjusted_and_not, paper_figures, update_on_every_trial
+from jounce.plots.posterior import posterior_bands, posterior_draws, profile_likelihood
 from jounce.plots.signals import frequency_response, modes, road_profile, sweep, time_history
 from jounce.plots.style import add_note, new_figure, rendered, style, styled, write_figure
 from jounce.plots.variants import parallel_coordinates, scatter_matrix, tornado, variant_bands
@@ -39,6 +40,9 @@ __all__ = [
     "objectives",
     "paper_figures",
     "parallel_coordinates",
+    "posterior_bands",
+    "posterior_draws",
+    "profile_likelihood",
     "quantity",
     "rendered",
     "residual_against_speed_and_pitch",

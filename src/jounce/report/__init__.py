@@ -31,6 +31,7 @@ from jounce.report.page import (
     Subsection,
     Table,
 )
+from jounce.report.posterior import posterior_page
 from jounce.report.protocol import write_protocol
 from jounce.report.recordings import recordings_page
 from jounce.report.render import REPORTS, write_folder, write_page
@@ -63,6 +64,7 @@ __all__ = [
     "model_comparison_page",
     "modes_page",
     "optimisation_page",
+    "posterior_page",
     "recordings_page",
     "ride_page",
     "roughness_page",

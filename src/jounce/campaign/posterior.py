@@ -1,0 +1,213 @@
+"""Posterior of one update of a campaign, and the next trial worth running."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from jounce.campaign.characterise import Knowledge
+from jounce.campaign.description import UpdateEntry
+from jounce.campaign.result import StrategyResult
+from jounce.campaign.run import Runner, prepared_campaign
+from jounce.core.errors import FitError, JounceError, unknown
+from jounce.core.units import positive_si, to_si
+from jounce.identify.fit_problem import FitTrial
+from jounce.identify.next_trial import Candidate, NextTrials, next_trials
+from jounce.identify.posterior import Posterior, posterior, rested
+from jounce.roads import Trial, read_roads
+
+_SPEEDS = 5
+_MOST = 500
+Progress = Callable[[str], None]
+
+
+def campaign_posterior(
+    path: Path | str,
+    strategy: str = "",
+    *,
+    draws: int = 20_000,
+    seed: int = 1,
+    noise_only: bool = False,
+    progress: Progress = lambda _text: None,
+) -> Posterior:
+    """Posterior of the parameters of one update of a campaign, with what it predicts for every trial.
+
+    Parameters
+    ----------
+    path : path
+        Campaign TOML; files it names are relative to its folder.
+    strategy : str
+        Name of the update, the last one by default. Those it starts from are run before it.
+    draws : int
+        Number of draws, as for :func:`posterior`.
+    seed : int
+        Of everything at random.
+    noise_only : bool
+        Count noise only, not the doubts of the campaign.
+    progress : callable
+        Is told in one line of text what is being done.
+
+    Returns
+    -------
+    Posterior
+        SI; bands for fitted and held-out trials.
+
+    Raises
+    ------
+    DescriptionError
+        As :func:`run_campaign`, and for an update that is not in the campaign.
+    FitError
+        As :func:`posterior`, and where the update, or one that it starts from, fails.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.campaign import new_campaign
+    >>> found = campaign_posterior(new_campaign(tempfile.mkdtemp() + "/mine"), draws=2000)
+    >>> found.counted, sorted(found.predictions)
+    ('noise only', ['trial 1', 'trial 2', 'trial 4'])
+    """
+    runner, _, start = prepared_campaign(path, progress)
+    entry, knowledge, trials, asked = _asked(runner, start, strategy, path)
+    doubt = None if noise_only else asked.pop("doubt")
+    asked.pop("doubt", None)
+    every = [runner.fit_trial(item, knowledge) for item in runner.loaded.values()]
+    return posterior(trials, entry.free, doubt=doubt, draws=draws, seed=seed, predict=every, progress=progress, **asked)
+
+
+def campaign_next_trials(
+    path: Path | str,
+    strategy: str = "",
+    *,
+    speeds: Sequence[float | str] | None = None,
+    roads: Sequence[str] | None = None,
+    strut_angles: Sequence[float | str] | None = None,
+    tyre_pressures: Sequence[float | str] | None = None,
+    count: int = 3,
+    noise_only: bool = False,
+    progress: Progress = lambda _text: None,
+) -> NextTrials:
+    """Find the trials that would tell most about the parameters of one update of a campaign.
+
+    Parameters
+    ----------
+    path : path
+        Campaign TOML.
+    strategy : str
+        Name of the update, the last one by default.
+    speeds : sequence, optional
+        Speeds that could be driven, m/s or text; by default five between the least and the greatest of the campaign.
+    roads : sequence of str, optional
+        Roads of the campaign; by default all.
+    strut_angles, tyre_pressures : sequence, optional
+        Set-ups that could be tried, rad and Pa or text; by default those of the campaign's trials.
+    count : int
+        How many trials to choose, each the best after those before it.
+    noise_only : bool
+        Count noise only, not the doubts of the campaign.
+    progress : callable
+        Is told in one line of text what is being done.
+
+    Returns
+    -------
+    NextTrials
+        All candidates with what they would tell, best first, and the series that is best one after the other.
+
+    Raises
+    ------
+    DescriptionError, FitError
+        As :func:`campaign_posterior`, and for roads that the campaign does not have.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from jounce.campaign import new_campaign
+    >>> file = new_campaign(tempfile.mkdtemp() + "/mine")
+    >>> found = campaign_next_trials(file, speeds=["1 m/s", "2 m/s", "3 m/s"], count=1)
+    >>> len(found.candidates), found.candidates[0].gain > 0.0
+    (12, True)
+    """
+    runner, _, start = prepared_campaign(path, progress)
+    entry, knowledge, trials, asked = _asked(runner, start, strategy, path)
+    doubt = None if noise_only else asked.pop("doubt")
+    asked.pop("doubt", None)
+    candidates = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
+    basis = rested(trials, entry.free, doubt=doubt, progress=progress, **asked).basis
+    progress(f"{entry.name}: {len(candidates)} trials that could be run")
+    return next_trials(basis, candidates, count=count)
+
+
+def _asked(
+    runner: Runner, start: Knowledge, strategy: str, path: Path | str
+) -> tuple[UpdateEntry, Knowledge, list[FitTrial], dict[str, Any]]:
+    """The update that is meant, with all before it run."""
+    entries = {entry.name: entry for entry in runner.campaign.update}
+    if not entries:
+        raise FitError("the campaign has no update", where=str(path), hint="Write an [[update]] with free parameters.")
+    if strategy and strategy not in entries:
+        raise unknown(strategy, entries, what="update", where=f"{path}: strategy")
+    entry = entries[strategy] if strategy else list(entries.values())[-1]
+    before, name = [], entry.start_from
+    while name is not None:
+        before.append(name)
+        name = entries[name].start_from
+    done: dict[str, StrategyResult] = {one.update.name: one for one in runner.update_all(start, before)}
+    problems = [one for one in runner.findings if one.severity == "problem"]
+    if len(done) < len(before) and problems:
+        raise FitError("an update it starts from failed", where=entry.name, found=str(problems[-1]))
+    knowledge, _, trials, asked = runner.set_up(entry, start, done)
+    if not trials:
+        raise FitError("no trial to fit", where=entry.name, hint='Mark trials with use = "fit" or name their numbers.')
+    return entry, knowledge, trials, asked
+
+
+def _candidates(
+    runner: Runner, knowledge: Knowledge, path: Path, speeds: Sequence[float | str] | None,
+    roads: Sequence[str] | None, strut_angles: Sequence[float | str] | None,
+    tyre_pressures: Sequence[float | str] | None,
+) -> list[Candidate]:  # fmt: skip
+    """All combinations that can be set up and driven."""
+    known = read_roads(runner.campaign.roads, where=str(path), folder=path.parent)
+    for name in roads or ():
+        if name not in known:
+            raise unknown(name, known, what="road", where=f"{path}: roads")
+    names = list(roads or known)
+    if not names:
+        raise FitError("no road to drive over", where=str(path), hint="Write [roads.NAME] tables in the campaign.")
+    driven = [entry.speed for entry in runner.campaign.trial if entry.speed is not None]
+    if speeds is None and not driven:
+        raise FitError("no speed to drive at", where=str(path), hint='Give speeds, e.g. ["1 m/s", "3 m/s"].')
+    if speeds is None:
+        chosen = [float(v) for v in np.round(np.linspace(min(driven), max(driven), _SPEEDS), 3)]
+    else:
+        chosen = [positive_si(v, "m/s", where="speeds") for v in speeds]
+    entries = runner.campaign.trial
+    angles: list[float | None] = list(dict.fromkeys(one.strut_angle for one in entries))
+    if strut_angles is not None:
+        angles = [to_si(v, "rad", where="strut_angles") for v in strut_angles]
+    pressures: list[float | None] = list(dict.fromkeys(one.tyre_pressure for one in entries))
+    if tyre_pressures is not None:
+        pressures = [to_si(v, "Pa", where="tyre_pressures") for v in tyre_pressures]
+    count = len(names) * len(chosen) * len(angles) * len(pressures)
+    if count > _MOST:
+        raise FitError("too many trials to compare", found=count, allowed=f"up to {_MOST}", where="candidates")
+    duration = max(float(item.measured["time"][-1]) for item in runner.loaded.values())
+    sensors = next(iter(runner.sensors.values()), runner.campaign.sensors)
+    found = []
+    for road, speed, angle, pressure in product(names, chosen, angles, pressures):
+        words = [f"{road} at {speed:.4g} m/s"]
+        words += [] if len(angles) == 1 or angle is None else [f"strut {np.degrees(angle):.4g} deg"]
+        words += [] if len(pressures) == 1 or pressure is None else [f"tyre {pressure / 1e6:.4g} MPa"]
+        with suppress(JounceError):  # what cannot be set up is no trial
+            trial = Trial(road=known[road], speed=speed, duration=duration)
+            if trial.obstacle_end() < duration:
+                found.append(Candidate(", ".join(words), knowledge.rig_for(angle, pressure, {}), trial, sensors))
+    if not found:
+        hint = "Obstacles must end within the length of the recordings: are the speeds too low?"
+        raise FitError("none of the trials can be run", where="candidates", hint=hint)
+    return found

@@ -1,0 +1,324 @@
+"""A log density that costs simulations, as a polynomial through its exact values and slopes: sampled and diagnosed.
+
+Around its mode the density of well-measured parameters is nearly a Gaussian, so that a polynomial of third or fourth
+degree in whitened coordinates is the log density within hundredths. Exact values and slopes at some tens of points
+determine it; fresh draws, evaluated exactly, say how far it is off.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations_with_replacement
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import FitError
+from jounce.core.optional import require
+from jounce.core.types import Array
+
+_DEGREES = ((4, 4), (10, 3))  # up to how many unknowns, and of which degree first; more unknowns have squares only
+_HIGHEST = 4
+_ROWS = 1.5  # equations a coefficient
+_CHECKS = 16  # draws that are evaluated exactly
+_ROUNDS = 3
+_GOOD = 0.3  # standard deviation of the error of the log density: weights of draws then differ by as much (1)
+_OUTSIDE = 1e-5  # share of a Gaussian that lies farther out than the polynomial is used
+_FREEDOM = 7.0  # of the proposals' t distribution
+_STRETCH = 0.2  # share of steps that follow the shape of the ensemble instead
+_ENSEMBLES, _WALKERS = 4, 16
+
+Exact = Callable[[Array], "tuple[float, Array, float] | None"]
+"""Log density at some unknowns, its slopes, and a part to be added whose slopes are not known; None: no such thing."""
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """A polynomial of several variables: powers (terms, variables) and coefficients (terms,)."""
+
+    powers: NDArray[np.int64]
+    coefficients: Array
+
+    @staticmethod
+    def terms(count: int, degree: int) -> NDArray[np.int64]:
+        """Powers of all terms up to a degree."""
+        chosen = [one for d in range(degree + 1) for one in combinations_with_replacement(range(count), d)]
+        return np.array([[one.count(i) for i in range(count)] for one in chosen], dtype=np.int64)
+
+    @staticmethod
+    def rows(powers: NDArray[np.int64], u: Array) -> Array:
+        """Values of the terms at points (n, variables), shape (n, terms)."""
+        table = np.stack([u**k for k in range(int(powers.max(initial=0)) + 1)])
+        found = np.ones((len(u), len(powers)))
+        for i in range(u.shape[1]):
+            found *= table[powers[:, i], :, i].T
+        return found
+
+    @staticmethod
+    def slope_rows(powers: NDArray[np.int64], u: Array, i: int) -> Array:
+        """Derivatives of the terms by variable ``i``, shape (n, terms)."""
+        lower = powers.copy()
+        lower[:, i] = np.maximum(lower[:, i] - 1, 0)
+        return Polynomial.rows(lower, u) * powers[:, i]
+
+    @classmethod
+    def through(cls, degree: int, u: Array, values: Array, slopes: Array | None = None) -> Polynomial:
+        """Least squares through values and, where given, slopes (n, variables) at points (n, variables)."""
+        powers = cls.terms(u.shape[1], degree)
+        weight = 1.0 / (1.0 + 0.1 * np.sum(u**2, axis=1))  # what is improbable may be less exact
+        rows, right = [weight[:, None] * cls.rows(powers, u)], [weight * values]
+        for i in range(u.shape[1] if slopes is not None else 0):
+            rows.append(weight[:, None] * cls.slope_rows(powers, u, i))
+            right.append(weight * slopes[:, i])  # type: ignore[index]
+        return cls(powers, np.linalg.lstsq(np.vstack(rows), np.concatenate(right), rcond=None)[0])
+
+    def __call__(self, u: Array) -> Array:
+        """Values at points (n, variables), shape (n,)."""
+        return np.asarray(self.rows(self.powers, u) @ self.coefficients)
+
+    def slopes(self, u: Array) -> Array:
+        """Slopes at points (n, variables), shape (n, variables)."""
+        both = [self.slope_rows(self.powers, u, i) @ self.coefficients for i in range(u.shape[1])]
+        return np.stack(both, axis=1)
+
+
+@dataclass(frozen=True)
+class Region:
+    """Where unknowns may lie: around a centre with a covariance (whitened by ``root``), between bounds."""
+
+    centre: Array
+    root: Array
+    lower: Array
+    upper: Array
+
+    @cached_property
+    def radius(self) -> float:
+        """Whitened distance from the centre within which the density is used."""
+        from scipy.stats import chi2
+
+        return float(np.sqrt(chi2.isf(_OUTSIDE, len(self.centre))))
+
+    def unknowns(self, u: Array) -> Array:
+        """Unknowns at whitened points (n, unknowns)."""
+        return np.asarray(self.centre + u @ self.root.T)
+
+    def whitened(self, x: Array) -> Array:
+        """Whitened points of unknowns (n, unknowns)."""
+        return np.asarray(np.linalg.solve(self.root, (x - self.centre).T).T)
+
+    def has(self, u: Array) -> NDArray[np.bool_]:
+        """Whether whitened points (n, unknowns) lie inside."""
+        x = self.unknowns(u)
+        room = 1e-9 * (1.0 + np.abs(self.centre))
+        inside = np.all((x >= self.lower - room) & (x <= self.upper + room), axis=1)
+        return np.asarray(inside & (np.sum(u**2, axis=1) <= self.radius**2))
+
+    def folded(self, u: Array) -> Array:
+        """Points beyond a bound mirrored at it, so that they lie inside."""
+        x = self.unknowns(u)
+        x = np.where(x < self.lower, 2.0 * self.lower - x, np.where(x > self.upper, 2.0 * self.upper - x, x))
+        return self.whitened(np.clip(x, self.lower, self.upper))
+
+
+@dataclass(frozen=True)
+class LogDensity:
+    """A log density as a polynomial over a region, and how far it is off at draws that were evaluated exactly.
+
+    ``error`` is the standard deviation of the difference of both log densities (1), ``evaluations`` the number of exact
+    ones.
+    """
+
+    region: Region
+    polynomial: Polynomial
+    error: float
+    evaluations: int
+
+    def __call__(self, u: Array) -> Array:
+        """Log density at whitened points (n, unknowns); minus infinity outside."""
+        return np.where(self.region.has(u), self.polynomial(u), -np.inf)
+
+
+def fitted(exact: Exact, region: Region, seed: int) -> LogDensity:
+    """Fit a log density by exact values and slopes, and hold it against fresh draws; more points where it is off."""
+    count = len(region.centre)
+    first = next((degree for most, degree in _DEGREES if count <= most), 2)
+    rng = np.random.default_rng(seed)
+    points: list[tuple[Array, float, Array, float]] = []
+    tried = 0
+
+    def evaluate(places: Array) -> list[tuple[Array, float, Array, float]]:
+        nonlocal tried
+        tried += len(places)
+        both = [(u, exact(x)) for u, x in zip(places, region.unknowns(places), strict=True)]
+        return [(u, found[0], region.root.T @ found[1], found[2]) for u, found in both if found is not None]
+
+    points += evaluate(_design(region, max(_points_for(count, first), 2 * count + 4), rng))
+    for left in range(_ROUNDS - 1, -1, -1):
+        degree = next((d for d in range(_HIGHEST, 1, -1) if len(points) >= _points_for(count, d)), 0)
+        if degree == 0:
+            raise FitError("too few of the points around the estimate can be simulated", where="posterior")
+        density = LogDensity(region, _through(points, degree), math.nan, tried)
+        fresh = sample(density, 4 * _ENSEMBLES * _WALKERS, int(rng.integers(2**31)))[0][:, -1]
+        checked = evaluate(fresh[rng.choice(len(fresh), _CHECKS, replace=False)])
+        if len(checked) < _CHECKS // 2:
+            raise FitError("draws around the estimate cannot be simulated", where="posterior")
+        off = [value + more - float(density.polynomial(u[None])[0]) for u, value, _, more in checked]
+        density = LogDensity(region, density.polynomial, float(np.std(off)), tried)
+        if density.error < _GOOD or not left:
+            break
+        points += checked
+        lacking = _points_for(count, _HIGHEST) - len(points)
+        points += evaluate(_design(region, 1 + 2 * count + min(max(lacking, 0), len(points)), rng)[1 + 2 * count :])
+    return density
+
+
+def _points_for(count: int, degree: int) -> int:
+    """Points that determine a polynomial by values and slopes, with some to spare."""
+    return math.ceil(_ROWS * math.comb(count + degree, degree) / (1 + count))
+
+
+def _through(points: list[tuple[Array, float, Array, float]], degree: int) -> Polynomial:
+    """Polynomial of a degree through values and slopes, and one of squares through what has no slopes."""
+    u, values, slopes, more = (np.array(part) for part in zip(*points, strict=True))
+    found = Polynomial.through(degree, u, values, slopes)
+    if not np.any(more):
+        return found
+    squares = 2 if len(points) >= _ROWS * math.comb(u.shape[1] + 2, 2) else 1
+    added = Polynomial.through(squares, u, more)
+    whole = found.coefficients.copy()
+    whole[: len(added.coefficients)] += added.coefficients  # terms stand in the order of their degrees
+    return Polynomial(found.powers, whole)
+
+
+def _design(region: Region, count: int, rng: np.random.Generator) -> Array:
+    """Whitened points: the centre, two on each axis, the rest in random directions at all probable distances."""
+    size = len(region.centre)
+    axes = 2.0 * np.vstack([np.eye(size), -np.eye(size)])
+    more = max(count - 1 - len(axes), 0)
+    direction = rng.normal(size=(more, size))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    reach = np.linspace(0.5, 0.9 * region.radius, more + 1)[1:] if more else np.zeros(0)
+    return region.folded(np.vstack([np.zeros((1, size)), axes, reach[:, None] * direction]))
+
+
+def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
+    """Draw at least ``count`` whitened points (chains, draws, unknowns) by emcee, with the share of accepted steps.
+
+    Four ensembles that know nothing of each other, each of 16 walkers (or four an unknown). Four steps in five propose
+    points of a t distribution around the mode whatever the walker's place, which is nearly the density itself, the
+    fifth stretches towards another walker [goodman2010].
+    """
+    emcee = require("emcee", "posterior")
+    size = len(density.region.centre)
+    walkers = max(_WALKERS, 4 * size)
+    steps = math.ceil(count / (_ENSEMBLES * walkers))
+    chains, accepted = [], []
+    for k in range(_ENSEMBLES):
+        rng = np.random.default_rng([seed, k])
+        moves = [(emcee.moves.MHMove(_independent), 1.0 - _STRETCH), (emcee.moves.StretchMove(), _STRETCH)]
+        sampler = emcee.EnsembleSampler(walkers, size, density, moves=moves, vectorize=True)
+        state = emcee.State(_started(density, walkers, rng))
+        sampler.random_state = np.random.RandomState(int(rng.integers(2**31))).get_state()
+        warm = sampler.run_mcmc(state, max(50, steps // 10), skip_initial_state_check=True, store=False)
+        sampler.run_mcmc(warm, steps, skip_initial_state_check=True)
+        chains.append(np.swapaxes(sampler.get_chain(), 0, 1))
+        accepted.append(float(np.mean(sampler.acceptance_fraction)))
+    return np.concatenate(chains), float(np.mean(accepted))
+
+
+def _started(density: LogDensity, walkers: int, rng: np.random.Generator) -> Array:
+    """Points to begin at, inside the region."""
+    found = density.region.folded(rng.normal(size=(40 * walkers, len(density.region.centre))))
+    return found[density.region.has(found)][:walkers]
+
+
+def _independent(places: Array, random: np.random.RandomState) -> tuple[Array, Array]:
+    """Proposals of a t distribution, with the log ratio of both densities of proposals."""
+    normal = random.normal(size=places.shape)
+    new = normal * np.sqrt(_FREEDOM / random.chisquare(_FREEDOM, size=(len(places), 1)))
+    power = -0.5 * (_FREEDOM + places.shape[1])
+
+    def log(u: Array) -> Array:
+        return np.asarray(power * np.log1p(np.sum(u**2, axis=1) / _FREEDOM))
+
+    return new, log(places) - log(new)
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """Diagnostics of one sampled number: rank-normalised R-hat (1), effective draws in bulk and tails (1)."""
+
+    r_hat: float
+    bulk: float
+    tail: float
+
+
+def convergence(draws: Array) -> Convergence:
+    """Diagnose draws (chains, draws) of one number, by ArviZ [vehtari2021]."""
+    arviz = require("arviz_stats.base", "posterior").array_stats
+    given = {"chain_axis": 0, "draw_axis": 1}
+    return Convergence(
+        float(arviz.rhat(draws, method="rank", **given)),
+        float(arviz.ess(draws, method="bulk", **given)),
+        float(arviz.ess(draws, method="tail", prob=(0.05, 0.95), **given)),
+    )
+
+
+def profile(density: LogDensity, i: int, count: int = 61) -> tuple[Array, Array]:
+    """Unknown ``i`` over the region, and the greatest log density there, the others being free (0 at its top)."""
+    from scipy.optimize import minimize
+
+    region = density.region
+    spread = float(np.sqrt((region.root @ region.root.T)[i, i]))
+    reach = min(4.0, region.radius) * spread
+    low, high = max(region.lower[i], region.centre[i] - reach), min(region.upper[i], region.centre[i] + reach)
+    values = np.linspace(low, high, count)
+    others = [j for j in range(len(region.centre)) if j != i]
+    cov = region.root @ region.root.T
+    found = np.empty(count)
+    middle = int(np.argmin(np.abs(values - region.centre[i])))
+    for side in (range(middle, count), range(middle, -1, -1)):
+        x = region.centre.copy()
+        for k in side:
+            begin = region.centre + cov[:, i] / cov[i, i] * (values[k] - region.centre[i])
+            begin = np.clip(x if k != middle and _better(density, x, begin, values[k], i) else begin,
+                            region.lower, region.upper)  # fmt: skip
+            x, found[k] = _climbed(density, begin, values[k], i, others, minimize)
+    return values, found - float(np.max(found))
+
+
+def _better(density: LogDensity, one: Array, other: Array, value: float, i: int) -> bool:
+    both = np.array([one, other])
+    both[:, i] = value
+    heights = density.polynomial(density.region.whitened(both))
+    return bool(heights[0] > heights[1])
+
+
+def _climbed(
+    density: LogDensity, begin: Array, value: float, i: int, others: list[int], minimize: Callable[..., object]
+) -> tuple[Array, float]:
+    """Where the density is greatest with unknown ``i`` held, and its logarithm there."""
+    x = begin.copy()
+    x[i] = value
+    region = density.region
+    if not others:
+        return x, float(density.polynomial(region.whitened(x[None]))[0])
+    inverse = np.linalg.inv(region.root)
+    scale = np.sqrt(np.diag(region.root @ region.root.T))[others]
+
+    def lowered(z: Array) -> tuple[float, Array]:
+        x[others] = begin[others] + scale * z
+        u = region.whitened(x[None])
+        slope = inverse.T @ density.polynomial.slopes(u)[0]
+        return -float(density.polynomial(u)[0]), -slope[others] * scale
+
+    bounds = [
+        (max(-3.0, (region.lower[j] - begin[j]) / s), min(3.0, (region.upper[j] - begin[j]) / s))
+        for j, s in zip(others, scale, strict=True)
+    ]
+    result: object = minimize(lowered, np.zeros(len(others)), jac=True, method="L-BFGS-B", bounds=bounds)
+    height = -lowered(np.asarray(result.x))[0]  # type: ignore[attr-defined]
+    return x.copy(), height

@@ -1,0 +1,267 @@
+"""The next trial worth running: what each would be expected to tell about the parameters.
+
+Linearised Gaussian: before and after a trial the covariance of the parameters follows from exact sensitivities,
+whatever the trial will measure; the expected information gain is the log of the ratio of both volumes [lindley1956].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from jounce.core.errors import FitError, SimulationError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.shown import Shown
+from jounce.core.text import aligned
+from jounce.core.types import Array
+from jounce.identify.discrepancy import OBSERVATIONS, candidate_information, readings_of
+from jounce.identify.fit_problem import FitTrial, prepare_trial, project_out
+from jounce.identify.posterior import Basis, Posterior
+from jounce.parts import Rig
+from jounce.parts.rig import unit_of
+from jounce.recordings.sensors import Sensor
+from jounce.roads import Trial
+from jounce.variants.designs import is_whole
+
+_TOLERANCE = 1e-7
+
+
+@dataclass(frozen=True)
+class Candidate(Shown):
+    """A trial that could be run.
+
+    Attributes
+    ----------
+    name : str
+        Names it in the result.
+    rig : Rig
+        As it would be set up.
+    trial : Trial
+        What would be driven.
+    sensors : dict
+        Channel to sensor, as for :class:`jounce.FitTrial`.
+    """
+
+    name: str
+    rig: Rig
+    trial: Trial
+    sensors: Mapping[str, Sensor] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class CandidateGain(Shown):
+    """What a trial would be expected to tell.
+
+    Attributes
+    ----------
+    name : str
+        The trial.
+    gain : float
+        Expected information about all parameters together, in nats (1): 0.69 halves one standard deviation.
+    standard_errors : dict
+        Path to the standard deviation (SI) that would remain.
+    """
+
+    name: str
+    gain: float
+    standard_errors: dict[str, float]
+
+
+@dataclass(frozen=True)
+class NextTrials(Plain, Shown):
+    """Trials that could be run, by what they would tell.
+
+    Attributes
+    ----------
+    counted : str
+        ``"noise only"`` or ``"model error"``, as in :class:`Posterior`.
+    now : dict
+        Path to the standard deviation (SI) today.
+    units : dict
+        Path to SI unit.
+    candidates : tuple of CandidateGain
+        Each after all that was measured, the one that tells most first.
+    series : tuple of CandidateGain
+        The best one, the best one after it, and so on; ``gain`` (1) is that over the one before.
+    findings : tuple of Finding
+        Trials that could not be judged, and what to know of the ranking.
+    """
+
+    counted: str
+    now: dict[str, float]
+    units: dict[str, str]
+    candidates: tuple[CandidateGain, ...]
+    series: tuple[CandidateGain, ...]
+    findings: tuple[Finding, ...] = ()
+
+    def __str__(self) -> str:
+        rows = [["trial", "gain [nat]", *(f"{path} [{self.units[path]}]" for path in self.now)]]
+        rows.append(["today", "", *(f"±{value:.4g}" for value in self.now.values())])
+        rows += [
+            [one.name, f"{one.gain:.3g}", *(f"±{value:.4g}" for value in one.standard_errors.values())]
+            for one in self.candidates[:20]
+        ]
+        best = ", then ".join(one.name for one in self.series)
+        lines = [line.rstrip() for line in aligned(rows)]
+        return "\n".join([*lines, f"one after the other: {best}", *map(str, self.findings)])
+
+
+def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, count: int = 3) -> NextTrials:
+    """Rank trials by the information that they are expected to give about the parameters of a posterior.
+
+    Parameters
+    ----------
+    found : Posterior or Basis
+        As :func:`posterior` gives it, or its ``basis``. Where it counts model error, what the model lacks counts in new
+        trials, too, and the information is that about the parts (``component``).
+    candidates : sequence of Candidate
+        Trials that could be run; of the channels that were fitted.
+    count : int
+        Length of the series in which each trial is the best after those before it, 1 or more. A trial may stand in it
+        more than once.
+
+    Returns
+    -------
+    NextTrials
+
+    Raises
+    ------
+    FitError
+        Without candidates, when none of them runs, or for a posterior of something else than an update.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("kart-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="1 s")
+    >>> clean = jn.simulate(rig, trial)[["sprung.az"]]
+    >>> measured = jn.apply_sensors(clean, {"sprung.az": jn.Sensor(noise="0.1 m/s^2")}, seed=1)
+    >>> found = jn.posterior([jn.FitTrial("one", rig, trial, measured)], {"strut.spring.rate": "10 %"}, draws=1000)
+    >>> slow, fast = (trial.model_copy(update={"speed": speed}) for speed in (2.0, 6.0))
+    >>> ranked = next_trials(found, [Candidate("slow", rig, slow), Candidate("fast", rig, fast)], count=1)
+    >>> ranked.candidates[0].gain > ranked.candidates[1].gain > 0.0
+    True
+    """
+    basis = found.basis if isinstance(found, Posterior) else found
+    if basis is None:
+        raise FitError("a posterior of something else than an update", where="next_trials")
+    if not candidates:
+        raise FitError("no trial to choose from", where="candidates")
+    if not (is_whole(count) and count >= 1):
+        raise FitError("not a number of trials", where="count", found=count, allowed="1 or more")
+    judge = _WithDoubt(basis) if basis.calibration is not None else _NoiseOnly(basis)
+    informations, findings = {}, []
+    for candidate in candidates:
+        try:
+            informations[candidate.name] = judge.information(candidate)
+        except SimulationError as error:
+            findings.append(Finding(candidate.name, "note", f"cannot be judged: {error}"))
+    if not informations:
+        raise FitError("none of the trials runs", where="candidates", found=str(findings[0]))
+    paths = [item.path for item in basis.free]
+    start = judge.start
+
+    def gained(name: str, known: Array) -> CandidateGain:
+        before, after = judge.covariance(known), judge.covariance(known + informations[name])
+        gain = 0.5 * float(np.linalg.slogdet(before)[1] - np.linalg.slogdet(after)[1])
+        return CandidateGain(name, gain, dict(zip(paths, np.sqrt(np.diag(after)).tolist(), strict=True)))
+
+    every = sorted((gained(name, start) for name in informations), key=lambda one: -one.gain)
+    series, known = [], start
+    for _ in range(count):
+        best = max((gained(name, known) for name in informations), key=lambda one: one.gain)
+        series.append(best)
+        known = known + informations[best.name]
+    now = dict(zip(paths, np.sqrt(np.diag(judge.covariance(start))).tolist(), strict=True))
+    units = {path: unit_of(basis.trials[0].rig, path) for path in paths}
+    counted = "noise only" if basis.calibration is None else "model error"
+    return NextTrials(counted, now, units, tuple(every), tuple(series), tuple(findings))
+
+
+def _recorded(candidate: Candidate, basis: Basis) -> FitTrial:
+    """The trial as if it had been recorded: the fitted channels and rate, with what the rig would do."""
+    from jounce.simulation import simulate
+
+    fitted = basis.trials[0]
+    time = fitted.measured["time"].to_numpy()
+    step = float(np.median(np.diff(time)))
+    names = [str(name) for name in fitted.measured.data_vars]
+    run = simulate(candidate.rig, candidate.trial, output_step=step, tolerance=1e-5)
+    sensors = {**fitted.sensors, **candidate.sensors}
+    return FitTrial(candidate.name, candidate.rig, candidate.trial, run[[n for n in names if n in run]], sensors)
+
+
+class _NoiseOnly:
+    """Information in scaled parameters; candidates weigh as the residuals of the fitted trials do."""
+
+    def __init__(self, basis: Basis) -> None:
+        self.basis = basis
+        self.scale = np.array([item.half_range for item in basis.free])
+        self.start: Array = np.asarray(np.linalg.inv(basis.covariance), dtype=float)
+        plain = sum((self._plain(trial) for trial in basis.trials), np.zeros_like(self.start))
+        ratio = np.linalg.slogdet(self.start)[1] - np.linalg.slogdet(plain)[1]
+        self.weight = float(np.exp(ratio / len(self.scale)))
+
+    def covariance(self, information: Array) -> Array:
+        """Covariance of the parameters, SI."""
+        return np.asarray(np.linalg.inv(information) * np.outer(self.scale, self.scale))
+
+    def information(self, candidate: Candidate) -> Array:
+        """What a trial adds."""
+        return self.weight * self._plain(_recorded(candidate, self.basis))
+
+    def _plain(self, trial: FitTrial) -> Array:
+        """Information of a trial if its residuals were white, with a free lag where lags were fitted."""
+        basis = self.basis
+        prepared = prepare_trial(trial, basis.free, basis.channels, "printed")
+        values = np.array([basis.values[item.path] for item in basis.free])
+        solution = prepared.solve(values, _TOLERANCE)
+        scales = self.scale * prepared.factors
+        rows, slopes = [], []
+        for channel in prepared.channels:
+            if channel.name not in basis.residual:
+                continue
+            table = prepared.table(channel, solution)
+            table, slope = channel.offset(table, np.gradient(table[:, 0]) * prepared.rate)
+            rows.append(table[:, 1:] * scales / basis.residual[channel.name])
+            slopes.append(slope / basis.residual[channel.name])
+        if not rows:
+            raise FitError("none of the fitted channels", where=trial.name, allowed=", ".join(basis.residual))
+        jacobian = np.vstack(rows)
+        if basis.align:
+            project_out(jacobian, np.concatenate(slopes))
+        return np.asarray(jacobian.T @ jacobian)
+
+
+class _WithDoubt:
+    """Information in scaled parameters and doubts that all trials share."""
+
+    def __init__(self, basis: Basis) -> None:
+        self.basis = basis
+        assert basis.calibration is not None
+        self.found = basis.calibration
+        self.read = readings_of(self.found)
+        size = self.read.slopes.shape[-1]
+        self.start: Array = np.asarray(np.linalg.inv(self.found.step.covariance[:size, :size]), dtype=float)
+        power = dict[str, list[float]]()
+        for block in self.found.blocks:
+            channels = {channel.name: channel for channel in self.found.one.runs[block.trial].channels}
+            moved = channels[block.channel].measured - block.residual
+            power.setdefault(block.channel, []).append(float(np.sum((moved - moved[0]) ** 2)))
+        step = self.found.step
+        self.noise = step.noise
+        self.rest = {n: step.energy[n] / max(float(np.mean(power[n])), 1e-300) / OBSERVATIONS for n in power}
+
+    def covariance(self, information: Array) -> Array:
+        """Covariance of what a test machine would give of the parts, SI."""
+        slopes = self.read.slopes[0]
+        return np.asarray(slopes @ np.linalg.inv(information) @ slopes.T)
+
+    def information(self, candidate: Candidate) -> Array:
+        """What a trial adds; what nothing explains grows with the signal, as in the fitted trials."""
+        return candidate_information(
+            self.found, _recorded(candidate, self.basis), self.noise, self.rest, self.basis.channels
+        )

@@ -1,0 +1,684 @@
+"""Posterior of updated parameters: Gaussian, profile likelihood, samples, and what they predict for every trial.
+
+Two things can be counted. *Noise only*: the residuals are noise, autocorrelated and of changing level; the density of
+least squares is turned and stretched so that its curvature gives the covariance that an update reports (the curvature
+adjustment of composite likelihoods [ribatet2012]). *Model error*: all doubts are unknowns with priors, as in
+:mod:`jounce.identify.discrepancy`; those that nobody asks for are integrated out around their best values for each
+value of the parameters (nested Laplace approximation [tierney1986]).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from jounce.core.errors import FitError, SimulationError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.shown import Shown
+from jounce.core.text import aligned
+from jounce.core.types import Array
+from jounce.identify.datum import with_datums
+from jounce.identify.discrepancy import FEWEST_TRIALS, Calibrated, calibrated, noise_variance, readings_of
+from jounce.identify.doubt import Doubt
+from jounce.identify.estimate import Estimate, correlation_of
+from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
+from jounce.identify.log_density import Convergence, LogDensity, Region, convergence, fitted, profile, sample
+from jounce.identify.update import UpdateResult, bounds_and_priors, robust_covariance, update_model
+from jounce.parts.rig import unit_of
+from jounce.variants.designs import is_whole
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.identify.prediction import Band
+
+_FEWEST, _MOST = 1000, 10_000_000
+_HALF_DROP = 1.920729410347062  # of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two
+_R_HAT, _FEW_DRAWS = 1.01, 400.0  # [vehtari2021]
+_ERROR = 0.5  # of the log density, from which on it is told
+_CLIMBS, _LITTLE_GAIN = 2, 0.5  # steps of the doubts, and twice the log density that a further one may bring
+_WIDE = 10.0  # scaled units that nothing is wider than
+
+Progress = Callable[[str], None]
+
+
+def _silent(_text: str) -> None:
+    """Say nothing."""
+
+
+@dataclass(frozen=True)
+class PosteriorParameter(Shown):
+    """What is known of one parameter, SI.
+
+    Attributes
+    ----------
+    unit : str
+        SI unit.
+    value : float
+        Where the density is greatest (noise only), or the middle of the interval (model error counted).
+    mean, standard_deviation : float
+        Of the draws, in SI.
+    interval : tuple of float
+        95 % of the draws: of the parameter (noise only), or the hull of those of what a test machine gives of the part
+        and of the model's law over the ride (model error counted), as :class:`jounce.Discrepancy` has it.
+    gaussian : tuple of float or None
+        95 % interval of the Gaussian approximation, in SI.
+    likelihood : tuple of float or None
+        95 % interval of the profile likelihood, in SI; None where it does not end within the bounds. With model error
+        counted it is that of the parameter of the richer model.
+    convergence : Convergence
+        Rank-normalised R-hat and effective numbers of draws (1).
+    """
+
+    unit: str
+    value: float
+    mean: float
+    standard_deviation: float
+    interval: tuple[float, float]
+    gaussian: tuple[float, float] | None
+    likelihood: tuple[float, float] | None
+    convergence: Convergence
+
+
+@dataclass(frozen=True)
+class Profile(Shown):
+    """Log likelihood over one parameter with all others as they fit best there, 0 at its top.
+
+    Attributes
+    ----------
+    values, log_likelihood : ndarray, shape (points,)
+        Values of the parameter (SI) and logarithm of the likelihood over its greatest value (1).
+    """
+
+    values: Array
+    log_likelihood: Array
+
+    def interval(self) -> tuple[float, float] | None:
+        """Ends where the log likelihood has fallen by 1.92 (95 %); None where it does not within the values."""
+        top = int(np.argmax(self.log_likelihood))
+        ends = []
+        for side in (range(top, -1, -1), range(top, len(self.values))):
+            before = top
+            for k in side:
+                if self.log_likelihood[k] < -_HALF_DROP:
+                    pair = sorted((k, before), key=lambda i: self.log_likelihood[i])
+                    ends.append(float(np.interp(-_HALF_DROP, self.log_likelihood[pair], self.values[pair])))
+                    break
+                before = k
+        return (ends[0], ends[1]) if len(ends) == 2 else None
+
+
+@dataclass(frozen=True)
+class Posterior(Plain, Shown):
+    """What a fit knows of its parameters.
+
+    Attributes
+    ----------
+    name : str
+        As the update is named.
+    counted : str
+        ``"noise only"`` or ``"model error"``.
+    parameters : dict
+        Path to ``PosteriorParameter``.
+    correlation : tuple
+        Correlation matrix (1) of the draws, in the order of ``parameters``.
+    profiles : dict
+        Path to ``Profile``.
+    predictions : dict
+        Trial, then channel to ``Band``: what the posterior predicts there, beside what was measured.
+    draws, chains : int
+        Numbers of draws, and of the chains they belong to.
+    accepted : float
+        Share of accepted steps (1).
+    evaluations : int
+        Exact evaluations of the density (each simulates all fitted trials).
+    density_error : float
+        Standard deviation (1) of the error of the log density that was sampled, at draws that were evaluated exactly.
+    seed : int
+        Of everything at random.
+    samples : xarray.Dataset
+        Draws of each parameter on ``chain`` and ``draw``, SI; with model error counted also ``component of PATH`` and
+        ``effective of PATH``, see :class:`jounce.Discrepancy`.
+    update : UpdateResult or None
+        The update that it starts from.
+    findings : tuple of Finding
+        What weakens the result.
+    basis : Basis or None
+        What it rests on, for :func:`next_trials`; None for other fits.
+    """
+
+    left_out = ("samples", "update", "basis")
+
+    name: str
+    counted: str
+    parameters: dict[str, PosteriorParameter]
+    correlation: tuple[tuple[float, ...], ...]
+    profiles: dict[str, Profile]
+    predictions: dict[str, dict[str, Band]]
+    draws: int
+    chains: int
+    accepted: float
+    evaluations: int
+    density_error: float
+    seed: int
+    samples: xr.Dataset = field(repr=False)
+    update: UpdateResult | None = field(repr=False, default=None)
+    findings: tuple[Finding, ...] = ()
+    basis: Basis | None = field(repr=False, default=None)
+
+    def __str__(self) -> str:
+        rows = [["", "value", "95 % from", "to", "unit", "R-hat", "effective draws"]]
+        for path, one in self.parameters.items():
+            ends = [f"{end:.5g}" for end in one.interval]
+            told = [f"{one.convergence.r_hat:.3f}", f"{one.convergence.bulk:.0f}"]
+            rows.append([path, f"{one.value:.5g}", *ends, one.unit, *told])
+        head = f"Posterior of {self.name}, {self.counted}: {self.draws} draws"
+        return "\n".join([head, *(line.rstrip() for line in aligned(rows)), *map(str, self.findings)])
+
+
+class _Residual(Protocol):
+    """Residuals as functions of scaled unknowns."""
+
+    def residuals(self, scaled: Array) -> Residuals: ...
+
+
+@dataclass(frozen=True)
+class Basis:
+    """What a posterior rests on: trials, free parameters, and the richer model where model error is counted.
+
+    ``covariance`` is that of the scaled parameters, ``values`` are the estimates (SI), ``noise`` and ``residual`` the
+    standard deviations (SI) of noise and residuals of each channel.
+    """
+
+    trials: tuple[FitTrial, ...]
+    free: tuple[Free, ...]
+    calibration: Calibrated | None
+    covariance: Array
+    values: Mapping[str, float] = field(default_factory=dict)
+    channels: Sequence[str] | None = None
+    align: bool = False
+    noise: Mapping[str, float] = field(default_factory=dict)
+    residual: Mapping[str, float] = field(default_factory=dict)
+
+
+# noise only ----------------------------------------------------------------------------------------------------------
+
+
+class NoiseDensity:
+    """Log density of scaled parameters when residuals are noise, with the covariance that an update reports."""
+
+    def __init__(self, problem: _Residual, best: Array, lower: Array, upper: Array, lowest: Array) -> None:
+        self.problem, self.best, self.lowest = problem, best, lowest
+        residuals = problem.residuals(best)
+        jacobian = residuals.jacobian
+        count, size = jacobian.shape
+        norms = np.linalg.norm(jacobian, axis=0)
+        if not np.all(norms > 1e-9 * max(float(np.max(norms, initial=0.0)), 1e-300)):
+            raise FitError("the data do not react to a parameter", where=f"unknown {int(np.argmin(norms)) + 1}")
+        square = float(residuals.vector @ residuals.vector)
+        if square <= 0.0:
+            raise FitError("the model explains the data exactly: there is no noise to judge by", where="posterior")
+        self.variance = square / max(count - size, 1)
+        self.covariance: Array = robust_covariance(residuals.vector, jacobian, residuals.blocks)
+        plain = np.linalg.cholesky(jacobian.T @ jacobian / self.variance).T
+        wanted = np.linalg.cholesky(np.linalg.inv(self.covariance)).T
+        self.turn = np.linalg.solve(plain, wanted)
+        spread = np.linalg.inv(np.linalg.inv(self.covariance) + np.eye(size) / _WIDE**2)
+        self.region = Region(best, np.linalg.cholesky(spread), lower, upper)
+
+    def __call__(self, x: Array) -> tuple[float, Array, float] | None:
+        """Log density and slopes; None where the model cannot be."""
+        at = self.best + self.turn @ (x - self.best)
+        if np.any(at < self.lowest):
+            return None
+        try:
+            found = self.problem.residuals(at)
+        except SimulationError:
+            return None
+        value = -0.5 * float(found.vector @ found.vector) / self.variance
+        return value, -(self.turn.T @ (found.jacobian.T @ found.vector)) / self.variance, 0.0
+
+
+# model error ---------------------------------------------------------------------------------------------------------
+
+
+class DoubtDensity:
+    """Log density of scaled parameters with all doubts integrated out around their best values."""
+
+    def __init__(self, calibration: Calibrated) -> None:
+        self.found = calibration
+        one, state = calibration.one, calibration.state
+        self.size = len(one.free)
+        self.best = state.theta
+        information, _ = self._linear(calibration.blocks, state)
+        p = self.size
+        self.information = information
+        self.follow = -np.linalg.solve(information[p:, p:], information[p:, :p])  # doubts by parameters
+        self.spread = np.linalg.inv(information[p:, p:])
+        profiled = information[:p, :p] + information[:p, p:] @ self.follow
+        self.covariance: Array = np.asarray(np.linalg.inv(profiled), dtype=float)
+        lower = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in one.free])
+        spread = np.linalg.inv(profiled + np.eye(p) / _WIDE**2)
+        best = np.maximum(self.best, lower)
+        self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
+        self.seen: list[tuple[Array, Array]] = []
+
+    def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array]:
+        """Information and score of all unknowns, with the variances of the calibration kept."""
+        found = self.found
+        system = found.one.system(blocks, state)
+        information, score = np.diag(system.prior), -system.prior * system.away
+        self.square = float(system.prior @ system.away**2)
+        for name, variance in found.variance.items():
+            information = information + system.normal[name][0] / variance
+            score = score + system.normal[name][1] / variance
+        for name, _, residual, _ in system.rows:
+            self.square += float(residual @ residual) / found.variance[name]
+        return information, score
+
+    def __call__(self, x: Array) -> tuple[float, Array, float] | None:
+        """Log density and slopes; None where the richer model does not run."""
+        found, p = self.found, self.size
+        moved = x - found.state.theta
+        step = np.concatenate([moved, self.follow @ moved])
+        for _ in range(_CLIMBS):
+            try:
+                state = found.one.moved(found.state, step, found.blocks, 1.0)
+                blocks, _ = found.one.blocks(state)
+            except SimulationError:
+                return None
+            information, score = self._linear(blocks, state)
+            inner = information[p:, p:]
+            more = np.linalg.solve(inner, score[p:])
+            gain = float(score[p:] @ more)
+            step[p:] += more
+            if gain < _LITTLE_GAIN:
+                break
+        value = -0.5 * (self.square - gain)
+        self.seen.append((x, step[p:]))
+        return value, score[:p] - information[:p, p:] @ more, -0.5 * float(np.linalg.slogdet(inner)[1])
+
+    def doubts(self, x: Array, seed: int) -> Array:
+        """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
+        rng = np.random.default_rng([seed, 7])
+        mean = (x - self.found.state.theta) @ self.follow.T
+        if len(self.seen) > 2 * self.size + 2:  # what is left of a straight line: its mean over all points seen
+            at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
+            rows = np.column_stack([np.ones(len(at)), at - self.found.state.theta])
+            mean = np.column_stack([np.ones(len(x)), x - self.found.state.theta]) @ np.linalg.lstsq(rows, steps)[0]
+        return np.asarray(mean + rng.normal(size=mean.shape) @ np.linalg.cholesky(self.spread).T)
+
+
+# the posterior -------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Rested:
+    """An update with the density around it."""
+
+    update: UpdateResult
+    density: NoiseDensity | DoubtDensity
+    basis: Basis
+    findings: tuple[Finding, ...]
+
+
+def rested(  # noqa: PLR0913 - as for the posterior
+    trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str, weights: str | Mapping[str, float],
+    channels: Sequence[str] | None, align: str | None, starts: int, doubt: Doubt | Mapping[str, Any] | None,
+    bench: Mapping[str, Estimate] | None, progress: Progress,
+) -> Rested:  # fmt: skip
+    """Update a model, and give the density of its parameters with what it rests on; arguments as in `posterior`."""
+    progress(f"{name}: update")
+    bounds_, priors = bounds_and_priors(trials[0].rig, free, name) if trials else ({}, {})
+    update = update_model(
+        trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
+        doubt=doubt, bench=bench,
+    )  # fmt: skip
+    limits = free_parameters(trials[0].rig, bounds_, where=name)
+    trials = with_datums(trials, channels)[0]
+    settings: dict[str, Any] = {"channels": channels, "weights": weights, "align": align == "lag"}
+    findings = [one for one in update.findings if one.severity != "note"]
+    values = update.values()
+    if doubt is not None and len(trials) >= FEWEST_TRIALS:
+        progress(f"{name}: what the model may lack")
+        counted = doubt if isinstance(doubt, Doubt) else Doubt.from_table(dict(doubt), where="doubt")
+        calibration = calibrated(trials, limits, values, doubt=counted, lags=update.lags, priors=priors, **settings)
+        density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
+        basis = Basis(tuple(trials), limits, calibration, density.covariance, values, channels, align == "lag")
+    else:
+        if doubt is not None:
+            text = f"noise only: what the model lacks is counted from {FEWEST_TRIALS} trials on, fitted: {len(trials)}"
+            findings.append(Finding("posterior", "warning", text, float(len(trials))))
+        problem = UpdateProblem(trials, limits, lag_bound=0.02, tolerance=1e-8, **settings)
+        best = np.array([item.scaled(values[item.path]) for item in limits])
+        lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in limits])
+        size = len(limits)
+        density = NoiseDensity(problem, best, -np.ones(size), np.ones(size), lowest)
+        basis = Basis(
+            tuple(trials), limits, None, density.covariance, values, channels, align == "lag",
+            _levels_of(problem, best, noise_variance), _levels_of(problem, best, lambda one: float(np.mean(one**2))),
+        )  # fmt: skip
+    return Rested(update, density, basis, tuple(findings))
+
+
+def posterior(  # noqa: PLR0913 - each is a choice of its own
+    trials: Sequence[FitTrial],
+    free: Mapping[str, str | float | Sequence[str | float] | Mapping[str, Any]],
+    *,
+    name: str = "update",
+    method: str = "least-squares",
+    weights: str | Mapping[str, float] = "normalised",
+    channels: Sequence[str] | None = None,
+    align: str | None = None,
+    starts: int = 1,
+    doubt: Doubt | Mapping[str, Any] | None = None,
+    bench: Mapping[str, Estimate] | None = None,
+    draws: int = 20_000,
+    seed: int = 1,
+    predict: Sequence[FitTrial] | None = None,
+    predicted_with: int = 50,
+    progress: Progress = _silent,
+) -> Posterior:
+    """Update a model and tell all that the recordings say of its parameters: draws, intervals, predictions.
+
+    Parameters
+    ----------
+    trials : sequence of FitTrial
+        What was run and measured, as for :func:`update_model`.
+    free : dict
+        Path to bounds (SI or text with a unit), with ``doubt`` also to bounds and prior, as for :func:`update_model`.
+        Within its bounds every value is as likely beforehand; with ``doubt`` bounds only steer the update, and values
+        below zero are impossible where the lower bound is none.
+    name, method, channels, align, starts
+        As for :func:`update_model`.
+    weights : {"printed", "normalised"} or dict
+        As for :func:`update_model` (1).
+    bench : dict, optional
+        As for :func:`update_model` (SI).
+    doubt : Doubt or dict, optional
+        How far model and measurements may be off: then draws count what the model lacks, from three trials on. Without
+        it they count noise only.
+    draws : int
+        Number of draws, at least: 1000 to 10 million.
+    seed : int
+        Of everything at random.
+    predict : sequence of FitTrial, optional
+        Trials for which bands are predicted, the fitted ones by default; an empty sequence for none.
+    predicted_with : int
+        Draws that are simulated exactly for each of them.
+    progress : callable
+        Is told in one line of text what is being done.
+
+    Returns
+    -------
+    Posterior
+        SI.
+
+    Raises
+    ------
+    FitError
+        As :func:`update_model`, for numbers of draws that are none, and where the data do not react to a parameter.
+    MissingPackageError
+        Without the packages of the extra ``posterior``.
+
+    Notes
+    -----
+    The log density is a polynomial through exact values and slopes of the model at some tens of points, sampled by
+    emcee and held against exact values at fresh draws (``density_error``). Diagnostics are those of ArviZ.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> rig = jn.load("kart-quarter-car")
+    >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    >>> clean = jn.simulate(rig.with_changes({"strut.spring.rate": "24 N/mm"}), trial)[["sprung.az"]]
+    >>> measured = jn.apply_sensors(clean, {"sprung.az": jn.Sensor(noise="0.1 m/s^2")}, seed=1)
+    >>> found = jn.posterior([jn.FitTrial("one", rig, trial, measured)], {"strut.spring.rate": "10 %"}, draws=2000)
+    >>> low, high = found.parameters["strut.spring.rate"].interval
+    >>> low < 24e3 < high
+    True
+    """
+    _check_counts(draws, predicted_with)
+    at = rested(
+        trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
+        doubt=doubt, bench=bench, progress=progress,
+    )  # fmt: skip
+    density, basis, update = at.density, at.basis, at.update
+    limits = basis.free
+    progress(f"{name}: the density around the estimate")
+    table = fitted(density, density.region, seed)
+    progress(f"{name}: {draws} draws")
+    units = {item.path: unit_of(basis.trials[0].rig, item.path) for item in limits}
+    found = _told(name, density, table, limits, units, draws, seed, update)
+    result = replace(found, update=update, basis=basis, findings=(*at.findings, *found.findings))
+    chosen = basis.trials if predict is None else with_datums(predict, channels)[0]
+    if not chosen:
+        return result
+    progress(f"{name}: what it predicts for {len(chosen)} trials")
+    from jounce.identify.prediction import bands_of
+
+    settings: dict[str, Any] = {"channels": channels, "weights": weights, "align": basis.align}
+    predictions = bands_of(density, basis, result, chosen, update.lags, predicted_with, seed, settings)
+    return replace(result, predictions=predictions, findings=(*result.findings, *_missed(result, predictions)))
+
+
+def posterior_of(
+    residuals: Callable[[Array], tuple[Array, Array]],
+    free: Mapping[str, tuple[float, float, float]],
+    *,
+    name: str = "fit",
+    draws: int = 20_000,
+    seed: int = 1,
+) -> Posterior:
+    """Posterior of the parameters of any least-squares fit, noise only.
+
+    Parameters
+    ----------
+    residuals : callable
+        Gives residuals (n,) and their derivatives (n, parameters) for values (parameters,), in any one unit.
+    free : dict
+        Name to estimate, lower and upper bound, each in the unit of the parameter (SI or any other); the estimate is
+        where the sum of squares is least.
+    name : str
+        Names the result.
+    draws : int
+        Number of draws, at least: 1000 to 10 million.
+    seed : int
+        Of everything at random.
+
+    Returns
+    -------
+    Posterior
+        Without predictions.
+
+    Raises
+    ------
+    FitError
+        As :func:`posterior`, and for an estimate outside of its bounds.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> x = np.linspace(0.0, 1.0, 200)
+    >>> y = 2.0 * x + 0.1 * np.random.default_rng(1).normal(size=200)
+    >>> slope = float(x @ y / (x @ x))
+    >>> found = posterior_of(lambda p: (y - p[0] * x, -x[:, None]), {"slope": (slope, 0.0, 4.0)}, draws=2000)
+    >>> low, high = found.parameters["slope"].interval
+    >>> bool(low < 2.0 < high)
+    True
+    """
+    _check_counts(draws, 1)
+    limits = []
+    for path, (value, lower, upper) in free.items():
+        if not lower <= value <= upper or not lower < upper:
+            raise FitError(
+                "the bounds exclude the estimate", where=path, found=value, allowed=f"{lower:g} to {upper:g}"
+            )
+        limits.append(Free(path, value, lower, upper))
+    if not limits:
+        raise FitError("no free parameter", where=name)
+    density = NoiseDensity(
+        _Given(residuals, tuple(limits)), np.array([item.scaled(item.initial) for item in limits]),
+        -np.ones(len(limits)), np.ones(len(limits)), np.full(len(limits), -np.inf),
+    )  # fmt: skip
+    table = fitted(density, density.region, seed)
+    return _told(name, density, table, limits, dict.fromkeys(free, ""), draws, seed, None)
+
+
+@dataclass(frozen=True)
+class _Given:
+    """Residuals of a function of values."""
+
+    function: Callable[[Array], tuple[Array, Array]]
+    free: tuple[Free, ...]
+
+    def residuals(self, scaled: Array) -> Residuals:
+        """Residuals with their derivatives by scaled unknowns."""
+        values = np.array([item.value(s) for item, s in zip(self.free, scaled, strict=True)])
+        vector, jacobian = (np.asarray(part, dtype=float) for part in self.function(values))
+        whole = slice(0, len(vector))
+        direct = jacobian.reshape(len(vector), -1) * np.array([item.half_range for item in self.free])
+        return Residuals(vector, direct, np.zeros(len(vector)), (whole,), (whole,), np.zeros(1))
+
+
+def _check_counts(draws: int, predicted_with: int) -> None:
+    for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 1, 10_000)):
+        if not (is_whole(given) and low <= given <= high):
+            raise FitError("not a number of draws", where=where, found=given, allowed=f"{low} to {high}")
+
+
+def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Array], float]) -> dict[str, float]:
+    """Standard deviation (SI) by channel, from a power of the residuals."""
+    found: dict[str, list[float]] = {}
+    residuals = problem.residuals(best)
+    channels = [channel for trial in problem.trials for channel in trial.channels]
+    for channel, block in zip(channels, residuals.blocks, strict=True):
+        if channel.weight > 0.0:
+            found.setdefault(channel.name, []).append(power(residuals.vector[block] / channel.weight))
+    return {name: float(np.sqrt(np.mean(values))) for name, values in found.items()}
+
+
+def _told(
+    name: str, density: NoiseDensity | DoubtDensity, table: LogDensity, free: Sequence[Free], units: Mapping[str, str],
+    draws: int, seed: int, update: UpdateResult | None,
+) -> Posterior:  # fmt: skip
+    """Sample and describe a density."""
+    import xarray as xr
+
+    u, accepted = sample(table, draws, seed)
+    chains, each, size = u.shape
+    x = table.region.unknowns(u.reshape(-1, size))
+    law = np.column_stack([free[i].value(0.0) + free[i].half_range * x[:, i] for i in range(size)])
+    columns = {item.path: law[:, i] for i, item in enumerate(free)}
+    if isinstance(density, DoubtDensity):
+        columns |= _readings(density, x, free, seed)
+    data = {
+        path: (("chain", "draw"), column.reshape(chains, each), {"units": units[path.rpartition(" of ")[2]]})
+        for path, column in columns.items()
+    }
+    samples = xr.Dataset(data, {"chain": np.arange(chains), "draw": np.arange(each)}, {"seed": seed, "update": name})
+    errors = np.sqrt(np.diag(density.covariance))
+    profiles, parameters = {}, {}
+    for i, item in enumerate(free):
+        scaled, height = profile(table, i)
+        profiles[item.path] = Profile(item.value(0.0) + item.half_range * scaled, height)
+        error = float(errors[i]) * item.half_range
+        value = item.value(float(table.region.centre[i]))
+        gaussian: tuple[float, float] | None = (value - 1.96 * error, value + 1.96 * error)
+        shown = [columns[item.path]]
+        if isinstance(density, DoubtDensity):
+            shown = [columns[f"{kind} of {item.path}"] for kind in ("component", "effective")]
+            gaussian = None
+            if update is not None and update.discrepancy is not None:
+                gaussian = update.discrepancy.parameters[item.path].interval
+        ends = np.array([np.quantile(one, (0.025, 0.975)) for one in shown])
+        interval = float(ends[:, 0].min()), float(ends[:, 1].max())
+        if isinstance(density, DoubtDensity):
+            value = 0.5 * (interval[0] + interval[1])
+        worst = max((convergence(one.reshape(chains, each)) for one in shown), key=lambda one: one.r_hat)
+        parameters[item.path] = PosteriorParameter(
+            units[item.path], value, float(np.mean(shown[0])), float(np.std(shown[0])), interval, gaussian,
+            profiles[item.path].interval(), worst,
+        )  # fmt: skip
+    first = [columns.get(f"component of {item.path}", columns[item.path]) for item in free]
+    correlation = correlation_of(np.atleast_2d(np.cov(np.array(first))))
+    counted = "model error" if isinstance(density, DoubtDensity) else "noise only"
+    return Posterior(
+        name, counted, parameters, tuple(tuple(float(v) for v in row) for row in correlation), profiles, {},
+        chains * each, chains, accepted, table.evaluations, table.error, seed, samples,
+        findings=tuple(_weak(parameters, table.error, free, counted)),
+    )  # fmt: skip
+
+
+def _readings(density: DoubtDensity, x: Array, free: Sequence[Free], seed: int) -> dict[str, Array]:
+    """Draws of what a test machine gives of each part, and of the model's law over the ride, SI.
+
+    The unexplained rest is known from as many trials only: deviations have the tails of Student's t distribution.
+    """
+    from scipy.stats import chi2
+
+    found = density.found
+    read = readings_of(found)
+    q = len(found.one.nuisances)
+    steps = np.column_stack([x - found.state.theta, density.doubts(x, seed)[:, :q]])
+    level = np.random.default_rng([seed, 8]).random(len(x))
+    columns = {}
+    for k, kind in enumerate(("component", "effective")):
+        moved = steps @ read.slopes[k].T
+        for i, item in enumerate(free):
+            freedom = float(read.freedom[k, i])
+            tails = np.sqrt(freedom / chi2.ppf(level, freedom)) if freedom < 1e4 else 1.0
+            centre = float(np.mean(moved[:, i]))
+            one = read.values[k, i] + centre + tails * (moved[:, i] - centre)
+            columns[f"{kind} of {item.path}"] = np.maximum(one, 0.0) if item.lower >= 0.0 else one
+    return columns
+
+
+def _weak(
+    parameters: Mapping[str, PosteriorParameter], error: float, free: Sequence[Free], counted: str
+) -> list[Finding]:
+    found = []
+    if error > _ERROR:
+        text = (
+            f"the log density that was sampled is off by {error:.2g} (standard deviation at exact draws): intervals may"
+            " be off; free fewer parameters, or measure what is hardly known"
+        )
+        found.append(Finding("posterior", "warning", text, error))
+    for path, one in parameters.items():
+        worst = min(one.convergence.bulk, one.convergence.tail)
+        if one.convergence.r_hat > _R_HAT or worst < _FEW_DRAWS:
+            text = f"not converged: R-hat {one.convergence.r_hat:.3f}, {worst:.0f} effective draws; ask for more draws"
+            found.append(Finding(path, "warning", text, one.convergence.r_hat))
+    for item in free if counted == "noise only" else ():
+        low, high = parameters[item.path].interval
+        near = [end for end, at in ((low, item.lower), (high, item.upper)) if abs(end - at) < 0.02 * (high - low)]
+        if near:
+            text = "its draws end at a bound: the bounds, not the data, say how far it may go"
+            found.append(Finding(item.path, "warning", text, near[0]))
+    return found
+
+
+def _missed(found: Posterior, predictions: Mapping[str, Mapping[str, Band]]) -> list[Finding]:
+    """Say where much lies outside of what was predicted."""
+    every = [(band.inside, f"{t}, {c}") for t, channels in predictions.items() for c, band in channels.items()]
+    missed = sorted(one for one in every if one[0] < _LITTLE)
+    if not missed:
+        return []
+    what = (
+        "the model lacks something: count it (doubt, from three trials on)"
+        if found.counted == "noise only"
+        else "the model lacks something that is in no doubt"
+    )
+    share, place = missed[0]
+    text = (
+        f"of {len(missed)} of {len(every)} recorded signals less than {100.0 * _LITTLE:.0f} % of the samples lie in "
+        f"the 95 % band, least of {place} ({100.0 * share:.0f} %): {what}"
+    )
+    return [Finding("predictions", "note", text, share)]
+
+
+_LITTLE = 0.8

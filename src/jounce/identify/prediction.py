@@ -1,0 +1,170 @@
+"""What a posterior predicts for trials: bands over the measured curves, each draw simulated exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.shown import Shown
+from jounce.core.types import Array
+from jounce.identify.discrepancy import Calibrated, richer_runs
+from jounce.identify.fit_problem import FitTrial, Free, prepare_trial
+from jounce.identify.posterior import DoubtDensity, NoiseDensity
+from jounce.recordings import estimate_lag
+from jounce.recordings.signals import shift_signals
+
+if TYPE_CHECKING:
+    from jounce.identify.posterior import Basis, Posterior
+
+_TOLERANCE = 1e-6
+_TWO_SIDED = 1.959963984540054
+_AROUND = 0.05  # s over which the level of a signal is taken
+
+
+@dataclass(frozen=True)
+class Band(Shown):
+    """What is predicted of one channel of one trial, and what was measured; SI.
+
+    Attributes
+    ----------
+    time : ndarray, shape (samples,)
+        s.
+    measured, mean : ndarray, shape (samples,)
+        Recording, and mean of the draws, in the channel's unit.
+    parameters : ndarray, shape (samples,)
+        Standard deviation that parameters (and doubts) bring in, same unit.
+    whole : ndarray, shape (samples,)
+        Standard deviation with noise and, where model error is counted, what nothing explains, same unit.
+    inside : float
+        Share (1) of the recording within the 95 % band of ``whole``.
+    is_fitted : bool
+        Whether the trial was fitted.
+    unit : str
+        SI unit.
+    """
+
+    time: Array
+    measured: Array
+    mean: Array
+    parameters: Array
+    whole: Array
+    inside: float
+    is_fitted: bool
+    unit: str
+
+    def ends(self, *, whole: bool = True) -> tuple[Array, Array]:
+        """Lower and upper end of the 95 % band, of all or of the parameters only."""
+        half = _TWO_SIDED * (self.whole if whole else self.parameters)
+        return self.mean - half, self.mean + half
+
+
+def bands_of(
+    density: NoiseDensity | DoubtDensity, basis: Basis, found: Posterior, trials: Sequence[FitTrial],
+    lags: Mapping[str, float], count: int, seed: int, settings: Mapping[str, Any],
+) -> dict[str, dict[str, Band]]:  # fmt: skip
+    """Predict every channel of some trials, with ``count`` draws each."""
+    free = basis.free
+    law = np.column_stack([found.samples[item.path].to_numpy().ravel() for item in free])
+    rows = np.random.default_rng([seed, 9]).choice(len(law), min(count, len(law)), replace=False)
+    law = law[rows]
+    fitted = {trial.name for trial in basis.trials}
+    known = {name: lag for name, lag in lags.items() if settings["align"]}
+    if isinstance(density, DoubtDensity):
+        scaled = np.array([[item.scaled(v) for item, v in zip(free, row, strict=True)] for row in law])
+        curves = _richer(density, trials, scaled, known, seed, settings)
+    else:
+        curves = [_plain(trial, free, law, settings, known) for trial in trials]
+    noise, rest = _levels(basis, density)
+    bands: dict[str, dict[str, Band]] = {}
+    for trial, channels in zip(trials, curves, strict=True):
+        time = trial.measured["time"].to_numpy()
+        for name, (measured, simulated, unit) in channels.items():
+            mean, spread = simulated.mean(axis=0), simulated.std(axis=0, ddof=1) if len(simulated) > 1 else 0.0 * time
+            level = _moving(mean - mean[0], time)
+            whole = np.sqrt(spread**2 + noise.get(name, 0.0) ** 2 + rest.get(name, 0.0) * level**2)
+            inside = float(np.mean(np.abs(measured - mean) <= _TWO_SIDED * whole))
+            band = Band(time, measured, mean, spread, whole, inside, trial.name in fitted, unit)
+            bands.setdefault(trial.name, {})[name] = band
+    return bands
+
+
+_Curves = dict[str, tuple[Array, Array, str]]
+
+
+def _plain(
+    trial: FitTrial, free: Sequence[Free], law: Array, settings: Mapping[str, Any], lags: Mapping[str, float]
+) -> _Curves:
+    """Channel to what was measured, simulated for each draw (draws, samples), and its unit."""
+    prepared = prepare_trial(trial, tuple(free), settings["channels"], settings["weights"])
+    names = prepared.compiled.facts.parameters
+    places = [names.index(path) for path in prepared.compiled.free]
+    plain = replace(prepared, compiled=prepared.compiled.plain)
+    tables: dict[str, list[Array]] = {channel.name: [] for channel in prepared.channels}
+    for values in law:
+        start = prepared.start.copy()
+        start[places] = values * prepared.factors
+        one = replace(plain, start=start)
+        solution = one.solve(np.zeros(0), _TOLERANCE)
+        for channel in one.channels:
+            table = one.table(channel, solution)
+            tables[channel.name].append(channel.offset(table, np.zeros(len(table)))[0][:, 0])
+    curves = {channel.name: (channel.measured, np.array(tables[channel.name])) for channel in prepared.channels}
+    lag = lags.get(trial.name, _lag(curves, prepared.rate) if settings["align"] else 0.0)
+    units = {output.name: output.unit for output in prepared.compiled.facts.outputs}
+    return {
+        name: (measured, np.ascontiguousarray(shift_signals(table.T, prepared.rate, lag).T), units[name])
+        for name, (measured, table) in curves.items()
+    }
+
+
+def _lag(curves: Mapping[str, tuple[Array, Array]], rate: float) -> float:
+    """Lag of a recording behind the mean of its draws, by the channel that moves most, s."""
+    measured, table = max(curves.values(), key=lambda one: float(np.std(one[0])))
+    return float(estimate_lag(table.mean(axis=0), measured, rate))
+
+
+def _richer(
+    density: DoubtDensity, trials: Sequence[FitTrial], scaled: Array, lags: Mapping[str, float], seed: int,
+    settings: Mapping[str, Any],
+) -> list[_Curves]:  # fmt: skip
+    """The same with what may be wrong of model and measurement drawn, too."""
+    doubts = density.doubts(scaled, seed)
+    found: list[_Curves] = []
+    for trial, run in zip(trials, richer_runs(density.found, trials, settings), strict=True):
+        tables: dict[str, list[Array]] = {}
+        rng = np.random.default_rng([seed, 10, len(found)])
+        for x, step in zip(scaled, doubts, strict=True):
+            for name, table in run.drawn(x, step, rng).items():
+                tables.setdefault(name, []).append(table)
+        measured = {channel.name: channel.measured for channel in run.channels}
+        curves = {name: (measured[name], np.array(table)) for name, table in tables.items()}
+        rate = run.rate
+        lag = lags.get(trial.name, _lag(curves, rate) if settings["align"] else 0.0)
+        found.append({
+            name: (recorded, np.ascontiguousarray(shift_signals(table.T, rate, lag).T), run.units[name])
+            for name, (recorded, table) in curves.items()
+        })  # fmt: skip
+    return found
+
+
+def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping[str, float], dict[str, float]]:
+    """Noise of each channel (SI), and what nothing explains as a share (1) of the power of the signal."""
+    if not isinstance(density, DoubtDensity):
+        return basis.noise, {}
+    found: Calibrated = density.found
+    power: dict[str, list[float]] = {}
+    for block in found.blocks:
+        channels = {channel.name: channel for channel in found.one.runs[block.trial].channels}
+        simulated = channels[block.channel].measured - block.residual
+        power.setdefault(block.channel, []).append(float(np.sum((simulated - simulated[0]) ** 2)))
+    rest = {name: found.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
+    return {name: float(np.sqrt(value)) for name, value in found.step.noise.items()}, rest
+
+
+def _moving(signal: Array, time: Array) -> Array:
+    """Root mean square of a signal around each instant."""
+    width = max(1, round(_AROUND / max(float(np.median(np.diff(time))), 1e-9)))
+    return np.asarray(np.sqrt(np.convolve(signal**2, np.full(width, 1.0 / width), mode="same")))

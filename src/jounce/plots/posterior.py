@@ -1,0 +1,181 @@
+"""Pictures of a posterior: draws and their pairs, profile likelihoods, and bands over what was measured."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.errors import unknown
+from jounce.plots.style import INK, MUTED, PALETTE, at_tick, new_figure, styled
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from jounce.core.types import Array
+    from jounce.identify.posterior import Posterior
+    from jounce.identify.prediction import Band
+
+_MOST_POINTS, _BINS = 4000, 60
+_HALF_DROP = 1.920729410347062
+
+
+@styled
+def posterior_draws(found: Posterior) -> Figure:
+    """Draw the distribution of each parameter and of each pair; of parts where model error is counted.
+
+    Parameters
+    ----------
+    found : Posterior
+        As :func:`jounce.posterior` gives it; SI, shown in usual units.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Histograms on the diagonal with 95 % intervals, dots below it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> x = np.linspace(0.0, 1.0, 50)
+    >>> y = 2.0 * x + 0.1 * np.random.default_rng(1).normal(size=50)
+    >>> best = float(x @ y / (x @ x))
+    >>> found = jn.posterior_of(lambda p: (y - p[0] * x, -x[:, None]), {"slope": (best, 0.0, 4.0)}, draws=1000)
+    >>> len(posterior_draws(found).axes)
+    1
+    """
+    paths = list(found.parameters)
+    names = [f"component of {path}" if f"component of {path}" in found.samples else path for path in paths]
+    columns, units = [], []
+    for path, name in zip(paths, names, strict=True):
+        values = found.samples[name].to_numpy().ravel()
+        unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(values))))
+        columns.append(values * unit.factor)
+        units.append(unit)
+    size = len(paths)
+    rows = np.random.default_rng(found.seed).choice(len(columns[0]), min(_MOST_POINTS, len(columns[0])), replace=False)
+    side = max(1.7, min(3.2, 8.4 / size))
+    figure = new_figure(0.3 + side * size, 0.8 + side * size)
+    grid = figure.subplots(size, size, squeeze=False)
+    for i in range(size):
+        for j in range(size):
+            axes = grid[i, j]
+            if j > i:
+                axes.set_visible(False)
+                continue
+            if i == j:
+                _histogram(axes, columns[i], [end * units[i].factor for end in found.parameters[paths[i]].interval])
+            else:
+                axes.plot(
+                    columns[j][rows], columns[i][rows], ".", ms=1.2, alpha=0.35, color=PALETTE[0], rasterized=True
+                )
+            axes.tick_params(labelsize=7)
+            axes.locator_params(nbins=3)
+            if i == size - 1:
+                axes.set_xlabel(units[j].label(at_tick(paths[j], 22)), fontsize=7.5)
+            if j == 0 and i > 0:
+                axes.set_ylabel(units[i].label(at_tick(paths[i], 22)), fontsize=7.5)
+    return figure
+
+
+def _histogram(axes: Axes, values: Array, interval: list[float]) -> None:
+    low, high = np.quantile(values, (0.0005, 0.9995))
+    axes.hist(values, bins=_BINS, range=(low, max(high, low + 1e-12)), color=PALETTE[0], alpha=0.75)
+    for end in interval:
+        axes.axvline(end, color=PALETTE[1], lw=1.0)
+    axes.set_yticks([])
+
+
+@styled
+def profile_likelihood(found: Posterior) -> Figure:
+    """Draw the log likelihood over each parameter, the others as they fit best, with what a Gaussian would be.
+
+    Parameters
+    ----------
+    found : Posterior
+        As :func:`jounce.posterior` gives it.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Axes for each parameter, with the level that bounds 95 %.
+    """
+    count = len(found.profiles)
+    wide = min(count, 3)
+    tall = -(-count // wide)
+    figure = new_figure(0.4 + 2.1 * tall, 2.9 * wide + 0.5)
+    grid = figure.subplots(tall, wide, squeeze=False).ravel()
+    for axes, (path, one) in zip(grid, found.profiles.items(), strict=False):
+        unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(one.values))))
+        values = one.values * unit.factor
+        top = int(np.argmax(one.log_likelihood))
+        axes.plot(values, one.log_likelihood, color=PALETTE[0], label="profile")
+        curvature = _curvature(values, one.log_likelihood, top)
+        if curvature > 0.0:
+            parabola = -0.5 * curvature * (values - values[top]) ** 2
+            axes.plot(values, parabola, "--", color=MUTED, lw=1.0, label="Gaussian")
+        axes.axhline(-_HALF_DROP, color=PALETTE[1], lw=0.9, label="95 %")
+        axes.set_ylim(-8.5, 0.5)
+        axes.locator_params(axis="x", nbins=4)
+        axes.set_xlabel(unit.label(at_tick(path, 30)))
+    for axes in grid[count:]:
+        axes.set_visible(False)
+    for axes in grid[::wide]:
+        axes.set_ylabel("log likelihood")
+    grid[0].legend(loc="lower center", fontsize=7)
+    return figure
+
+
+def _curvature(x: Array, y: Array, top: int) -> float:
+    near = slice(max(top - 5, 0), min(top + 6, len(x)))
+    return float(-2.0 * np.polyfit(x[near] - x[top], y[near], 2)[0]) if len(x[near]) > 3 else 0.0
+
+
+@styled
+def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
+    """Draw what a posterior predicts for a trial, over what was measured.
+
+    Parameters
+    ----------
+    found : Posterior
+        With predictions, as :func:`jounce.posterior` gives it.
+    trial : str, optional
+        Name of the trial; the first by default.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Axes for each channel, over time (s): dark what parameters bring in, light all that is counted.
+    """
+    if (trial is not None and trial not in found.predictions) or not found.predictions:
+        raise unknown(str(trial), found.predictions, what="trial", where="trial")
+    name = trial if trial is not None else next(iter(found.predictions))
+    channels = found.predictions[name]
+    figure = new_figure(0.6 + 2.0 * len(channels))
+    column = figure.subplots(len(channels), 1, squeeze=False, sharex=True)[:, 0]
+    for axes, (channel, band) in zip(column, channels.items(), strict=True):
+        unit = display_unit(band.unit, float(np.max(np.abs(band.measured))))
+        _band(axes, band, unit)
+        axes.set_ylabel(unit.label(at_tick(channel, 24)))
+        axes.set_title(f"{100.0 * band.inside:.0f} % of the samples inside", loc="right", fontsize=7.5, color=MUTED)
+    first = next(iter(channels.values()))
+    column[0].set_title(f"{name}, {'fitted' if first.is_fitted else 'held out'}", loc="left", fontsize=9)
+    column[-1].legend(loc="upper right", ncols=4, fontsize=7)
+    column[-1].set_xlabel("time [s]")
+    moving = np.flatnonzero(first.whole > 1.05 * float(np.min(first.whole)))
+    if len(moving):
+        column[-1].set_xlim(first.time[max(moving[0] - 50, 0)], first.time[min(moving[-1] + 50, len(first.time) - 1)])
+    return figure
+
+
+def _band(axes: Axes, band: Band, unit: DisplayUnit) -> None:
+    for whole, alpha, words in ((True, 0.22, "95 %, all that is counted"), (False, 0.5, "95 %, parameters")):
+        low, high = band.ends(whole=whole)
+        axes.fill_between(
+            band.time, low * unit.factor, high * unit.factor, color=PALETTE[0], alpha=alpha, lw=0, label=words
+        )
+    axes.plot(band.time, band.mean * unit.factor, color=PALETTE[0], lw=0.9, label="mean")
+    axes.plot(band.time, band.measured * unit.factor, color=INK, lw=0.6, label="measured")

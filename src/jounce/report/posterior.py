@@ -1,0 +1,138 @@
+"""A posterior as a page: what is known of each parameter first, then draws, profiles, and bands over every trial."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from jounce.core.display import display_unit
+from jounce.plots.display import number
+from jounce.plots.posterior import posterior_bands, posterior_draws, profile_likelihood
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Cell,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Paragraph,
+    Picture,
+    Section,
+    Subsection,
+    Table,
+    sections_of,
+    slug,
+)
+
+if TYPE_CHECKING:
+    from jounce.identify.posterior import Posterior
+
+_DRAWS = "Draws of each parameter with the ends of its 95 % interval, and of each pair."
+_PROFILES = "Log likelihood over each parameter, the others as they fit best, beside a Gaussian of the same curvature."
+_CLOSE, _GOOD = 0.5, 1.01
+_COUNTED = {
+    "noise only": "Noise only is counted: how far values would scatter if the trials were run again. What the model "
+    "lacks is not in it.",
+    "model error": "All that the campaign doubts is counted: laws that may bend, masses, sensors, obstacles, speeds, "
+    "and what nothing explains. Values are those of the parts.",
+}
+
+
+def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page:
+    """Put a posterior on a page.
+
+    Parameters
+    ----------
+    found : Posterior
+        As :func:`jounce.posterior` gives it.
+    title : str
+        Name of what was fitted.
+    synthetic : str
+        What is to be said of recordings that nobody measured.
+
+    Returns
+    -------
+    Page
+        To be written with :func:`jounce.report.write_page`.
+    """
+    parts: dict[str, Callable[[], Section]] = {
+        "Answer": lambda: Section("Answer", _answer(found, synthetic)),
+        "Draws": lambda: Section("Draws", (Picture(posterior_draws(found), "draws", _DRAWS, _DRAWS),)),
+        "Profile likelihood": lambda: Section(
+            "Profile likelihood", (Picture(profile_likelihood(found), "profiles", _PROFILES, _PROFILES),)
+        ),
+    }
+    if found.predictions:
+        parts["Predictions"] = lambda: Section("Predictions", _predictions(found))
+    parts["How it was made"] = lambda: Section("How it was made", (_made(found),))
+    sections, missing = sections_of(parts)
+    return Page(title, sections, f"Posterior of {found.name}; {found.counted}", missing=missing)
+
+
+def _answer(found: Posterior, synthetic: str) -> tuple[Block, ...]:
+    worst = max(one.convergence.r_hat for one in found.parameters.values())
+    least = min(min(one.convergence.bulk, one.convergence.tail) for one in found.parameters.values())
+    facts = (
+        Fact("Counted", found.counted, ""),
+        Fact("Draws", str(found.draws), f"{least:.0f} effective at least", "good" if least >= 400.0 else "fair"),
+        Fact("R-hat", f"{worst:.3f}", "1.01 at most", "good" if worst <= _GOOD else "bad"),
+        Fact(
+            "Error of the log density", f"{found.density_error:.2g}", "at draws that were simulated",
+            "good" if found.density_error <= _CLOSE else "fair",
+        ),
+    )  # fmt: skip
+    rows = []
+    for path, one in found.parameters.items():
+        unit = display_unit(one.unit or "1", max(abs(one.interval[0]), abs(one.interval[1])))
+
+        def ends(pair: tuple[float, float] | None, factor: float = unit.factor) -> str:
+            return "–" if pair is None else " to ".join(number(end * factor) for end in pair)
+
+        shown = (number(one.value * unit.factor), ends(one.interval), ends(one.gaussian), ends(one.likelihood))
+        rows.append((path, unit.name or "–", *shown, f"{one.convergence.r_hat:.3f}", f"{one.convergence.bulk:.0f}"))
+    intervals = ("95 % of draws", "Gaussian", "profile likelihood")
+    header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
+    table = Table("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(found))
+    blocks: list[Block] = [Paragraph(_COUNTED[found.counted]), Facts(facts), table]
+    if synthetic:
+        blocks.insert(0, Paragraph(synthetic))
+    if found.findings:
+        blocks.append(Findings(found.findings))
+    return tuple(blocks)
+
+
+def _note(found: Posterior) -> str:
+    if found.counted == "noise only":
+        return "A dash: the profile does not end within the bounds."
+    return (
+        "The first two intervals hold what a test machine gives of the part and the model's law over the ride; that of "
+        "the profile is of the parameter of the richer model. A dash: it does not end within the picture."
+    )
+
+
+def _predictions(found: Posterior) -> tuple[Block, ...]:
+    rows = []
+    for trial, channels in found.predictions.items():
+        for channel, band in channels.items():
+            share = f"{100.0 * band.inside:.0f} %"
+            told = Cell(share, "good" if band.inside >= 0.9 else "fair" if band.inside >= 0.8 else "bad")
+            rows.append((trial, "fitted" if band.is_fitted else "held out", channel, told))
+    header = ("trial", "use", "channel", "samples in the 95 % band")
+    blocks: list[Block] = [Table("How much of every recording lies in its band", header, tuple(rows), "lllr")]
+    for trial in found.predictions:
+        words = f"{trial}: measured, mean of the draws, and 95 % bands of parameters alone and of all that is counted."
+        picture = Picture(posterior_bands(found, trial), f"bands-{slug(trial)}", words, words)
+        blocks.append(Subsection(trial, (picture,)))
+    return tuple(blocks)
+
+
+def _made(found: Posterior) -> Block:
+    return Bullets((
+        f"The log density is a polynomial through exact values and slopes; {found.evaluations} times all fitted trials "
+        "were simulated for it, 16 of them at draws that nothing had been fitted to.",
+        f"emcee drew {found.draws} points in {found.chains} chains ({100.0 * found.accepted:.0f} % of steps accepted); "
+        "R-hat is rank-normalised, effective draws are those of the bulk, both by ArviZ.",
+        "Bands are those of draws that were each simulated exactly.",
+        f"Seed {found.seed}: the same numbers each time.",
+    ))  # fmt: skip
