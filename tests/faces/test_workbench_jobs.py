@@ -69,6 +69,21 @@ def test_what_a_field_holds_is_never_another_option(tmp_path, text):
         assert all(word.startswith("--") and "=" in word.partition(text)[0] for word in options)
 
 
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("±30 %", "±30 %"),
+        ("1..3 mm", ("1 mm", "3 mm")),
+        ("1 mm..3 cm", ("1 mm", "3 cm")),
+        ("300..6000", ("300", "6000")),
+        ("-1e-3 .. 2 mm", ("-1e-3 mm", "2 mm")),
+    ],
+)
+def test_bounds_mean_in_python_what_they_mean_on_the_command_line(tmp_path, text, meant):
+    task = {"kind": "pareto", "vehicle": "kart-quarter-car", "free": {"tyre.stiffness": text}}
+    assert f"{{'tyre.stiffness': {meant!r}}}" in doing_of(task_of(task), Project(tmp_path)).python
+
+
 @pytest.mark.parametrize("path", ["../study.toml", "/etc/hostname", "link.toml", "", "."])
 def test_jobs_keep_to_the_folder(tmp_path, path):
     folder = tmp_path / "project"

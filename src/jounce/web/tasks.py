@@ -467,5 +467,10 @@ def _with(changes: Mapping[str, float | str]) -> str:
 
 
 def _pair(text: str) -> str | tuple[str, str]:
-    first, dots, last = text.partition("..")
-    return (first.strip(), last.strip()) if dots else text
+    """Both ends of ``LOW..HIGH UNIT``, each with the unit, as the command reads them."""
+    first, dots, last = (part.strip() for part in text.partition(".."))
+    if not dots:
+        return text
+    _, space, unit = last.partition(" ")
+    is_bare = not first.strip("0123456789.eE+-")
+    return (f"{first} {unit}" if is_bare and space else first), last

@@ -8,10 +8,12 @@ import "./work.css";
 import { make, themeButton } from "../page";
 import * as api from "./api";
 import { campaign } from "./pages/campaign";
+import { inspection } from "./pages/inspection";
 import { jobs } from "./pages/jobs";
 import { kinematics } from "./pages/kinematics";
 import { project } from "./pages/project";
 import { record } from "./pages/record";
+import { ride } from "./pages/ride";
 import { rig } from "./pages/rig";
 import { studies } from "./pages/studies";
 import { trial } from "./pages/trial";
@@ -28,6 +30,8 @@ const PAGES: Record<string, Page> = {
   kinematics,
   record,
   campaign,
+  ride,
+  inspection,
   studies,
   jobs,
 };

@@ -1,0 +1,108 @@
+/** Shock-absorber inspection: records read and graded with their protocol, the history of a vehicle, and the store searched. */
+
+import { make, written } from "../../page";
+import * as api from "../api";
+import { dropZone, Question, report, ways } from "../jobs";
+import { field } from "../parts";
+import { Reading } from "../reading";
+import { address, type Page, RIGS, type Values } from "../shell";
+
+export const inspection: Page = { label: "Inspection", show };
+
+export interface Choices { testers: string[]; methods: string[]; controls: string[]; roads: string[] }
+interface Wheel { wheel: string; axle?: string; static_load: number | null; verdict: string; grade: Record<string, string>; reasons: string[]; uncertainty: Record<string, number>; findings: { severity: string; message: string }[]; [quantity: string]: unknown }
+interface Graded { wheels: Wheel[]; axle?: { axle: string; verdict: string; reasons: string[] }; verdict: string; deciding: string[]; limits: { label: string; source: string }; vehicle: { verdict: string; reasons: string[] }; reasons?: string[]; findings?: { severity: string; message: string }[]; error?: { message: string }; store: { location: string; records: number[] } | null }
+const QUANTITIES: [string, string, string, number][] = [
+  ["static_load", "static load", "N", 1], ["adhesion", "adhesion (EUSAMA)", "%", 100], ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1], ["phase_frequency_hz", "at", "Hz", 1], ["relative_force_amplitude", "relative force amplitude", "%", 100],
+  ["tyre_rigidity", "tyre rigidity", "N/mm", 1e-3], ["theta_rig", "damping ratio on the tester (THETA)", "1", 1], ["theta_road", "damping ratio on the road (THETA)", "1", 1], ["boge_amplitude", "BOGE amplitude", "mm", 1e3],
+];
+const TONES: Record<string, string> = { pass: "good", advise: "fair", fail: "bad", "not graded": "bad" };
+const mark = (verdict: string) => make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
+
+async function show(place: HTMLElement, values: Values): Promise<void> {
+  const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
+  const records = entries.filter((one) => one.kind === "record").map((one) => one.path), stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
+  const rigs = [...entries.filter((one) => RIGS.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
+  place.replaceChildren(make("h1", {}, "Inspection"),
+    make("p", { class: "muted" }, "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store."),
+    make("h2", {}, "Evaluate a record"), evaluation(records, rigs, choices, stores, values.get("record") ?? ""),
+    make("h2", {}, "New records"), dropZone(() => "records", "Drop records of a tester here, or choose them; they go to the folder records.", (paths) => { location.hash = address("inspection", { record: paths[0]! }); }),
+    make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), simulated(rigs, choices)),
+    make("h2", {}, "Store"), ...(stores.length ? [search(stores, choices)] : [make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.")]));
+}
+
+const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, first)]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
+
+function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string): HTMLElement {
+  if (!records.length) return make("p", { class: "empty" }, "No record lies here yet.");
+  const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
+  const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
+  const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(new Date().toISOString().slice(0, 10)), by = text(""), language = make("select", {}, make("option", { value: "en" }, "English"), make("option", { value: "de" }, "Deutsch"));
+  const look = make("button", { type: "button" }, "Look at the record"), looked = make("div", {});
+  look.addEventListener("click", () => { const reading = new Reading(record.value, "recording"); looked.replaceChildren(reading.element); void reading.ask(); });
+  const question = new Question<Graded>("Evaluate and grade", () => ({
+    kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
+    store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
+  }), (told) => [...graded(told.result), report(told.report, "Protocol"), ways(told)]);
+  return make("section", {}, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
+    make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
+}
+
+/** Verdicts first, then what was measured of every wheel, and why it is graded so. */
+function graded(found: Graded): HTMLElement[] {
+  const { wheels } = found, shown: HTMLElement[] = [];
+  if (found.error) shown.push(make("p", { class: "problem", role: "alert" }, found.error.message));
+  shown.push(make("p", { class: "bar" }, "verdict: ", mark(found.verdict), make("span", { class: "muted" }, `${found.deciding.join(", ")} decides; limits: ${found.limits.label}`), ...(found.store ? [make("span", { class: "good" }, `kept in the store as record ${found.store.records.join(", ")}`)] : [])));
+  const quantities = QUANTITIES.filter(([name]) => wheels.some((one) => typeof one[name] === "number"));
+  const name = (one: Wheel) => [one.axle, one.wheel].filter(Boolean).join(" ");
+  const cell = (one: Wheel, key: string, factor: number) => {
+    const value = one[key], doubt = one.uncertainty?.[key];
+    return typeof value === "number" ? `${written(value * factor)}${doubt ? ` ± ${written(doubt * factor, 1)}` : ""}` : "–";
+  };
+  const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
+  shown.push(make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" }, make("table", {},
+    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "wheel"), ...wheels.map((one) => make("th", { scope: "col", class: "right" }, name(one))), make("th", { scope: "col" }, "unit"))),
+    make("tbody", {}, make("tr", {}, make("th", { scope: "row" }, "verdict"), ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))), make("td", {})),
+      ...quantities.map(([key, words, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, words), ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))), make("td", {}, unit))),
+      ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, `grade ${method.toUpperCase()}`), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ?? "–")), make("td", {})))))));
+  const reasons = [...wheels.flatMap((one) => one.reasons.map((text) => `${name(one)}: ${text}`)), ...(found.axle?.reasons ?? []), ...wheels.flatMap((one) => one.findings.map((finding) => `${name(one)}, ${finding.severity}: ${finding.message}`)), ...(found.findings ?? []).map((finding) => `${finding.severity}: ${finding.message}`)];
+  shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons.map((text) => make("li", {}, text)))));
+  return shown;
+}
+
+function simulated(rigs: string[], choices: Choices): HTMLElement {
+  const rig = select(rigs, rigs.find((one) => one === "audi-a6-half-car-4dof")), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea")));
+  const wear = make("input", { type: "text", value: "", placeholder: "40 %" }), wheel = select(["both", "left", "right"], "both"), out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
+  const question = new Question("Simulate the test", () => ({ kind: "test", vehicle: rig.value, tester: tester.value, wear: wear.value, wheel: wheel.value, out: out.value }),
+    (told) => [make("p", { class: "good" }, `${out.value} was written. `, make("a", { href: address("inspection", { record: out.value }) }, "Evaluate it")), ways(told)]);
+  return make("section", {}, make("div", { class: "form" }, field("Rig or vehicle", rig), field("Tester", tester), field("Loss of damping", wear), field("Wheel", wheel), field("Record", out), question.button), question.place);
+}
+
+interface Stored { number: number; date: string; plate: string; vehicle: string; axle: string; tester: string; name: string; verdict: string | null }
+
+function search(stores: string[], choices: Choices): HTMLElement {
+  const store = select(stores), text = (hint: string) => make("input", { type: "text", placeholder: hint, spellcheck: "false" });
+  const plate = text("B-AB*"), verdict = select(["pass", "advise", "fail", "not graded"], "", "any"), tester = select(choices.testers, "", "any"), since = text("2026-01-31"), until = text("2026-12-31");
+  const history = make("div", { "aria-live": "polite" });
+  const question = new Question<{ records: Stored[] }>("Search", () => ({ kind: "search", store: store.value, plate: plate.value, verdict: verdict.value, tester: tester.value, since: since.value, until: until.value }), (told) => {
+    const { records } = told.result;
+    if (!records.length) return [make("p", { class: "empty" }, "No record fits."), ways(told)];
+    const rows = records.map((one) => {
+      const button = make("button", { type: "button", "aria-label": `history of ${one.plate}` }, "history");
+      button.addEventListener("click", () => {
+        const past = new Question<{ plate: string; vehicle: string; trends: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[] }>("Again", () => ({ kind: "history", store: store.value, plate: one.plate }), (found) => [make("h3", {}, `History of ${found.result.plate}`), ...trends(found.result.trends), report(found.report, "Every visit"), ways(found)]);
+        history.replaceChildren(past.place);
+        void past.ask();
+      });
+      return make("tr", {}, make("th", { scope: "row" }, String(one.number)), ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map((cell) => make("td", {}, cell || "–")), make("td", {}, one.verdict ? mark(one.verdict) : "–"), make("td", {}, ...(one.plate ? [button] : [])));
+    });
+    return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "records" }, make("table", {}, make("caption", {}, `${records.length} record${records.length === 1 ? "" : "s"}`), make("thead", {}, make("tr", {}, ...["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", ""].map((one) => make("th", { scope: "col" }, one)))), make("tbody", {}, ...rows))), ways(told)];
+  });
+  return make("section", {}, make("div", { class: "form" }, field("Store", store), field("Number plate, or a pattern", plate), field("Verdict", verdict), field("Tester", tester), field("First day", since), field("Last day", until), question.button), question.place, history);
+}
+
+function trends(found: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[]): HTMLElement[] {
+  if (!found.length) return [make("p", { class: "muted" }, "One visit tells no trend.")];
+  return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "change per year" }, make("table", {}, make("caption", {}, "Change per year"), make("thead", {}, make("tr", {}, ...["axle", "wheel", "value", "change per year", "visits"].map((one) => make("th", { scope: "col" }, one)))),
+    make("tbody", {}, ...found.map((one) => make("tr", {}, make("th", { scope: "row" }, one.axle || "–"), make("td", {}, one.wheel), make("td", {}, one.quantity), make("td", { class: "right" }, written(one.change_per_year, 3)), make("td", { class: "right" }, String(one.visits)))))))];
+}
