@@ -145,5 +145,5 @@ audit: $(VENV)/.created
 	$(BIN)/python requirements/audit.py $(subst $(VENV)/,$(VENV)-audit/,$(BIN))/python
 
 clean:
-	rm -rf .venv .venv-* build dist src/jounce/kernel/loops/built docs/_build docs/reference/public-names.md docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv .venv-* build dist src/jounce/kernel/loops/built docs/_build docs/reference/api docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +

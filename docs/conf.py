@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import inspect
 import shutil
 import sys
-import types
 from pathlib import Path
 from typing import ClassVar
 
@@ -49,23 +47,6 @@ napoleon_use_ivar = True
 suppress_warnings = ["bibtex.missing_field", "ref.python"]  # attributes of one name in two classes
 
 
-def write_public_names(folder: Path) -> None:
-    """Write one page with everything that ``import jounce`` offers."""
-    lines = ["# Public names", "", "Everything here is an attribute of `jounce`.", ""]
-    for name in sorted(jounce.__all__, key=str.lower):
-        value = getattr(jounce, name)
-        if isinstance(value, types.ModuleType):
-            directive, target = "automodule", value.__name__
-        else:
-            directive = "autoclass" if inspect.isclass(value) else "autofunction"
-            target = f"{value.__module__}.{value.__qualname__}"
-        lines += [f"## {name}", "", "```{eval-rst}", f".. {directive}:: {target}", "```", ""]
-    page = folder / "reference" / "public-names.md"
-    text = "\n".join(lines)
-    if not page.is_file() or page.read_text(encoding="utf-8") != text:
-        page.write_text(text, encoding="utf-8")
-
-
 def cache_of_notebooks(folder: Path) -> str:
     """Give the cache of what notebooks showed with these sources of jounce; those of earlier sources are removed."""
     digest = hashlib.sha256()
@@ -81,11 +62,13 @@ def cache_of_notebooks(folder: Path) -> str:
 
 
 nb_execution_cache_path = cache_of_notebooks(Path(__file__).parent / "_build" / "notebooks")
-write_public_names(Path(__file__).parent)
 sys.path.insert(0, str(Path(__file__).parent))
 import make_faces  # noqa: E402
 
 make_faces.write_tables()
+import make_reference  # noqa: E402
+
+make_reference.write()
 import identification_variants  # noqa: E402
 
 identification_variants.write_table(make_faces.TABLES)
@@ -95,6 +78,9 @@ make_evidence.write()
 import drawings  # noqa: E402
 
 drawings.write()
+import make_gallery  # noqa: E402
+
+make_gallery.write()
 
 
 class Drawn(SphinxDirective):

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import hashlib
-import inspect
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -23,17 +22,31 @@ DARK = {  # ink, grey, grid, background and the colours of lines, each as bright
 
 def write(name: str, make: Callable[[], Any], made_from: str) -> None:
     """Write ``name-light.svg`` and ``name-dark.svg`` unless both are there and were made from the same."""
-    mark = hashlib.sha256((made_from + inspect.getsource(inspect.getmodule(write) or write)).encode()).hexdigest()
-    light, dark, stamp = (FOLDER / f"{name}{end}" for end in ("-light.svg", "-dark.svg", ".stamp"))
-    if light.is_file() and dark.is_file() and stamp.is_file() and stamp.read_text(encoding="utf-8") == mark:
+    if is_made(name, made_from):
         return
     from jounce.plots import rendered
 
+    light, dark, stamp = _files(name)
     FOLDER.mkdir(parents=True, exist_ok=True)
     text = rendered(make(), [".svg"])[".svg"].decode()
     light.write_text(text, encoding="utf-8")
     dark.write_text(in_the_dark(text), encoding="utf-8")
-    stamp.write_text(mark, encoding="utf-8")
+    stamp.write_text(_mark(made_from), encoding="utf-8")
+
+
+def is_made(name: str, made_from: str) -> bool:
+    """Whether both pictures are there, from this source."""
+    light, dark, stamp = _files(name)
+    is_there = light.is_file() and dark.is_file() and stamp.is_file()
+    return is_there and stamp.read_text(encoding="utf-8") == _mark(made_from)
+
+
+def _files(name: str) -> list[Path]:
+    return [FOLDER / f"{name}{end}" for end in ("-light.svg", "-dark.svg", ".stamp")]
+
+
+def _mark(made_from: str) -> str:
+    return hashlib.sha256((made_from + Path(__file__).read_text(encoding="utf-8")).encode()).hexdigest()
 
 
 def in_the_dark(text: str) -> str:

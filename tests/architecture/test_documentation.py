@@ -23,7 +23,7 @@ ROOT = Path(__file__).parents[2]
 PAGES = {
     str(page.relative_to(ROOT)): page
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")))
-    if page.name != "public-names.md" and page.parent.name != "_generated"  # written when the documentation is built
+    if page.parent.name not in {"_generated", "api"}  # written when the documentation is built
 }
 BLOCK = re.compile(r"^```(python|toml|console|\{code-cell\} ipython3)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 OPTIONS = re.compile(r"---\n.*?^---\n|(?::[^\n]*\n)+", re.MULTILINE | re.DOTALL)  # of a cell
@@ -172,6 +172,33 @@ def test_every_page_is_in_the_table_of_contents():
         trees = re.findall(r"^```{toctree}\n(.*?)^```$", index.read_text(encoding="utf-8"), re.M | re.S)
         listed |= {(folder / line).as_posix() for tree in trees for line in tree.split() if not line.startswith(":")}
     assert pages - listed == set()
+
+
+def test_every_picture_is_in_the_gallery():
+    text = PAGES["docs/reference/gallery.md"].read_text(encoding="utf-8")
+    blank = {"new_figure", "figure_of", "show"}  # nothing on it, and those that choose one of the others
+    draw = {
+        name
+        for name in jounce.plots.__all__
+        if inspect.isfunction(one := getattr(jounce.plots, name))
+        and str(inspect.signature(one).return_annotation) in {"Figure", "dict[str, Figure]"}
+    }
+    assert len(draw) > 20
+    for name in draw - blank:
+        block = text.partition(f"jn.plots.{name}(")[2].partition("```{drawn} gallery-")[2]
+        assert block.split("\n")[0] == name, name
+
+
+def test_pictures_say_what_they_show():
+    """Those who do not see a picture read its text."""
+    for name, page in PAGES.items():
+        text = page.read_text(encoding="utf-8")
+        for alt in re.findall(r"^!\[([^\]]*)\]\(", text, re.MULTILINE):
+            assert len(alt) > 10, (name, alt)
+        for block in re.findall(r"^```\{(?:drawn|image|figure)\} [^\n]*\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+            alt = re.search(r"^:alt: (.+)$", block, re.MULTILINE)
+            assert alt is not None, (name, block)
+            assert len(alt[1]) > 10, (name, block)
 
 
 def test_files_that_pages_name_exist():
