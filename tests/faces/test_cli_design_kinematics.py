@@ -258,3 +258,14 @@ def test_hardpoints_are_fitted_to_a_table_of_poses(cli, tmp_path: Path) -> None:
     outcome = cli("fit", "hardpoints", "formula-student-front", "bad.csv", "--free", free)
     assert outcome.exit_code == 2
     assert "toe" in outcome.err
+
+
+def test_targets_that_fight_are_told_once_a_pair(cli, study) -> None:
+    arms = FREE.replace("tie_rod_inner", "upper_arm_front")
+    file = study(HEAD + arms + GAIN + GAIN.replace("-25", "-30"))
+    found = cli("design", "kinematics", file)
+    assert found.exit_code == 1
+    lines = [line for line in found.out.splitlines() if " fights " in line]
+    assert len(lines) == 1
+    fights = cli("design", "kinematics", file, "--json").json["fights"]
+    assert {(one["missed"], one["other"]) for one in fights} == {(0, 1), (1, 0)}

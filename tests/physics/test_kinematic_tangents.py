@@ -177,3 +177,12 @@ def test_corners_that_are_no_axle_are_refused(changes: dict, words: str) -> None
     }
     with pytest.raises(jn.DescriptionError, match=words):
         read_targets({"left": left, "right": left.mirrored()}, [KinematicTarget(**{**target, **changes})], {})
+
+
+def test_targets_without_a_tolerance_have_the_usual_one_of_their_unit() -> None:
+    rig = jn.load("formula-student-front")
+    wishes = [KinematicTarget(quantity=name, value=0.0, weight=2.0) for name in ("toe", "camber_gain", "scrub_radius")]
+    toe, gain, scrub = read_targets({"": rig}, wishes, {})
+    assert (np.degrees(toe.tolerance), np.degrees(gain.tolerance), scrub.tolerance) == pytest.approx((0.05, 0.5, 1e-3))
+    with pytest.raises(jn.DescriptionError, match=r"target\[0\].tolerance: the key is missing.*above 0 N"):
+        read_targets({"": rig}, [KinematicTarget(quantity="wheel_force", value=0.0)], {})

@@ -393,12 +393,11 @@ def _write_front(found: KinematicFront, sources: Mapping[str, Path], out: Path, 
 def draw_kinematic_front(console: Console, plain: dict[str, Any], found: KinematicFront) -> None:
     """Print the designs of a front with their goals, and the numbers that move."""
     from jounce.core.display import display_unit
+    from jounce.plots.kinematic_design import point_name
 
     unit = display_unit("m")
     paths = list(found.before.moved)
-    heads = [
-        f"{path.replace('hardpoints.', '')} by {unit.name}" if "hardpoints." in path else f"{path} by" for path in paths
-    ]
+    heads = [f"{point_name(path)} by {unit.name}" if "hardpoints." in path else f"{path} by" for path in paths]
     rows = []
     for label, one in [("before", found.before), *((str(k + 1), one) for k, one in enumerate(found.designs))]:
         moved = (
@@ -409,7 +408,8 @@ def draw_kinematic_front(console: Console, plain: dict[str, Any], found: Kinemat
     columns = ("design", *found.goals, "", *heads)
     title = "Goals, root mean square in tolerances, and what was moved"
     console.print(table(title, columns, rows, text=(0, 1 + len(found.goals))))
-    console.print(f"{len(found.designs)} designs, {found.evaluations} computed")
+    count = len(found.designs)
+    console.print(f"{count} design{'' if count == 1 else 's'}, {found.evaluations} computed")
     show_findings(console, found.findings)
     show_written(console, plain)
 
@@ -436,7 +436,7 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
         numbers = (change.before, change.after, change.after - change.before)
         moved.append((path, unit.name or "SI", *(round(value * unit.factor, 6) for value in numbers)))
     console.print(table("Moved", ("number", "unit", "before", "after", "by"), moved, text=(0, 1)))
-    for fight in found.fights:
+    for fight in found.fighting():
         missed, other = (f"{found.targets[i].label} (target {i})" for i in (fight.missed, fight.other))
         console.print(f"{missed} fights {other}: what brings one nearer takes the other away ({fight.cosine:.2f})")
     for name, spread in found.spread.items():

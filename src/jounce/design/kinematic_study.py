@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Seed, Whole, misplaced
@@ -19,6 +20,17 @@ Quantitative = Any
 """A text with a unit, or a number in SI: which unit it has is known where the quantity is."""
 Corners = tuple[Any, ...]
 Share = Annotated[float, Unit("1")]
+
+
+USUAL_TOLERANCES = {
+    "m": 1e-3,
+    "rad": float(np.radians(0.05)),
+    "1": 0.01,
+    "rad/m": float(np.radians(0.5)),
+    "N/m": 500.0,
+    "m/rad": 1e-3,
+}
+"""Tolerances of targets that give none, by their SI unit: 1 mm, 0.05 deg, 1 %, 0.5 deg/m, 0.5 N/mm, 1 mm/rad."""
 
 
 class FreePoint(Description):
@@ -59,10 +71,11 @@ class KinematicTarget(Description):
     ``value`` is wanted within ``tolerance`` to either side; ``values`` are those of a curve, one a pose; ``at_least``
     and ``at_most`` are limits. ``at`` is a pose: a travel, or ``{travel = ..., rack = ..., roll = ...}``; ``over`` a
     range, of wheel travel (m) or of roll (an angle), or of the rack with ``along = "rack"``. Without both it is the
-    design pose. ``slope`` wants the value of the slope of a straight line through the curve instead. ``weight``
-    multiplies its share in a compromise, ``must`` makes it a constraint that holds in one. ``goal`` names what it
-    belongs to where goals compete. ``rig`` says whose target it is in a study of several; ``right`` names the right
-    corner of a rolled or steered axle that is not the mirror image of it.
+    design pose. ``slope`` wants the value of the slope of a straight line through the curve instead. ``tolerance`` is
+    from where it is met, by default what is usual for its unit (``USUAL_TOLERANCES``). ``weight`` multiplies its share
+    in a compromise, ``must`` makes it a constraint that holds in one. ``goal`` names what it belongs to where goals
+    compete. ``rig`` says whose target it is in a study of several; ``right`` names the right corner of a rolled or
+    steered axle that is not the mirror image of it.
     """
 
     quantity: str
@@ -70,7 +83,7 @@ class KinematicTarget(Description):
     values: tuple[Quantitative, ...] | None = None
     at_least: Quantitative | None = None
     at_most: Quantitative | None = None
-    tolerance: Quantitative
+    tolerance: Quantitative | None = None
     weight: Annotated[float, Unit("1", above=0.0)] = 1.0
     at: Quantitative = None
     over: str | tuple[Quantitative, ...] | None = None

@@ -19,7 +19,7 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.units import positive_si, to_si
 from jounce.design.free_points import Numbering, Rigs
-from jounce.design.kinematic_study import KinematicTarget
+from jounce.design.kinematic_study import USUAL_TOLERANCES, KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
 from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, steering_rows
@@ -144,7 +144,11 @@ def _read(
         low, high = read("at_least"), read("at_most")
         if np.any(low > high):
             raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
-    tolerance = positive_si(target.tolerance, unit, where=f"{where}.tolerance")
+    if target.tolerance is None and unit not in USUAL_TOLERANCES:
+        text, allowed = "the key is missing", f"how exactly it is wanted, above 0 {unit}"
+        raise DescriptionError(text, where=f"{where}.tolerance", allowed=allowed)
+    given = USUAL_TOLERANCES[unit] if target.tolerance is None else target.tolerance
+    tolerance = positive_si(given, unit, where=f"{where}.tolerance")
     pair = _pair(rig, target.quantity, along, shapes, where)
     return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name, pair, target.right or "")
 

@@ -222,6 +222,11 @@ class KinematicDesign(Plain):
             found[name] = rig.with_changes(mine)
         return found
 
+    def fighting(self) -> tuple[Fight, ...]:
+        """Give each pair of targets that fight once: two that are missed both stand against each other."""
+        pairs = {frozenset((fight.missed, fight.other)): fight for fight in reversed(self.fights)}
+        return tuple(fight for fight in self.fights if pairs[frozenset((fight.missed, fight.other))] is fight)
+
     def results(self) -> dict[str, Any]:
         """Give what ``results.json`` holds: met, targets, moved, starts, evaluations."""
         plain = self.to_dict()

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from jounce.design.spread import KinematicSpread
 
 _COLUMNS = 3
-_MOST_BARS, _MOST_TORNADOES = 8, 9
+_MOST_BARS, _MOST_TORNADOES = 8, 12
 _SMALLEST_BAR = 1e-3  # of the largest
 _MOST_NUMBERS = 10
 _SAID, _DARK = 0.05, 0.6
@@ -115,7 +115,7 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        One tornado a target, up to nine, each with the coordinates that matter most to it.
+        One tornado a target, up to twelve, each with the coordinates that matter most to it.
     """
     targets = design.targets[:_MOST_TORNADOES]
     unit = display_unit("m")
@@ -133,7 +133,10 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
     for axes in grid[len(targets) :]:
         axes.set_visible(False)
     what = f"change by 1 {unit.name} towards +x, +y, +z, in tolerances of the target (the largest over its curve)"
-    figure.supxlabel(what, fontsize=9)
+    left_out = len(design.targets) - len(targets)
+    figure.supxlabel(
+        what + (f"\n{left_out} more targets in the table of sensitivities" if left_out else ""), fontsize=9
+    )
     return figure
 
 

@@ -64,7 +64,7 @@ def kinematic_design_page(found: KinematicDesign, *, title: str, pictures: Mappi
     )
     answer: list[Block] = [facts, _targets(found)]
     if found.fights:
-        answer.append(Bullets(tuple(_fight(found, fight) for fight in found.fights)))
+        answer.append(Bullets(tuple(_fight(found, fight) for fight in found.fighting())))
     if found.findings:
         answer.append(Findings(found.findings))
     one = f"1 {display_unit('m').name}"

@@ -13,8 +13,10 @@ import jounce as jn
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.parts.files import RIGS
 from jounce.plots import figure_of, mechanism, rendered
+from jounce.plots.display import kinematic_value
 from jounce.plots.labels import spread
 from jounce.plots.mechanisms.drawing import coil, outline, tyre
+from jounce.plots.mechanisms.geometry import _Centres
 from jounce.plots.mechanisms.scene import poses_of, scene_of, spin_axes
 
 INERTIA = {"xx": 0.1, "yy": 0.1, "zz": 0.1}
@@ -319,3 +321,12 @@ def test_shapes() -> None:
     assert np.hypot(turns[:, 0], turns[:, 1]).max() == pytest.approx(0.05)
     assert np.all(np.diff(turns[:, 2]) > 0.0)
     assert outline(free[..., 1:]).shape[1] == 2
+
+
+def test_a_centre_that_lies_nowhere_has_no_height() -> None:
+    rows = {"side_instant_centre_x": 3e6, "side_instant_centre_z": -0.48, "instant_centre_y": -1.5}
+    centres = _Centres(
+        scene_of(jn.load("formula-student-front")), {**rows, "instant_centre_z": 0.1, "camber": 0.02}, {}
+    )
+    assert kinematic_value("side_instant_centre_z", centres.told("side_instant_centre_z"), "m") == "parallel"
+    assert [centres.told(name) for name in ("instant_centre_z", "instant_centre_y", "camber")] == [0.1, -1.5, 0.02]

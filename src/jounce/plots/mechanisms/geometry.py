@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
-from jounce.plots.display import kinematic_value, number
+from jounce.plots.display import PARALLEL, kinematic_value, number
 from jounce.plots.mechanisms.drawing import MM, Look, View, draw_pose, everything, show_ticks, views_of
 from jounce.plots.mechanisms.scene import Pose, Scene, scene_of
 from jounce.plots.style import INK, MUTED, PALETTE, figure_type, styled
@@ -69,6 +69,11 @@ class _Centres:
     def side(self) -> Array:
         """Place (x, z) of the side-view instant centre."""
         return np.array([self.rows["side_instant_centre_x"], self.rows["side_instant_centre_z"]])
+
+    def told(self, name: str) -> float:
+        """A row as it is told: the height of a centre that lies nowhere is none."""
+        away = self.rows.get({"instant_centre_z": "instant_centre_y"}.get(name, name.replace("centre_z", "centre_x")))
+        return self.rows[name] if away is None or abs(away) < PARALLEL else math.inf
 
     @property
     def axis(self) -> tuple[Array, Array] | None:
@@ -275,7 +280,7 @@ def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
         words = unit.label(name.replace("_", " ")) if unit.name else name.replace("_", " ")
         axes.text(0.02, y, words, ha="left", va="center", fontsize=8.5, color=INK)
         for x, one in zip(columns, centres.values(), strict=True):
-            value = kinematic_value(name, one.rows[name], si)
+            value = kinematic_value(name, one.told(name), si)
             text = value if isinstance(value, str) else number(value, 4)
             axes.text(x, y, text, ha="right", va="center", fontsize=8.5, color=INK)
     axes.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
