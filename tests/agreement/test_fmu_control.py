@@ -76,3 +76,32 @@ def test_every_corner_of_a_car_has_its_own_instance(made) -> None:
     front, rear = (run[f"{corner}.command"].values for corner in ("front", "rear"))
     assert np.abs(front - rear).max() > 100.0
     assert own.sizes == run.sizes
+
+
+@pytest.mark.parametrize("law", ["skyhook", "lqr"])
+def test_a_controller_that_we_wrote_drives_our_car(tmp_path, law) -> None:
+    """Of a half car: the law leaves jounce as an FMU of its own, and comes back."""
+    rig = jn.load("audi-a6-half-car-4dof")
+    made = jn.export_fmu(rig, tmp_path / "law.fmu", control=law, controller_only=True, version=2)
+    assert set(made.outputs) == {"front.command", "rear.command"}
+    assert made.parameters > 0
+    own = jn.simulate(rig, TRIAL, control=law)
+    actuator = jn.controller(law).actuator
+    fields = {"rate": jn.controller(law).rate, **({} if actuator is None else {"actuator": actuator})}
+    other = jn.simulate(rig, TRIAL, control=FmuControl(file=str(made.path), from_rest=True, trusted=True, **fields))
+    for channel in ("front.command", "rear.command", "body.z"):
+        assert np.ptp(own[channel].values) > 0.0
+        np.testing.assert_allclose(other[channel], own[channel], rtol=1e-9, atol=1e-9 * np.ptp(own[channel].values))
+
+
+def test_a_controller_alone_is_valid_and_named(tmp_path) -> None:
+    validation = pytest.importorskip("fmpy.validation")
+    made = jn.export_fmu(jn.load("audi-a6-quarter-car"), tmp_path / "law.fmu", control="skyhook", controller_only=True)
+    assert validation.validate_fmu(str(made.path)) == []
+    assert "sprung.vz" in made.inputs
+    assert not any(name.endswith("_rate") for name in made.inputs)
+    about = jn.read_fmu(made.path)
+    assert {v.name: v.unit for v in (*about.inputs, *about.outputs)}["sprung.vz"] == "m/s"
+    for control in (None, "passive"):
+        with pytest.raises(jn.DescriptionError, match="controller"):
+            jn.export_fmu(jn.load("audi-a6-quarter-car"), tmp_path / "no.fmu", control=control, controller_only=True)

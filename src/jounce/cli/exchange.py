@@ -47,6 +47,9 @@ def fmu(
     axle: Annotated[
         str | None, typer.Option(help="Axle of a vehicle on the tester: front or rear. Default: front.")
     ] = None,
+    controller_only: Annotated[
+        bool, typer.Option("--controller-only", help="Write the controller by itself, as it is tuned for the rig.")
+    ] = False,
     set_: Changes = None,
     force: Force = False,
     as_json: AsJson = False,
@@ -73,7 +76,7 @@ def fmu(
         say("writing the FMU")
         version = cast("Literal[2, 3]", fmi)
         platforms = () if sources_only else platform or None
-        on = {"tester": tester, "axle": axle or "front"}
+        on = {"tester": tester, "axle": axle or "front", "controller_only": controller_only}
         made = export_fmu(chosen, out, version=version, platforms=platforms, control=control, force=force, **on)  # type: ignore[arg-type]
     plain = {"rig": rig, "control": control, "tester": tester, **made.to_dict(), "out": str(out)}
     return Reply(plain, lambda console: _draw(console, made, plain), as_json)

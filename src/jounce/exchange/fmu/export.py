@@ -74,6 +74,7 @@ def export_fmu(
     control: AnyControl | None = None,
     tester: Tester | Path | str | None = None,
     axle: Literal["front", "rear"] = "front",
+    controller_only: bool = False,
     adjoint: bool = True,
     force: bool = False,
 ) -> FmuExport:
@@ -102,6 +103,9 @@ def export_fmu(
         tester's numbers are parameters ``tester.<name>``.
     axle : {"front", "rear"}
         Which axle of a vehicle stands on the tester.
+    controller_only : bool
+        Write ``control`` by itself, as it is tuned for the rig: its inputs are the channels that it measures, as
+        changes from static equilibrium, its outputs the commands.
     adjoint : bool
         Give adjoint derivatives, too (FMI 3.0): larger code.
     force : bool
@@ -147,7 +151,13 @@ def export_fmu(
         text = "no compiler was found: the FMU holds sources only; compile on the target or install the extra fmu"
         findings.append(Finding(str(file), "warning", text))
         wanted = ()
-    model = subject_of(rig, control, load_tester(tester) if isinstance(tester, (str, Path)) else tester, axle)
+    model = subject_of(
+        rig,
+        control,
+        load_tester(tester) if isinstance(tester, (str, Path)) else tester,
+        axle,
+        controller_only=controller_only,
+    )
     findings += model.findings
     law = model.law.function if model.law else None
     graphs = graphs_of(model.compiled.model, law, adjoint=adjoint and version == 3)
@@ -180,10 +190,12 @@ def export_fmu(
         files["terminalsAndIcons/icon.png"] = _ICON.read_bytes()
     else:
         files["model.png"] = _ICON.read_bytes()
-    notes = _NOTES if not model.commands else _NOTES + _CONTROL_NOTE.format(1.0 / model.period)
+    notes = _LAW_NOTES if controller_only else _NOTES
+    notes += _CONTROL_NOTE.format(1.0 / model.period) if model.commands else ""
     try:
-        files["extra/jounce/reference.csv"], note = reference(model.reference)
-        notes += note
+        if model.reference is not None:
+            files["extra/jounce/reference.csv"], note = reference(model.reference)
+            notes += note
     except SimulationError as error:  # it has an equilibrium, and is a model for whoever can run it
         text = f"no reference run is in the FMU: {error}"
         findings.append(Finding(str(file), "warning", text))
@@ -229,5 +241,9 @@ communication points, in model exchange from the last accepted step.</p>
 <p>The FMU starts in static equilibrium under its inputs and parameters at the start; with
 <code>settings.start_at_rest</code> off it starts from the states that are set. All values are SI; z is up,
 deflections and forces are positive in compression.</p>
+"""
+_LAW_NOTES = """<h2>How to connect it</h2>
+<p>Connect the channels that it measures, as changes from static equilibrium (SI; z is up, compression positive), and
+its commands.</p>
 """
 _CONTROL_NOTE = "<p>The controller inside sees its channels and sets its commands {0:g} times a second.</p>\n"

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Literal
 
+import casadi as ca
 import numpy as np
 
 from jounce.control.controller import CallbackController
@@ -17,7 +18,7 @@ from jounce.core.types import Array
 from jounce.core.units import Unit
 from jounce.exchange.fmu.reference import Given, of_mechanism, of_rig, of_tester
 from jounce.exchange.fmu.variables import Variables, list_variables
-from jounce.mechanics import Mechanism, assemble
+from jounce.mechanics import Mechanism, System, assemble
 from jounce.parts import Rig
 from jounce.parts.rig import quantity_at
 from jounce.parts.testers import Tester
@@ -50,12 +51,16 @@ class Subject:
         Path of a parameter in the model to its name in the FMU.
     quantities : dict
         Path to unit and range.
-    reference : Given
+    reference : Given or None
         Makes the run that the receiver compares with.
     at_rest : bool
         Whether it starts in static equilibrium unless the importer says otherwise.
     law, period, measured, commands
         Of the controller inside: its function, s, places of the outputs it sees, names of the tracks it sets.
+    track_units : dict
+        SI units of tracks that are known here alone.
+    sampled : bool
+        Whether inputs are looked at only at the controller's instants, so that nobody asks for their rates.
     findings : list of Finding
         What the importer must know.
     """
@@ -65,12 +70,14 @@ class Subject:
     numbers: dict[str, Array]
     parameters: dict[str, str]
     quantities: dict[str, Unit]
-    reference: Given
+    reference: Given | None
     at_rest: bool = True
     law: Program | None = None
     period: float = 1.0
     measured: list[int] = field(default_factory=list)
     commands: tuple[str, ...] = ()
+    track_units: dict[str, str] = field(default_factory=dict)
+    sampled: bool = False
     findings: list[Finding] = field(default_factory=list)
 
     @property
@@ -91,6 +98,8 @@ class Subject:
             gains,
             names=self.parameters,
             at_rest=self.at_rest,
+            units=self.track_units,
+            sampled=self.sampled,
         )
 
 
@@ -99,13 +108,19 @@ def subject_of(
     control: AnyControl | None = None,
     tester: Tester | None = None,
     axle: Literal["front", "rear"] = "front",
+    *,
+    controller_only: bool = False,
 ) -> Subject:
     """Give what an FMU is written of, and refuse what does not go together."""
     if isinstance(model, Mechanism):
-        for word, given in (("control", control), ("tester", tester)):
+        for word, given in (("control", control), ("tester", tester), ("controller", controller_only or None)):
             if given is not None:
                 raise DescriptionError(f"a mechanism has no {word}", where=word, allowed="rigs and vehicles")
         return _of_mechanism(model)
+    if controller_only and (tester is not None or control is None):
+        raise DescriptionError("a controller alone needs one", where="control", allowed="a controller, and no tester")
+    if controller_only:
+        return _of_controller(model, control)
     if tester is None:
         return _of_rig(model, control)
     if control is not None:
@@ -145,6 +160,43 @@ def _of_rig(rig: Rig, control: AnyControl | None) -> Subject:
         _name(rig), compiled, {**numbers, "g0": gains, "memory0": memory, "rest0": seen},
         {path: f"rig.{path}" for path in paths}, _quantities(rig, paths), partial(of_rig, rig, compiled.facts, control),
         law=law, period=1.0 / loop.first.rate if loop else 1.0, measured=measured, commands=names, findings=findings,
+    )  # fmt: skip
+
+
+def _of_controller(rig: Rig, control: AnyControl | None) -> Subject:
+    """The controller of a rig by itself: its channels are inputs, its commands outputs; nothing in it moves."""
+    loop = close_loop(rig, control)
+    if loop is None:
+        raise DescriptionError(
+            "no controller, which decides nothing", where="control", found="passive", allowed="a law"
+        )
+    findings: list[Finding] = []
+    law, gains = _law(loop, findings)
+    assert law is not None
+    known = {output.name: output.unit for output in compile_rig(rig, actuator=loop.actuator).facts.outputs}
+    names = command_names(loop.corners)
+    system = System()
+    system.point_mass(ca.SX(1.0), system.coordinate("idle"))  # equations need a state
+    for channel in law.channels:
+        _place(channel, tuple(known))
+        system.output(channel, system.track(channel).value, known[channel], "")
+    for name in names:
+        system.track(name)
+    compiled = compile_model(system.finish())
+    rests = {name: loop.controllers[corner].actuator.rest for corner, name in zip(loop.corners, names, strict=True)}
+    memory = np.zeros(law.memory)
+    memory[len(memory) - len(rests) :] = list(rests.values())
+    numbers = {
+        "x0": np.zeros(2), "u0": compiled.inputs(rests), "p0": np.zeros(0), "m0": np.zeros(0), "scale": np.ones(2),
+        "band": np.zeros(0), "g0": gains, "memory0": memory, "rest0": np.zeros(len(law.channels)),
+    }  # fmt: skip
+    units = {**{channel: known[channel] for channel in law.channels}, **dict.fromkeys(names, loop.actuator.unit)}
+    text = "the FMU's inputs are changes from static equilibrium, as its law was made for."
+    findings.append(Finding("inputs", "note", text))
+    return Subject(
+        f"{loop.first.name} for {_name(rig)}", compiled, numbers, {}, {}, None, at_rest=False, law=law,
+        period=1.0 / loop.first.rate, measured=list(range(len(law.channels))), commands=names, track_units=units,
+        sampled=True, findings=findings,
     )  # fmt: skip
 
 

@@ -91,12 +91,15 @@ def list_variables(
     *,
     names: Mapping[str, str],
     at_rest: bool = True,
+    units: Mapping[str, str] | None = None,
+    sampled: bool = False,
 ) -> Variables:
     """List the variables of a model.
 
     ``start`` holds start values of states, inputs and parameters (x, u, p); ``quantities`` unit and range of the
     parameters by path, ``names`` their names here; ``commands`` are the tracks that a controller inside the FMU sets,
-    ``gains`` its numbers. ``at_rest``: whether it starts in equilibrium.
+    ``gains`` its numbers. ``at_rest``: whether it starts in equilibrium. ``units`` are those of some tracks (SI);
+    rates of ``sampled`` inputs are not listed.
     """
     gains, order = gains or {}, model.track_order
     blocks = {"x": model.x, "dx": model.x, "u": model.u, "p": model.p, "g": ca.SX(len(gains), 1), "y": model.output}
@@ -111,14 +114,16 @@ def list_variables(
         for i, name in enumerate(outputs)
         if name in model.states and ca.is_equal(model.output[i], model.x[model.states.index(name)], 0)
     }
-    ins = [row for track in model.tracks for row in _inputs(track, order)]
-    taken = {name for name, _, _ in ins} | set(outputs)
+    known_units = units or {}
+    ins = [row for track in model.tracks for row in _inputs(track, order, known_units.get(track))]
+    taken = {name for name, _, _ in ins} | set(outputs)  # rates that are not listed, too: no name means two things
     own = [name if name in same or name not in taken else f"state.{name}" for name in model.states]
-    units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
+    state_units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
     states = [
         Variable(
-            first["x"] + i, structured(name), "output" if name in same else "local", "continuous", "approx", units[i],
-            outputs[name].long_name if name in same else "", float(start["x"][i]), depends=(first["x"] + i,),
+            first["x"] + i, structured(name), "output" if name in same else "local", "continuous", "approx",
+            state_units[i], outputs[name].long_name if name in same else "", float(start["x"][i]),
+            depends=(first["x"] + i,),
         )
         for i, name in enumerate(own)
     ]  # fmt: skip
@@ -132,6 +137,8 @@ def list_variables(
     tracks = []
     for i, (name, unit, meaning) in enumerate(ins):
         track, place = model.tracks[i // order], i % order
+        if sampled and place:
+            continue
         if track in commands:
             text = "always zero: a command holds" if place else "command of the controller inside"
             causality = "local" if place else "output"
@@ -153,7 +160,7 @@ def list_variables(
         Variable(first["g"] + i, structured(f"control.{name}"), "parameter", "tunable", "exact", start=value)
         for i, (name, value) in enumerate(gains.items())
     ]  # fmt: skip
-    hidden = {name for name, _, _ in ins} | same
+    hidden = {name for i, (name, _, _) in enumerate(ins) if not (sampled and i % order)} | same
     outs = [
         Variable(
             first["y"] + i, structured(name), "output", "continuous", "calculated", output.unit, output.long_name,
@@ -190,21 +197,21 @@ def list_variables(
     terminals = {
         structured(track.rpartition(".")[0] if is_road(track) else track): tuple(tracks[order * i : order * i + order])
         for i, track in enumerate(model.tracks)
-        if track not in commands
+        if track not in commands and not sampled
     }
     unknown = (*states, *rates, *(variable for variable in shown if variable not in states))
     return Variables(everything, tuple(rates), shown, tuple(indicators), unknown, terminals)
 
 
-def _inputs(track: str, order: int) -> list[tuple[str, str, str]]:
-    """Name, unit and text of a track's value and its rates."""
-    unit = "m" if is_road(track) else LOAD_UNITS.get(track.rpartition(".")[2], "")
+def _inputs(track: str, order: int, given: str | None = None) -> list[tuple[str, str, str]]:
+    """Name, unit and text of a track's value and its rates; the unit is ``given`` where it is known."""
+    unit = given or ("m" if is_road(track) else LOAD_UNITS.get(track.rpartition(".")[2], ""))
     rate = speed_of(track)
     second = re.sub(r"\.v(\w)$", r".a\1", rate) if is_road(track) else f"{rate}_rate"
     text = {"m": "height of the road under the wheel, up", "rad": "angle of the exciter: at 0 at mean height, rising"}
     told = "its rate; where it stays zero, co-simulation takes it from the values"
     rows = [
-        (track, unit, text.get(unit, "")),
+        (track, unit, "" if given else text.get(unit, "")),
         (rate, _per_second(unit), told),
         (second, _per_second(_per_second(unit)), "its second rate"),
     ]
