@@ -186,3 +186,29 @@ def test_targets_without_a_tolerance_have_the_usual_one_of_their_unit() -> None:
     assert (np.degrees(toe.tolerance), np.degrees(gain.tolerance), scrub.tolerance) == pytest.approx((0.05, 0.5, 1e-3))
     with pytest.raises(jn.DescriptionError, match=r"target\[0\].tolerance: the key is missing.*above 0 N"):
         read_targets({"": rig}, [KinematicTarget(quantity="wheel_force", value=0.0)], {})
+
+
+def test_roll_stiffness_is_a_target_with_bars_and_third_springs_too() -> None:
+    """Values are those of the roll sweep; slopes those of sweeps of other rigs."""
+    rig = jn.load("formula-student-front").with_changes(
+        {
+            "hardpoints.arb_pivot": [-0.10, 0.0, 0.30],
+            "hardpoints.arb_axis": [-0.08, 0.0, 0.45],
+            "hardpoints.arb_arm_end": [-0.08, 0.16, 0.45],
+            "hardpoints.arb_link_end": [0.0, 0.20, 0.44],
+            "anti_roll_bar": {"stiffness": 400.0, "on": "rocker", "kind": "t"},
+        }
+    )
+    names = ("roll_stiffness_total", "roll_stiffness_bar", "roll_moment", "track")
+    wishes = [KinematicTarget(quantity=name, at="1 deg", value=1.0, tolerance=1.0) for name in names]
+    numbering = Numbering.of({"": rig})
+    path = "hardpoints.arb_arm_end[2]"
+    directions = np.array([[float(one == path)] for one in numbering.paths])
+    evaluator = Evaluators(numbering, read_targets({"": rig}, wishes, {}), directions, np.array([0.01]), {})
+    values, slopes = evaluator.at(numbering.values())
+    swept = [jn.sweep_roll(rig.with_changes({path: 0.45 + step}), [np.radians(1.0)]) for step in (0.0, 1e-4, -1e-4)]
+    for name, value, slope in zip(names, values, slopes, strict=True):
+        found = [float(one[name][0]) for one in swept]
+        assert value[0] == pytest.approx(found[0], rel=1e-9)
+        assert slope[0, 0] == pytest.approx((found[1] - found[2]) / 2e-4, rel=1e-3, abs=1e-9), name
+    assert slopes[1][0, 0] != 0.0

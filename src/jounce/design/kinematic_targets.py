@@ -22,7 +22,7 @@ from jounce.design.free_points import Numbering, Rigs
 from jounce.design.kinematic_study import USUAL_TOLERANCES, KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
-from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, steering_rows
+from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, rolled, steering_rows
 from jounce.kinematics.both_wheels import check_pair_of_corners
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
 from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
@@ -32,7 +32,6 @@ from jounce.parts import Corner
 
 _POSES = ("travel", "rack", "roll")
 _UNITS = {"travel": "m", "rack": "m", "roll": "rad"}
-_WITHOUT = ("roll_stiffness", "roll_stiffness_springs", "roll_stiffness_bar")  # they have a difference inside
 _DISTANCE = re.compile(r"distance\(\s*(\w+)\s*,\s*(\w+)\s*\)$")
 _CLEARANCE = re.compile(r"clearance\(\s*([^,()]+?)\s*,\s*([^,()]+?)\s*\)$")
 _SHARE = 1e-3  # of a direction's length: step of differences of an axle's closed formulas
@@ -248,6 +247,8 @@ _STEERED = {
 }
 _WITHOUT_VEHICLE = ("mean_steer", "steer_difference", *_HANDWHEEL)
 _ROLLED = {"track": "m", "roll_centre_height": "m", "roll_centre_y": "m", "roll_moment": "N*m"}
+_STIFF = {f"roll_stiffness{name}": "N*m/rad" for name in ("", "_springs", "_bar", "_total")}
+"""Rows of a rolled axle that have a difference inside; their slopes are differences of whole axles."""
 _EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1", "roll_caster": "1"}
 
 
@@ -275,9 +276,10 @@ def quantity_unit(
             for row, unit in {**own, **_EACH}.items()
             if row != "roll_caster" or "caster" in own
         }
-        known = {**_ROLLED, **both}
-        if reaches_over(rig):  # its forces need more than the rows of both wheels
-            known.pop("roll_moment")
+        springs = {row: unit for row, unit in _STIFF.items() if "total" not in row or "tyre_stiffness" in rows}
+        known = {**_ROLLED, **both, **(springs if "wheel_force" in rows else {})}
+        if "wheel_force" not in rows or "wheel_force" not in others:
+            known = {row: unit for row, unit in known.items() if row not in (*_STIFF, "roll_moment")}
     elif has_rack(rig):
         ratio = getattr(getattr(rig, "steering", None), "rack_ratio", None)
         known |= {row: unit for row, unit in _STEERED.items() if row not in _HANDWHEEL or ratio is not None}
@@ -507,6 +509,13 @@ class Evaluator:
     def _rolled(
         self, numbers: Array, roll: Array, rack: float, names: set[str], slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
+        whole = names & {*_STIFF, *(("roll_moment",) if reaches_over(self.rig) else ())}
+        if whole:  # what reaches over to the other wheel needs more than the rows of both
+            values, moved = self._differenced(numbers, roll, rack, whole, slopes=slopes)
+            if whole == names:
+                return values, moved
+            others = self._rolled(numbers, roll, rack, names - whole, slopes)
+            return values | others[0], moved | others[1]
         rising = tuple(np.hstack([part, np.eye(len(part))[:, :1]]) for part in self._everywhere)  # travel, too
         axle = self._axle(numbers, (rising[0], rising[1]) if slopes else None)
         left, right = axle.level(roll, rack)
@@ -534,6 +543,23 @@ class Evaluator:
                 name: slope[:-1] - side * away * slope[-1] for name, slope in axle.slopes[side].items()
             }
         return values, self._along(rows, axle, left.wheel, right.wheel, numbers, roll)
+
+    def _differenced(
+        self, numbers: Array, roll: Array, rack: float, names: set[str], *, slopes: bool
+    ) -> tuple[dict[str, Array], dict[str, Array]]:
+        """Rows of a whole axle that rolls, and their differences along each direction."""
+
+        def at(numbers: Array) -> dict[str, Array]:
+            found = rolled(self._axle(numbers), roll, rack).values
+            return {name: found[name] for name in names}
+
+        moved = dict[str, list[Array]]()
+        for k, length in enumerate(self.lengths if slopes else ()):
+            step = _SHARE * length
+            ahead, behind = (at(numbers + sign * step * self._every[:, k]) for sign in (1.0, -1.0))
+            for name in names:
+                moved.setdefault(name, []).append((ahead[name] - behind[name]) / (2.0 * step))
+        return at(numbers), {name: np.array(values) for name, values in moved.items()}
 
     def _along(
         self, rows: Any, axle: Axle, left: WheelRows, right: WheelRows, numbers: Array, roll: Any
