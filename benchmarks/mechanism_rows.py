@@ -24,7 +24,8 @@ import jounce as jn
 from jounce.core.segments import Segments
 from jounce.kinematics.sweeps import prepare_sweep
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.prepare import prepare
+from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.reduced import ReducedCorner, reduction_of
 
 RIG = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
 ASKED = {
@@ -32,6 +33,12 @@ ASKED = {
     ("bilateral", 1e-6): "≤ 7 ms, slowest ≤ 12 ms",
     ("unilateral", 1e-4): "≤ 8 ms",
     ("unilateral", 1e-6): "≤ 16 ms",
+}
+REDUCED = {
+    ("bilateral", 2e-5): "",
+    ("bilateral", 1e-6): "≤ 0.55 ms",
+    ("unilateral", 1e-4): "≤ 0.5 ms",
+    ("unilateral", 1e-6): "≤ 1.1 ms",
 }
 TOLERANCES = (3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-6)
 
@@ -44,6 +51,8 @@ def double_wishbone_rows(*, quick: bool = False) -> list[Row]:
             problem = f"double wishbone, {tyre} tyre, obstacle, 3 s at 1 kHz, error {asked:.0e}"
             own = [_own(Case(tyre, speed), asked) for speed in speeds]
             rows.append(_row(problem, "jounce, compiled run", own, own, ASKED[tyre, asked]))
+            one = [_own(Case(tyre, speed), asked, _reduced) for speed in speeds]
+            rows.append(_row(problem, "jounce, as one coordinate", one, own, REDUCED[tyre, asked]))
             for name, peer in PEERS.items():
                 if peer.is_installed:
                     found = [cheapest(name, Case(tyre, v), asked, budget=0.6 if quick else 3.0) for v in speeds]
@@ -62,18 +71,28 @@ def _row(problem: str, way: str, found: list[tuple[float, float]], own, target: 
     return Row(problem, way, found[0][0], error, ratio, target, ", ".join(part for part in (note, text) if part))
 
 
-def _own(case: Case, asked: float) -> tuple[float, float]:
+def _full(rig: jn.Rig, road: Segments, tolerance: float) -> Prepared:
+    compiled = compile_rig(rig)
+    return prepare(compiled, compiled.parameter_values(rig.parameters()), road, TIMES, tolerance=tolerance)
+
+
+def _reduced(rig: jn.Rig, road: Segments, tolerance: float) -> Prepared:
+    laid_out = ReducedCorner(reduction_of(rig), rig.parameters(), [road], TIMES, tolerance).lay_out()
+    assert laid_out.holds(laid_out.prepared.run().states)
+    return laid_out.prepared
+
+
+def _own(case: Case, asked: float, lay_out=_full) -> tuple[float, float]:
     """Median time (s) and error of our own run."""
     rig = jn.load(str(RIG)).with_changes({"tyre.lift_off": case.unilateral})
-    compiled = compile_rig(rig)
-    p, hub = compiled.parameter_values(rig.parameters()), case.points["W"][2]
-    names = [output.name for output in compiled.facts.outputs]
+    hub = case.points["W"][2]
+    names = [output.name for output in compile_rig(rig).facts.outputs]
     height, wave, start = case.bump
     edges = np.array([0.0, start, start + np.pi / wave, DURATION])
     road = Segments(edges, np.array([0, 1, 0]), np.array([[0.0] * 4, [0.0, height, wave, 0.0], [0.0] * 4]))
     assert abs(hub - 0.1385) < 1e-12
     for tolerance in TOLERANCES:
-        run = prepare(compiled, p, road, TIMES, tolerance=tolerance)
+        run = lay_out(rig, road, tolerance)
         outputs = run.run().outputs
         error = case.error(outputs[names.index("sprung.z")], outputs[names.index("unsprung.z")])
         if error <= asked:

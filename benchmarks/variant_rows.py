@@ -11,14 +11,18 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+from mechanism_peers import PEERS, cheapest
+from mechanism_problem import Case
 from problems import Array, QuarterCar, long_road
 from timing import Row, markdown, median_time
 
 import jounce as jn
 
+WISHBONE = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
 COUNT, FEWER, CARS = 10_000, 200, 1_000
 METRICS = ["rms sprung.az", "max tyre.force", "range strut.deflection"]
 SPREAD = {"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}
@@ -26,7 +30,7 @@ _STEP = 1e-3
 
 
 def variant_rows() -> list[Row]:
-    """Quarter cars without and with lift-off, then full cars."""
+    """Quarter cars without and with lift-off, then full cars and double wishbones."""
     rig = jn.load("kart-quarter-car")
     held = rig.with_changes({"tyre.lift_off": False})
     return [
@@ -34,6 +38,7 @@ def variant_rows() -> list[Row]:
         *_quarter_cars("tyre that may lift off and stays down", rig, 1.0, "≤ 0.4 s on two cores"),
         *_quarter_cars("three times as rough, the tyre lifts off", rig, 3.0, "≤ 5 s on two cores"),
         *_full_cars(),
+        *_double_wishbones(),
     ]
 
 
@@ -242,6 +247,45 @@ def _full_cars() -> list[Row]:
         alone = median_time(lambda rig=rig: jn.simulate(rig, trial), repeats=3) * CARS
         rows.append(Row(problem, "jounce, jn.simulate one by one", alone, None, alone / own, note="from 1"))
     return rows
+
+
+def _double_wishbones() -> list[Row]:
+    """The prototype's double wishbone over an obstacle, 3 s, its tyre lifting off: hardpoints and rates vary."""
+    rig = jn.load(str(WISHBONE)).with_changes({"tyre.lift_off": True})
+    road = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
+    trial = jn.Trial(road=road, speed="1.95 m/s", duration="3 s")
+    spread = {path: [value - 2e-3, value + 2e-3] for path, value in rig.parameters().items() if path in _MOVED}
+    spread |= {"strut.spring.rate": "10 %", "tyre.stiffness": "10 %"}
+    design = jn.sobol(spread, COUNT, seed=1)
+    found = jn.simulate_many(rig, trial, design, metrics=METRICS, tolerance=1e-4)
+
+    def many(count: int, tolerance: float = 1e-4, **options: Any) -> Any:  # noqa: ANN401
+        few = {path: found[path].values[:count] for path in spread}
+        return jn.simulate_many(rig, trial, few, metrics=METRICS, tolerance=tolerance, **options)
+
+    problem = f"{_shown(COUNT)} double wishbones, unilateral tyre, obstacle, 3 s at 1 kHz, tolerance 1e-4"
+    own = median_time(lambda: many(COUNT), repeats=3)
+    exact = many(20, 1e-8)
+    error = max(float(np.max(np.abs(found[name].values[:20] / exact[name].values - 1.0))) for name in METRICS)
+    note = f"{found.attrs['side_by_side']} side by side; largest error of a metric, from 20"
+    rows = [Row(problem, "jounce, simulate_many", own, error, 1.0, "≤ 1.2 s on two cores", note)]
+    one = median_time(lambda: many(COUNT, threads=1), repeats=3)
+    rows.append(Row(problem, "jounce, one thread", one, None, one / own))
+    alone = median_time(lambda: many(3), repeats=5) * COUNT / 3
+    rows.append(Row(problem, "jounce, as one coordinate, one by one", alone, None, alone / own, note="from 3"))
+    full = median_time(lambda: many(100, method="explicit"), repeats=3) * COUNT / 100
+    note = "from 100"
+    rows.append(Row(problem, "jounce, the whole mechanism", full, None, full / own, "≤ 4 s on two cores", note))
+    name = "Pinocchio + SciPy DOP853"
+    if PEERS[name].is_installed:
+        peer = cheapest(name, Case("unilateral", 1.95), 1e-4)
+        rows.append(
+            Row(problem, name, peer.seconds * COUNT, peer.error, peer.seconds * COUNT / own, note="from one variant")
+        )
+    return rows
+
+
+_MOVED = ("hardpoints.upper_ball_joint[2]", "hardpoints.lower_ball_joint[1]", "hardpoints.tie_rod_outer[2]")
 
 
 if __name__ == "__main__":

@@ -165,7 +165,8 @@ def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
     assert [bool(reason) for reason in runs[0]["reason"].values] == [False, False, True, False, False, True]
     for i in (0, 1, 3):
         run = jn.simulate(rig.with_changes({path: values[i] for path, values in changes.items()}), trial)
-        assert float(runs[0]["max tyre.force"][i]) == pytest.approx(float(run["tyre.force"].max()), rel=1e-12)
+        expected = float(run["tyre.force"].max())  # to the tolerance: steps of a block fall elsewhere
+        assert float(runs[0]["max tyre.force"][i]) == pytest.approx(expected, rel=1e-7)
 
 
 def test_circles_run_one_by_one():

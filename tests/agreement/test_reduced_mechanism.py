@@ -201,3 +201,65 @@ def test_the_mechanism_runs_where_one_coordinate_does_not_do(options):
 def test_what_no_road_allows_is_said_by_the_mechanism():
     with pytest.raises(jn.JounceError, match="equilibrium"):
         jn.simulate(KART.with_changes({"strut.spring.rate": 1.0}), bump())
+
+
+# many variants --------------------------------------------------------------------------------------------------------
+
+
+def spread(random: np.random.Generator, count: int) -> dict[str, np.ndarray]:
+    """Hardpoints, a mass and rates of a kart on stops."""
+    numbers = STOPPED.parameters()
+    ball = numbers["hardpoints.upper_ball_joint[2]"]
+    return {
+        "hardpoints.upper_ball_joint[2]": ball + random.uniform(-0.003, 0.003, count),
+        "bodies.upright.mass": numbers["bodies.upright.mass"] * random.uniform(0.9, 1.1, count),
+        "strut.spring.rate": numbers["strut.spring.rate"] * random.uniform(0.9, 1.1, count),
+        "strut.bump_stop.gap": random.uniform(0.004, 0.02, count),
+    }
+
+
+STOPPED = KART.with_changes({"strut.bump_stop": {"gap": "6 mm", "rate": "50 N/mm", "progression": 1e8}})
+WORDS = ("rms sprung.az", "max tyre.force", "range strut.deflection", "Wk sprung.az", "min wheel.camber")
+
+
+def test_variants_step_side_by_side_as_they_run_alone():
+    """Nineteen, so that a block is not full; events of all of them fall into each other's steps."""
+    changes, trial = spread(np.random.default_rng(SEED), 19), bump()
+    many = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z")
+    assert many.attrs["side_by_side"] == 19
+    assert not any(many["reason"].values)
+    for i in (0, 7, 18):
+        rig = STOPPED.with_changes({path: float(values[i]) for path, values in changes.items()})
+        one = jn.simulate_many(rig, trial, {"sprung.mass": [rig.parameters()["sprung.mass"]]}, metrics=WORDS)
+        assert one.attrs["side_by_side"] == 0
+        for word in WORDS:
+            assert float(many[word][i]) == pytest.approx(float(one[word][0]), rel=1e-6)
+        full = jn.simulate(rig, trial, method="explicit", tolerance=1e-8)["sprung.z"].values
+        assert np.max(np.abs(many["sprung.z"].values[i] - full)) < 1e-5 * np.ptp(full)
+
+
+def test_neither_threads_nor_variants_that_fail_change_the_others():
+    changes, trial = spread(np.random.default_rng(SEED + 1), 24), bump(duration=0.3)
+    sound = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS[:3], threads=1)
+    assert sound.identical(jn.simulate_many(STOPPED, trial, changes, metrics=WORDS[:3], threads=2))
+    changes["strut.spring.rate"][3] = 1.0  # stands on its stop
+    changes["strut.spring.rate"][5] = 4e6  # too fast for the steps of the others
+    changes["hardpoints.upper_ball_joint[2]"][12] += 0.05  # locks up in bump
+    others = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS[:3])
+    assert others.attrs["side_by_side"] < 24
+    kept = [i for i in range(24) if i not in (3, 5, 12)]
+    for word in WORDS[:3]:
+        assert others[word].values[kept] == pytest.approx(sound[word].values[kept], rel=1e-6)
+    for i in (3, 5, 12):  # as it runs, or says why not, by itself
+        alone = {path: values[i : i + 1] for path, values in changes.items()}
+        one = jn.simulate_many(STOPPED, trial, alone, metrics=WORDS[:3])
+        assert str(one["reason"].values[0]) == str(others["reason"].values[i])
+        assert others[WORDS[0]].values[i] == pytest.approx(one[WORDS[0]].values[0], rel=1e-6, nan_ok=True)
+
+
+def test_the_mechanism_runs_each_variant_where_it_is_asked_for():
+    rates = {"strut.spring.rate": [2e4, 2.1e4, 2.2e4, 2.3e4, 2.4e4]}
+    given = (KART, bump(duration=0.1), rates)
+    many = [jn.simulate_many(*given, metrics=WORDS[0], method=method) for method in ("auto", "explicit")]
+    assert [runs.attrs["side_by_side"] for runs in many] == [5, 0]
+    assert many[0][WORDS[0]].values == pytest.approx(many[1][WORDS[0]].values, rel=1e-6)

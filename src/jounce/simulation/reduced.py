@@ -37,12 +37,14 @@ DEGREES = (10, 18)
 _SHARE = 1e-3  # of the tolerance, that a lever or a mass may be wrong by: the static load counts a hundred motions
 _SHOWN = 0.1  # the same for a channel that nothing feels
 _TIGHTEST = 1e-7
-_STEPS_SHARE = 0.9  # of the tolerance that is left for the integration
+STEPS_SHARE = 0.9
+"""Of the tolerance, that is left for the integration."""
 _NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: the range of travel on either side to begin with
 _BESIDE = 0.25  # share of the range that a wheel has used, by which it becomes wider on either side
 _FLAT = 1e-3  # slope (1, rad/m) of a quantity below which its error counts as that of this slope
 _OFF = 0.5  # share of the range, by which the pose at rest may lie off its middle
 _TRIES = 3
+_TURNED = 0.5  # rad
 _RACK = "steering.rack_travel"
 _MASSES = ("mass", "momentum", "inertia")
 
@@ -138,6 +140,8 @@ class Reduction:
         # Forces and masses feel the slope of a quantity, channels the quantity itself.
         felt, shown = left @ squares[degree + 1 :], _SHARE / _SHOWN * left.sum(axis=-1)
         errors = np.where(self.only_shown[:, None], shown, felt) / size
+        turned = self.only_shown[:, None] & ((levers > _TURNED) | (kept[..., 0] > _TURNED))
+        errors[turned] = np.inf  # a wheel that turns so far may flip over, which the mechanism finds out
         coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
         return np.concatenate([first, coefficients], axis=1), errors.max(axis=0)
@@ -158,6 +162,28 @@ class Reduction:
         every = np.arange(len(self.names), dtype=np.int64)
         walk_variants(walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values)
         return values
+
+    def alike(
+        self, base: Table, degree: int, paths: Sequence[str], values: Array, limit: float
+    ) -> tuple[Array, NDArray[np.bool_]]:
+        """Parameters of the reduced corner for rows of ``values`` of a description, over the travel of a table.
+
+        ``paths`` belong to the values; the first row is that of the table. Tells for which rows no error is above the
+        limit; the others get the numbers of the first.
+        """
+        place, places = {path: i for i, path in enumerate(paths)}, self.places(degree)
+        sampled = values[:, _numbers(place, self.parameters)]
+        racks = values[:, place[_RACK]] if _RACK in place else np.zeros(len(values))
+        found = np.empty((len(values), len(places.of_given) + len(places.of_table)))
+        found[:, places.of_given] = values[:, _numbers(place, places.given)]
+        found[:, places.of_table] = base.numbers
+        sound = np.ones(len(values), dtype=bool)
+        if np.any(sampled != sampled[0]) or np.any(racks != racks[0]):
+            numbers, errors = self.tables(sampled, float(racks[0]), base.low, base.high, degree)
+            sound = (errors <= limit) & (racks == racks[0])
+            found[np.ix_(sound, places.of_table)] = numbers[sound]
+        found[~sound] = found[0]
+        return found, sound
 
     def table(self, p: Array, rack: float, low: float, high: float, degree: int) -> Table | None:
         """The same for one row; None where the mechanism does not reach all of the range."""
@@ -229,6 +255,7 @@ class ReducedRun:
 
     prepared: Prepared
     table: Table
+    degree: int
 
     @property
     def rest(self) -> float:
@@ -237,14 +264,19 @@ class ReducedRun:
         n, x = len(self.prepared.compiled.facts.coordinates), self.prepared.equilibrium.x
         return float(x[n - 1] - (x[0] if n > 1 else 0.0))
 
-    def travelled(self, solution: Solution) -> tuple[float, float]:
-        """Bounds of the travel (m) at and between the samples."""
-        n, states = len(self.prepared.compiled.facts.coordinates), solution.states
+    def travelled(self, states: Array) -> tuple[Array, Array]:
+        """Bounds of the travel (m) at and between the samples, which run along the last axis."""
+        n, times = len(self.prepared.compiled.facts.coordinates), self.prepared.out.times
         travel, rate = states[n - 1], states[2 * n - 1]
         if n > 1:
             travel, rate = travel - states[0], rate - states[n]
-        between = float(np.abs(rate).max() * np.diff(solution.time).max(initial=0.0))
-        return float(travel.min()) - between, float(travel.max()) + between
+        between = np.maximum(rate.max(axis=-1), -rate.min(axis=-1)) * np.diff(times).max(initial=0.0)
+        return travel.min(axis=-1) - between, travel.max(axis=-1) + between
+
+    def holds(self, states: Array) -> NDArray[np.bool_]:
+        """Tell whether the wheel stays where the table holds."""
+        low, high = self.travelled(states)
+        return (self.table.low <= low) & (high <= self.table.high)
 
 
 @dataclass(frozen=True)
@@ -267,12 +299,17 @@ class ReducedCorner:
             compiled = laid_out.prepared.compiled
             if solution.status is not Status.COMPLETED or held_to_its_branch(compiled, solution) is not solution:
                 return None
-            (low, high), table = laid_out.travelled(solution), laid_out.table
-            if table.low <= low and high <= table.high:
+            if laid_out.holds(solution.states):
                 return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
+            low, high = laid_out.travelled(solution.states)
             wider = _BESIDE * (high - low)
-            laid_out = self.over(low - wider, high + wider)
+            laid_out = self.over(float(low - wider), float(high + wider))
         return None
+
+    @property
+    def limit(self) -> float:
+        """How large the error of a table may be."""
+        return _SHARE * self.tolerance
 
     def lay_out(self) -> ReducedRun | None:
         """Lay out a run for a range about the pose at rest; None where no polynomials do, or nothing comes to rest."""
@@ -289,7 +326,7 @@ class ReducedCorner:
             table = self.reduction.table(p, rack, low, high, degree)
             if table is None:
                 return None
-            if table.error <= _SHARE * self.tolerance:
+            if table.error <= self.limit:
                 return self._with(table, degree)
         return None
 
@@ -299,7 +336,7 @@ class ReducedCorner:
         p[places.of_given] = [self.values[path] for path in places.given]
         p[places.of_table] = table.numbers
         try:
-            prepared = prepare(compiled, p, self.signals, self.times, tolerance=_STEPS_SHARE * self.tolerance)
+            prepared = prepare(compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance)
         except SimulationError:  # the full mechanism says why
             return None
-        return ReducedRun(prepared, table)
+        return ReducedRun(prepared, table, degree)

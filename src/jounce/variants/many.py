@@ -22,12 +22,13 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
-from jounce.simulation.reduced import ReducedCorner, Reduction, reduction_for
+from jounce.simulation.reduced import STEPS_SHARE, ReducedCorner, Reduction, reduction_for
 from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
 from jounce.simulation.settings import RunSettings
 from jounce.variants.designs import MOST, Design
-from jounce.variants.metrics import RunMetric, of_course, of_sums, read_metrics
-from jounce.variants.side_by_side import sums_side_by_side
+from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
+from jounce.variants.side_by_side import LEAST, sums_side_by_side
+from jounce.variants.stepped import Blocks, can_step, in_blocks
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -298,6 +299,8 @@ class _Group:
         summed = not results.channels and not any(metric.needs_course for metric in results.metrics)
         if summed and self.study.settings.method == "auto":
             careful = self._side_by_side(results, parameters, rows, threads)
+        if careful.all():
+            careful = self._stepped(results, parameters, rows, threads)
 
         def alone(i: int) -> None:
             self._alone(results, int(rows[i]), lambda: self._solve(parameters[i], self._signals))
@@ -361,6 +364,54 @@ class _Group:
             parts = (sums.mean, sums.square, sums.least, sums.most, sums.rest)
             found = of_sums(metric.word, *(part[:, j] for part in parts))
             results.numbers[rows[~careful], i] = found[~careful]
+        results.tally["side_by_side"] += int(np.sum(~careful))
+        return careful
+
+    def _stepped(
+        self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
+    ) -> NDArray[np.bool_]:
+        """Fill in what can be stepped side by side as reduced corners; tell which variants are left."""
+        study, careful = self.study, np.ones(len(rows), dtype=bool)
+        if study.reduction is None or len(rows) < LEAST:
+            return careful
+        names, outputs = study.compiled.facts.parameters, study.compiled.output_names
+        times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
+        values = dict(zip(names, study.base.tolist(), strict=True))
+        corner = ReducedCorner(study.reduction, values, self._signals, times, tolerance)
+        base = corner.lay_out()
+        if base is None or base.prepared.method != "explicit" or not can_step(base.prepared.compiled):
+            return careful
+        compiled = base.prepared.compiled
+        every = np.concatenate([study.base[None, :], parameters])
+        numbers, sound = study.reduction.alike(base.table, base.degree, names, every, corner.limit)
+        numbers, sound = numbers[1:], sound[1:]
+        wanted = [*(metric.channel for metric in results.metrics), *results.channels]
+        channels = [outputs.index(name) for name in dict.fromkeys(wanted)]
+        row_of = {outputs[number]: i for i, number in enumerate(channels)}
+        extended = in_blocks(compiled, numbers)
+        blocks = Blocks(compiled, base.prepared, extended, self._signals, channels, STEPS_SHARE * tolerance)
+        rest, wide = blocks.rest(), extended.shape[2]
+        sound &= ~rest.lost.ravel()[: len(rows)]
+        results.make_room()
+
+        def take(block: int, states: Array, found: Array) -> None:
+            first = block * wide
+            count = min(wide, len(rows) - first)
+            lanes = np.flatnonzero(sound[first : first + count] & base.holds(states)[:count])
+            still = blocks.outputs_at_rest(rest, block)
+            for i, metric in enumerate(results.metrics):
+                row = row_of[metric.channel]
+                moved = (found[row] - still[row, :, None])[lanes]
+                results.numbers[rows[first + lanes], i] = of_courses(
+                    metric, moved, still[row, lanes], study.settings.output_step
+                )
+            if results.channels:
+                kept = [row_of[name] for name in results.channels]
+                for lane in lanes:
+                    results.courses[rows[first + lane]] = found[kept, lane].copy()
+            careful[first + lanes] = False
+
+        blocks.run(rest, take, threads)
         results.tally["side_by_side"] += int(np.sum(~careful))
         return careful
 

@@ -93,9 +93,13 @@ def of_sums(word: str, mean: Array, square: Array, least: Array, most: Array, re
 
 def of_course(metric: RunMetric, values: Array, rest: float, output_step: float) -> float:
     """Metric of the samples of a channel (``output_step`` s apart), whose value at rest is known."""
-    moved = values - rest
+    return float(of_courses(metric, (values - rest)[None, :], np.array([rest]), output_step)[0])
+
+
+def of_courses(metric: RunMetric, moved: Array, rest: Array, output_step: float) -> Array:
+    """The same of rows of samples, from which the values at rest have been taken."""
     if metric.needs_course:
-        moved = weighted(moved, 1.0 / output_step, metric.word)
-        return float(np.sqrt(np.mean(moved**2)))
-    sums = np.array([moved.mean(), np.mean(moved**2), moved.min(), moved.max(), rest])
-    return float(of_sums(metric.word, *sums[:, None])[0])
+        felt = [weighted(row, 1.0 / output_step, metric.word) for row in moved]
+        return np.array([float(np.sqrt(np.mean(row**2))) for row in felt])
+    square = np.einsum("ij,ij->i", moved, moved) / moved.shape[1]
+    return of_sums(metric.word, moved.mean(axis=1), square, moved.min(axis=1), moved.max(axis=1), rest)

@@ -24,7 +24,8 @@ from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 
 _SPARE = 1.3  # by which the motions of a variant may be faster than those of the one that the step is chosen for
-_LEAST = 4  # variants below which laying out all that they share takes longer than to run each alone
+LEAST = 4
+"""Variants below which laying out all that they share takes longer than to run each alone."""
 _FEW = 64  # variants below which a thread more gains nothing
 _MOST_STEPS = 20_000_000
 
@@ -87,7 +88,7 @@ def _prepared(
     channels: Sequence[int],
 ) -> lanes.Work | None:
     facts, zero = compiled.facts, compiled.facts.linear_without
-    if len(parameters) < _LEAST or zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
+    if len(parameters) < LEAST or zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
         return None
     if any(np.any(parameters[:, facts.parameters.index(name)] != 0.0) for name in zero):
         return None

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from llvmlite.binding import parse_assembly
 
-from jounce.kernel.lowering import _OPCODES, Lanes, Lowering
+from jounce.kernel.lowering import _OPCODES, Lanes, Lowering, Wide
 from jounce.kernel.machine import Code, machine_code, this_machine
 from jounce.kernel.native import compile_functions
 
@@ -179,6 +179,26 @@ def test_random_graphs(seed):
             pool.append(JOINED[generator.integers(len(JOINED))](a, b))
     found, expected = native_and_reference(pool[-12:], generator.normal(0.0, 2.0, (5, 2)))
     np.testing.assert_allclose(found, expected, rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("count", [4, 8])
+def test_systems_side_by_side_are_each_what_they_are_alone(count):
+    """Every system has its own states, numbers and modes; what they feel they have in common."""
+    x, u, p, m = (ca.SX.sym(name, size) for name, size in (("x", 2), ("u", 2), ("p", 3), ("m", 1)))
+    parts = [
+        x[0] * p[0] + u[1],
+        ca.tanh(x[1]) * p[2] + ca.fmin(x[0], m[0]) + 1 / p[1],
+        ca.if_else(x[0] < u[0], 2, p[1]),
+    ]
+    function = ca.Function("f", [x, u, p, m], [ca.vertcat(*parts, ca.SX(0.25), m[0] * x[1])])
+    random = np.random.default_rng(count)
+    states, numbers, modes = (random.uniform(0.5, 2.0, (size, count)) for size in (2, 3, 1))
+    felt = random.uniform(0.5, 2.0, 2)
+    native = compile_functions({"rate": Wide(function, count)})
+    found = native.evaluate("rate", (5 * count,), states.ravel(), felt, numbers.ravel(), modes.ravel())
+    for i, alone in enumerate(found.reshape(5, count).T):
+        expected = function(states[:, i], felt, numbers[:, i], modes[:, i]).full().ravel()
+        assert alone == pytest.approx(expected, rel=1e-15)
 
 
 def test_several_functions_and_outputs_share_a_module():
