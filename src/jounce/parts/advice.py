@@ -88,10 +88,19 @@ def _warn(place: str, message: str, value: float | None = None, severity: Severi
     return Finding(place, severity, message, None if value is None else float(value))
 
 
+def _is_choice(rig: Rig, path: str) -> bool:
+    """Whether a path names a text of the description, such as ``strut.on``."""
+    here: object = rig
+    for part in path.split("."):
+        here = getattr(here, part, None) if part in getattr(type(here), "model_fields", ()) else None
+    return isinstance(here, str)
+
+
 def _estimated(rig: Rig) -> Iterator[Finding]:
     known = rig.parameters()
     for entry in rig.estimated:
-        if not any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known):
+        is_number = any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known)
+        if not is_number and not _is_choice(rig, entry):
             yield _warn("estimated", f"{entry!r} names no parameter and no part of this rig.", severity="note")
 
 

@@ -310,3 +310,10 @@ def test_springs_beside_the_strut_carry_the_car_too() -> None:
     message = next(item.message for item in rig_findings(weak) if item.place == "torsion_bar")
     assert "cannot hold the weight" in message
     assert "at the wheel centre" in message
+
+
+def test_choices_may_be_estimated():
+    """What carries the strut is a guess of importers, and no number."""
+    rig = load("formula-student-front").with_changes({"estimated": ["strut.on", "strut.onn", "guide"]})
+    said = [finding.message for finding in rig_findings(rig) if finding.place.endswith("estimated")]
+    assert said == ["'strut.onn' names no parameter and no part of this rig."]
