@@ -259,6 +259,7 @@ def prepare() -> None:
     assert Path("lane.sqlite").is_file(), (code, said)
     shutil.copy(Path(__file__).parents[2] / "files" / "chrono" / "DoubleWishbone.json", "chrono.json")
     shutil.copy(Path(__file__).parents[2] / "files" / "hardpoints" / "strut.txt", "points.csv")
+    shutil.copy(Path(__file__).parents[2] / "files" / "mjcf" / "corner.xml", "corner.xml")
     shutil.copy(
         Path(__file__).parents[2] / "files" / "adams_car" / "made_up.cdb" / "subsystems.tbl" / "front.sub", "front.sub"
     )

@@ -24,7 +24,10 @@ SAMPLES = {
     "tyre: Pacejka": "tyre_tir/audi_Pac02Tire.tir",
     "tyre: with tables": "tyre_tir/mf_185_80R14.tir",
     "Adams": "adams_car/made_up.cdb/subsystems.tbl/front.sub",
-    "hardpoints": "hardpoints/strut.txt",
+    "hardpoints: list": "hardpoints/strut.txt",
+    "hardpoints: keys": "hardpoints/explorer.yaml",
+    "hardpoints: front view": "hardpoints/vsusp.url",
+    "MJCF": "mjcf/corner.xml",
     "OpenCRG: text": "road_crg/handmade_curved.crg",
     "OpenCRG: options": "road_crg/handmade_sloped_opts.crg",
     "OpenCRG: binary": "road_crg/halfround_4in.crg",
@@ -102,6 +105,12 @@ def _hardpoints(file: Path) -> Any:
     return import_hardpoints(file)[0].model_dump_json()
 
 
+def _mjcf(file: Path) -> Any:
+    from jounce.parts.importers import import_mjcf
+
+    return import_mjcf(file)[0].model_dump_json()
+
+
 def _fmu(file: Path) -> Any:
     from jounce.control import read_fmu
 
@@ -110,7 +119,7 @@ def _fmu(file: Path) -> Any:
 
 _READ: dict[str, Callable[[Path], Any]] = {
     ".json": _chrono, ".tir": _tyre, ".crg": _road, ".csv": _road, ".fmu": _fmu,
-    ".txt": _hardpoints, ".sub": _adams,
+    ".txt": _hardpoints, ".yaml": _hardpoints, ".url": _hardpoints, ".xml": _mjcf, ".sub": _adams,
 }  # fmt: skip
 
 

@@ -123,6 +123,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
                     "import adams",
                     "import chrono",
                     "import hardpoints",
+                    "import mjcf",
                     "fit hardpoints",
                     "design springs",
                     "design optimise",

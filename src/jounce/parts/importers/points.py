@@ -207,7 +207,9 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     if not all(map(_is_number, sizes)):
         return
     rim, aspect, width = map(float, sizes)
-    unit = conversion_factor({"millimeters": "mm", "meters": "m"}.get(table.unit, table.unit or "mm"), "m")
+    unit = conversion_factor(
+        {"millimeters": "mm", "meters": "m"}.get(table.unit, table.unit or "mm"), "m", where=f"{table.file}: units"
+    )
     table.radius = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
     radius = table.radius / unit
     down = np.array([0.0, 0.0, -1.0]) + along * along[2]
