@@ -80,7 +80,8 @@ bench: $(VENV)/.bench $(VENV)/.loops
 	$(BIN)/python benchmarks/run.py
 
 docs: $(VENV)/.docs $(VENV)/.loops
-	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
+	$(BIN)/python -m sphinx -W --keep-going -b html -d docs/_build/doctrees docs docs/_build/html
+	$(BIN)/python docs/check_site.py docs/_build/html
 	@echo "docs/_build/html/index.html"
 
 mutants: $(VENV)/.test $(VENV)/.mutants $(VENV)/.loops

@@ -115,7 +115,14 @@ def formula(self: HTML5Translator, node: nodes.math_block) -> None:
     raise nodes.SkipNode
 
 
+def pictures_when_they_are_near(_: Sphinx, __: str, ___: str, context: dict[str, object], ____: object) -> None:
+    """Pictures are loaded where a reader comes near them, and only those of the reader's scheme."""
+    if "body" in context:
+        context["body"] = str(context["body"]).replace("<img ", '<img loading="lazy" ')
+
+
 def setup(app: Sphinx) -> None:
     """Tell Sphinx of our directive and of formulas."""
     app.add_directive("drawn", Drawn)
+    app.connect("html-page-context", pictures_when_they_are_near)
     app.add_html_math_renderer("mathml", (inline_formula, None), (formula, None))

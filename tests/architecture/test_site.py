@@ -1,0 +1,108 @@
+"""The checks of the built documentation notice what they are for, and pages are written in British spelling."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+from rules import ROOT
+
+GOOD = '<html><body><h1 id="top">a</h1><a href="#top">b</a><a href="other.html#x">c</a><img src="p.svg" alt="p"></body>'
+
+
+@pytest.fixture(scope="module")
+def check() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("check_site", ROOT / "docs" / "check_site.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    (tmp_path / "index.html").write_text(GOOD, encoding="utf-8")
+    (tmp_path / "other.html").write_text('<p id="x">d</p><script src="index.html"></script>', encoding="utf-8")
+    (tmp_path / "p.svg").write_text("<svg/>", encoding="utf-8")
+    return tmp_path
+
+
+def test_a_sound_site_has_no_problems(check: ModuleType, site: Path) -> None:
+    assert check.problems(site) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("#top", "#bottom", "no such place"),
+        ("other.html#x", "gone.html", "leads nowhere"),
+        ('src="p.svg"', 'src="gone.svg"', "leads nowhere"),
+        ('alt="p"', 'alt=""', "picture without a text"),
+        ('src="p.svg"', 'src="https://example.org/p.svg"', "from a network"),
+    ],
+)
+def test_what_is_wrong_is_told(check: ModuleType, site: Path, old: str, new: str, said: str) -> None:
+    (site / "index.html").write_text(GOOD.replace(old, new), encoding="utf-8")
+    assert any(said in problem for problem in check.problems(site))
+
+
+def test_a_site_that_is_too_large_is_told(check: ModuleType, site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check, "LARGEST", 10.0)
+    assert any("MB, allowed are" in problem for problem in check.problems(site))
+
+
+AMERICAN = re.compile(
+    r"\b((?:un)?(?:color\w*|center\w*|centering|fiber\w*|gray\w*|meter|meters|millimeters?|kilometers?|liters?"
+    r"|tires?|behavior\w*|neighbor\w*|favor\w*|honor\w*|labor|rigor\b|catalog\b|dialog\b"
+    r"|(?:analy|paraly|cataly)z\w+|(?:optimi|normali|linear|minimi|maximi|characteri|organi|recogni|visuali|initiali"
+    r"|summari|generali|standardi|synchroni|parametri|regulari|discreti|reali|utili|penali|seriali|factori|locali|speciali)"
+    r"z(?:e[sd]?|ing|ations?|er)|modeling|modeled|labeled|labeling|traveled|traveling|canceled|canceling|signaled|leveled"
+    r"|maneuver\w*|defense|offense|artifacts?|skeptic\w*|aluminum|mold\w*|plow\w*|sulfur))\b",
+    re.IGNORECASE,
+)
+MISSPELT = re.compile(
+    r"\b(teh|recieve\w*|seperat\w*|occured|occurence\w*|accomodat\w*|definately|untill|wich|thier|adress\w*|succesful\w*"
+    r"|begining|dependan\w+|existant|independan\w+|neccess\w+|publically|refered|refering|transfered|wether|lenght\w*|heigth"
+    r"|widht|paramter\w*|stiffnes\b|dampling|suspention\w*|frequncy|measurment\w*|calcuat\w*|simulat(?:oin|tion)\w*"
+    r"|the the|a a|is is|of of|to to|and and)\b"
+)
+PAGES = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "ARCHITECTURE.md",
+    *sorted((ROOT / "docs").glob("**/*.md")),
+]
+
+
+def prose(text: str) -> str:
+    """A page without code, addresses and the raw parts of directives."""
+    text = re.sub(r"^(```+|:::+).*?^\1\s*$", "", text, flags=re.MULTILINE | re.DOTALL)
+    text = re.sub(r"`[^`\n]*`|\]\([^)]*\)|https?://\S+|<!--.*?-->", " ", text, flags=re.DOTALL)
+    return re.sub(r"^\s*\$ .*$", "", text, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if page.parent.name not in {"_generated", "api"}], ids=str)
+def test_pages_are_in_british_spelling(page: Path) -> None:
+    text = prose(page.read_text(encoding="utf-8"))
+    found = [match[0] for pattern in (AMERICAN, MISSPELT) for match in pattern.finditer(text)]
+    assert found == [], page
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The color of it.",
+        "We optimize the tire.",
+        "a modeled Behavior",
+        "the center",
+        "They recieve it.",
+        "It is is so.",
+    ],
+)
+def test_other_spelling_is_noticed(text: str) -> None:
+    assert AMERICAN.search(text) or MISSPELT.search(text)
