@@ -5,6 +5,7 @@
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that answer at once              make clean   remove what was made here
 #   make test-pages  what the documentation says is run, pages are opened in a browser
+#   make bench-web  how fast the workbench answers, in Chromium
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
@@ -34,7 +35,7 @@ PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-all lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer validation
+.PHONY: help setup loops demo quick test test-pages test-all axe bench-web lint check-style check-imports format bench docs mutants faces pins audit clean viewer check-viewer validation
 .DELETE_ON_ERROR:
 
 help:
@@ -56,11 +57,15 @@ quick: $(VENV)/.test $(VENV)/.loops
 test: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -n auto --dist loadfile
 
-test-pages: $(VENV)/.test $(VENV)/.loops
+test-pages: $(VENV)/.test $(VENV)/.loops axe
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "(pages or examples) and not slow"
 
-test-all: $(VENV)/.test $(VENV)/.loops
+test-all: $(VENV)/.test $(VENV)/.loops axe
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"
+
+# What looks at pages as assistive technology does comes with the packages of viewer/; tests that need it are skipped without.
+axe:
+	@command -v npm >/dev/null && $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json || echo "Without node and npm: axe looks at no page"
 
 lint: check-style check-imports
 	$(BIN)/mypy
@@ -75,6 +80,9 @@ check-imports: $(VENV)/.lint
 format: $(VENV)/.lint
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
+
+bench-web: $(VENV)/.test $(VENV)/.loops
+	$(BIN)/python benchmarks/workbench.py
 
 bench: $(VENV)/.bench $(VENV)/.loops
 	$(BIN)/python benchmarks/run.py

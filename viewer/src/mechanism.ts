@@ -7,7 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { before, type Mechanism, type Motion } from "./data";
-import { colour, isFast, make, toggle } from "./page";
+import { colour, isFast, make, toggle, whenLeft } from "./page";
 import { say } from "./words";
 
 export interface Moment { body: number; travel: number; ground: number; load: number; time: number }
@@ -109,6 +109,7 @@ export class MechanismView {
     this.controls.addEventListener("change", () => { this.isDirty = true; });
     this.canvas.parentElement!.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
+    whenLeft(() => this.giveBack());
     new IntersectionObserver((entries) => { this.isSeen = entries.some((entry) => entry.isIntersecting); }, { rootMargin: "300px" }).observe(this.element);
   }
 
@@ -125,6 +126,17 @@ export class MechanismView {
     }
     this.resize();
     return true;
+  }
+
+  /** Gives back what the graphics card holds: a browser has few contexts. */
+  private giveBack(): void {
+    this.isLost = true;
+    this.shown = null;
+    this.controls?.dispose();
+    this.space.traverse((one) => { if (one instanceof Mesh || one instanceof Line) one.geometry.dispose(); });
+    this.renderer?.dispose();
+    this.renderer?.forceContextLoss();
+    this.renderer = null;
   }
 
   show(mechanism: Mechanism, motion: Motion | null): void {

@@ -1,7 +1,8 @@
 /** Small things that every component needs: elements, numbers, colours. */
 
-import { localised, say } from "./words";
+import { heard, localised, say } from "./words";
 
+const HEARD = ["aria-label", "title", "placeholder"];
 type Attributes = Record<string, string | boolean | ((event: never) => void)>;
 
 /** Makes an element; texts become text, never markup. */
@@ -12,9 +13,9 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") element.addEventListener(name, value as EventListener);
     else if (typeof value === "boolean") element.toggleAttribute(name, value);
-    else element.setAttribute(name, value);
+    else element.setAttribute(name, HEARD.includes(name) ? heard(value) : value);
   }
-  element.append(...content);
+  element.append(...content.map((one) => (typeof one === "string" ? heard(one) : one)));
   return element;
 }
 
@@ -70,6 +71,18 @@ const listeners = new Set<() => void>();
 /** Calls back when the page becomes light or dark. */
 export function whenColoursChange(change: () => void): void {
   listeners.add(change);
+}
+
+const left = new Set<() => void>();
+
+/** Calls back when what a page shows is left for another page. */
+export function whenLeft(does: () => void): void { left.add(does); }
+
+/** What was shown is gone: nobody hears of it any more, and what it held is given back. */
+export function leave(): void {
+  for (const does of left) does();
+  left.clear();
+  listeners.clear();
 }
 
 function changed(): void {

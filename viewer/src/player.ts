@@ -2,7 +2,7 @@
 
 import { at, type Model, type Scene, type Store } from "./data";
 import { MechanismView } from "./mechanism";
-import { make, toggle, whenColoursChange, written } from "./page";
+import { make, toggle, whenColoursChange, whenLeft, written } from "./page";
 import { LinkedPlots } from "./plots";
 import { localised, say } from "./words";
 
@@ -29,6 +29,7 @@ export class Player {
   private scene: Scene;
   private now = 0;
   private playing = false;
+  private isGone = false;
   private way = 1;
   private last = 0;
   /** Hears what place of the axis is looked at. */
@@ -42,6 +43,7 @@ export class Player {
     model.scenes.forEach((scene, i) => this.choice.append(make("option", { value: String(i) }, scene.label)));
     this.build();
     this.show(this.scene);
+    whenLeft(() => { this.isGone = true; });
     whenColoursChange(() => { this.plots.repaint(); this.view?.repaint(); this.draw(); });
     requestAnimationFrame((time) => this.step(time));
   }
@@ -240,7 +242,7 @@ export class Player {
       this.goTo(next);
     }
     this.draw();
-    requestAnimationFrame((next) => this.step(next));
+    if (!this.isGone) requestAnimationFrame((next) => this.step(next));
   }
 
   private draw(): void { this.view?.draw(); }

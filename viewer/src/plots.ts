@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
-import { colour, isFast, make, writtenTo } from "./page";
+import { colour, isFast, make, whenLeft, writtenTo } from "./page";
 import { localised } from "./words";
 
 export interface Line { label: string; role: string; y: Numbers; step: number; shown: boolean }
@@ -36,6 +36,7 @@ export class LinkedPlots {
 
   /** `moved` hears where the pointer is on the common axis, `zoomed` what part of it is seen. */
   constructor(private readonly moved: (x: number) => void, private readonly zoomed: (range: [number, number]) => void = () => {}) {
+    whenLeft(() => this.clear()); // plots whose cursors are linked know each other until then
     new ResizeObserver(() => this.resize()).observe(this.element);
     this.element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.element.addEventListener("dblclick", () => this.reset());

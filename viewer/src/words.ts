@@ -49,6 +49,9 @@ const SAID: Record<string, string> = {};
 /** Adds German for English texts of a page. */
 export function translate(texts: Record<string, string>): void { Object.assign(SAID, texts); }
 
+/** A text of an element in the language of the page: only what is a sentence or begins with a capital, which names and paths do not. */
+export function heard(text: string): string { return (isGerman && /^[A-Z]|\s/.test(text) && SAID[text]) || text; }
+
 /** An English text in the language of the page; `#` in it is what is given. */
 export function tr(text: string, given = ""): string {
   return ((isGerman && SAID[text]) || text).replace("#", () => given);

@@ -1,11 +1,14 @@
 /** The workbench: pages over one folder. Nothing is computed here; all curves and verdicts come from the server. */
 
+import { languageButton } from "./language";
+import "./german";
 import "uplot/dist/uPlot.min.css";
 import "../../../src/jounce/report/templates/colours.css";
 import "../viewer.css";
 import "./workbench.css";
 import "./work.css";
-import { make, themeButton } from "../page";
+import { leave, make, themeButton } from "../page";
+import { tr } from "../words";
 import * as api from "./api";
 import { campaign } from "./pages/campaign";
 import { inspection } from "./pages/inspection";
@@ -39,12 +42,13 @@ const PAGES: Record<string, Page> = {
 async function show(): Promise<void> {
   const [page = "", values = ""] = location.hash.replace(/^#\//, "").split("?");
   const chosen = page in PAGES ? page : "project";
+  leave();
   setLive(null);
   const place = make("div", {}, make("p", { class: "muted" }, "loading …")); // its own: a page that was left fills nothing any more
   document.querySelectorAll("#pages a").forEach((link) => {
     if ((link as HTMLAnchorElement).dataset.page === chosen) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
   });
-  document.title = `${PAGES[chosen]!.label} – jounce workbench`;
+  document.title = `${tr(PAGES[chosen]!.label)} – jounce workbench`;
   document.getElementById("main")!.replaceChildren(place);
   try {
     await PAGES[chosen]!.show(place, new URLSearchParams(values));
@@ -56,7 +60,8 @@ async function show(): Promise<void> {
 
 document.documentElement.classList.add("live");
 document.getElementById("pages")!.append(...Object.entries(PAGES).map(([page, { label }]) => make("a", { href: address(page), "data-page": page }, label)));
-document.querySelector("header")!.append(themeButton());
+document.querySelector("header")!.append(languageButton(), themeButton());
+document.querySelector(".skip")!.textContent = tr("To the content");
 addEventListener("hashchange", () => { delete document.documentElement.dataset.ready; void show(); });
 api.project().then(({ name }) => { document.getElementById("project")!.textContent = name; }, () => {});
 void show();

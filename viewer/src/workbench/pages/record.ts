@@ -1,9 +1,9 @@
 /** A record as it is written, however long: what is seen comes from the server with its peaks, for every zoom. */
 
 import { Store } from "../../data";
-import { make, toggle, whenColoursChange, written } from "../../page";
+import { make, toggle, whenColoursChange } from "../../page";
 import { LinkedPlots } from "../../plots";
-import { tr } from "../../words";
+import { localised, tr } from "../../words";
 import * as api from "../api";
 import { Newest } from "../parts";
 import { address, choose, type Page, setLive, type Values } from "../shell";
@@ -54,7 +54,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   });
   whenColoursChange(() => plots.repaint());
   place.replaceChildren(make("h1", {}, path),
-    make("p", { class: "muted" }, `${tr("# samples", written(about.count, 8))}, ${about.even ? `${tr("every")} ${written(about.step, 4)} ${about.unit}` : tr("not evenly spaced")}, ${written(about.first, 6)} – ${written(about.last, 6)} ${about.unit}; ${tr("units as they are in the file")}`),
+    make("p", { class: "muted" }, `${tr("# samples", String(about.count))}, ${about.even ? `${tr("every")} ${localised(String(Number(about.step.toPrecision(6))))} ${about.unit}` : tr("not evenly spaced")}, ${localised(String(Number(about.first.toPrecision(9))))} – ${localised(String(Number(about.last.toPrecision(9))))} ${about.unit}; ${tr("units as they are in the file")}`),
     make("p", { class: "bar" }, make("a", { href: address("trial", { record: path }) }, tr("Beside a run"))),
     about.channels.length ? player : make("p", { class: "empty" }, tr("There is nothing in it but time.")), state,
     make("p", { class: "muted" }, tr("Drag to zoom, Shift + wheel or ← → pans, Ctrl + wheel zooms, double click for everything.")));

@@ -1,0 +1,224 @@
+"""Every page of the workbench in Chromium: what assistive technology finds, both languages, and clicks at random."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import jounce as jn
+
+pytest.importorskip("uvicorn")
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+AXE = Path(__file__).parents[2] / "viewer" / "node_modules" / "axe-core" / "axe.min.js"
+RULES = ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]
+RIG = "kart-double-wishbone.toml"
+PAGES = [
+    "project", f"rig?name={RIG}", f"trial?rig={RIG}", f"kinematics?rig={RIG}", "record?path=run.nc", "campaign", "ride",
+    "inspection", "studies", "jobs",
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def workbench(tmp_path_factory):
+    """The address of a workbench over a rig and a recording, in a process of its own."""
+    folder = tmp_path_factory.mktemp("project")
+    shutil.copy(Path(jn.__file__).parent / "parts" / "library" / RIG, folder / RIG)
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.5 s")
+    jn.write_recording(jn.simulate(jn.load("kart-quarter-car"), trial), folder / "run.nc")
+    command = [sys.executable, "-m", "jounce", "serve", str(folder), "--no-open", "--json"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as started:
+        assert started.stdout is not None
+        yield json.loads(started.stdout.readline())["url"]
+        started.terminate()
+
+
+@pytest.fixture(scope="module")
+def browser():
+    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    if CHROMIUM is None:
+        pytest.skip("Chromium is not installed")
+    with sync_api.sync_playwright() as playwright:
+        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
+        yield made
+        made.close()
+
+
+class Opened:
+    """A page with all that went wrong on it."""
+
+    def __init__(self, browser: Any, address: str, **context: Any) -> None:
+        self.context = browser.new_context(**context)
+        self.page, self.base, self.troubles = self.context.new_page(), address.split("?", maxsplit=1)[0], []
+        self.page.on("console", self._hear)
+        self.page.on("pageerror", lambda error: self.troubles.append(str(error)))
+        self.page.on("dialog", lambda dialog: dialog.dismiss())
+        self.page.on("request", self._see)
+        self.page.on("response", lambda answer: self.troubles.append(answer.url) if answer.status >= 500 else None)
+        self.page.goto(address)
+        self.ready()
+
+    def _hear(self, message: Any) -> None:
+        if message.type in ("error", "warning") and "status of 4" not in message.text:  # a refusal is an answer
+            self.troubles.append(message.text)
+
+    def _see(self, request: Any) -> None:
+        if not request.url.startswith((self.base, "data:", "blob:", self.base.replace("http", "ws"))):
+            self.troubles.append(f"asked elsewhere: {request.url}")
+
+    def ready(self) -> None:
+        self.page.wait_for_selector("html[data-ready]", timeout=60_000)
+
+    def go(self, page: str) -> None:
+        if not self.page.url.endswith(f"#/{page}"):
+            self.page.evaluate(
+                "page => { delete document.documentElement.dataset.ready; location.hash = page; }", f"/{page}"
+            )
+        self.ready()
+        self.page.wait_for_timeout(400)
+
+
+@pytest.mark.pages
+@pytest.mark.parametrize(
+    ("width", "scheme", "language"), [(1280, "light", "en-GB"), (390, "dark", "de-DE"), (1280, "dark", "en-GB")]
+)
+def test_every_page_is_usable_without_a_mouse_and_without_sight(workbench, browser, width, scheme, language):
+    """By the rules of WCAG 2.2 AA that axe knows; nothing wider than the window, nothing on the console."""
+    if not AXE.is_file():
+        pytest.skip("axe is not installed: npm ci in viewer/")
+    rules = AXE.read_text(encoding="utf-8")
+    opened = Opened(browser, workbench, viewport={"width": width, "height": 720}, color_scheme=scheme, locale=language)
+    found = []
+    for page in PAGES:
+        opened.go(page)
+        assert opened.page.evaluate("document.documentElement.scrollWidth") <= width, page
+        opened.page.evaluate(rules)
+        told = opened.page.evaluate("rules => axe.run(document, {runOnly: rules})", RULES)
+        serious = [one for one in told["violations"] if one["impact"] in ("serious", "critical")]
+        found += [(page, one["id"], [node["html"][:120] for node in one["nodes"][:3]]) for one in serious]
+        assert told["passes"], "nothing was looked at"
+    shown = opened.page.locator("#pages").inner_text()
+    opened.context.close()
+    assert found == []
+    assert opened.troubles == []
+    assert ("Fahrwerk" in shown) == language.startswith("de")
+
+
+@pytest.mark.pages
+def test_axe_finds_what_is_wrong(browser):
+    if not AXE.is_file():
+        pytest.skip("axe is not installed: npm ci in viewer/")
+    page = browser.new_page()
+    page.set_content("<html><body><img src='x.png'><button></button><p style='color:#ccc'>pale</p></body></html>")
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    told = page.evaluate("rules => axe.run(document, {runOnly: rules})", RULES)
+    page.close()
+    assert {"image-alt", "button-name", "color-contrast"} <= {one["id"] for one in told["violations"]}
+
+
+@pytest.mark.pages
+def test_the_language_that_was_chosen_stays(workbench, browser):
+    opened = Opened(browser, workbench, locale="en-GB")
+    opened.page.get_by_role("button", name="Deutsch").click()
+    opened.page.get_by_role("heading", name="Mit einem Beispiel beginnen").wait_for()
+    opened.go(f"rig?name={RIG}")
+    opened.page.get_by_role("button", name="Speichern").wait_for()
+    assert opened.page.evaluate("document.documentElement.lang") == "de"
+    opened.context.close()
+    assert opened.troubles == []
+
+
+BEGINS = "begin,run the campaign,search,fit,simulate,compare,evaluate,find,resume,again,start,test,check"
+"""Words of buttons that begin long work, which two processors do not do beside a browser."""
+TYPED = [
+    "10 mm",
+    "-20 mm:20 mm:5 mm",
+    "3",
+    "0",
+    "-1",
+    "1e9",
+    "2 kg",
+    "",
+    "<b>x</b>",
+    "../x.toml",
+    "ä € 漢",
+    "NaN",
+    "x" * 300,
+]
+
+
+def _clicked_at_random(opened: Opened, seed: int, seconds: float) -> list[float]:
+    """Use what is on the page at random; give the bytes of the heap at each quarter."""
+    drawn, page, ends = random.Random(seed), opened.page, time.monotonic() + seconds
+    devtools = opened.context.new_cdp_session(page)
+    heaps: list[float] = []
+    while time.monotonic() < ends:
+        if 4.0 * (1.0 - (ends - time.monotonic()) / seconds) >= len(heaps):
+            opened.go("project")
+            devtools.send("HeapProfiler.collectGarbage")
+            heaps.append(devtools.send("Runtime.getHeapUsage")["usedSize"])
+        if drawn.random() < 0.08:
+            opened.go(drawn.choice(PAGES))
+        controls = page.locator(
+            "button:enabled, a[href^='#'], select:enabled, input:enabled, summary, textarea, canvas"
+        )
+        count = controls.count()
+        if not count:
+            opened.go("project")
+            continue
+        control = controls.nth(drawn.randrange(count))
+        try:
+            _use(control, drawn)
+        except Exception as error:
+            if "Timeout" not in str(error) and "not attached" not in str(error) and "not visible" not in str(error):
+                raise
+        page.wait_for_timeout(drawn.choice((20, 60, 200)))
+    opened.go("project")
+    return heaps
+
+
+def _use(control: Any, drawn: random.Random) -> None:
+    kind = control.evaluate("one => one.tagName + ' ' + (one.type || '')", timeout=500)
+    if kind.startswith("SELECT"):
+        values = control.evaluate("one => [...one.options].map(option => option.value)", timeout=500)
+        if values:
+            control.select_option(drawn.choice(values), timeout=500)
+    elif kind.endswith(("text", "search", "number")) or kind.startswith("TEXTAREA"):
+        text = drawn.choice(TYPED)
+        control.fill("7" if kind.endswith("number") else text, timeout=500)
+        control.press("Tab", timeout=500)
+    elif kind.endswith("range"):
+        control.press(drawn.choice(("ArrowLeft", "ArrowRight", "Home", "End", "PageUp")), timeout=500)
+    elif kind.endswith("file"):
+        return
+    else:
+        name = (control.inner_text(timeout=500) + (control.get_attribute("aria-label", timeout=500) or "")).lower()
+        if not any(word in name for word in BEGINS.split(",")):
+            control.click(timeout=500, position={"x": 3, "y": 3} if kind.startswith("CANVAS") else None)
+
+
+@pytest.mark.pages
+def test_clicks_at_random_break_nothing(workbench, browser):
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 720})
+    _clicked_at_random(opened, seed=int(os.environ.get("JOUNCE_SEED", "18")), seconds=30.0)
+    opened.context.close()
+    assert opened.troubles == []
+
+
+@pytest.mark.slow
+def test_ten_minutes_of_clicks_break_nothing_and_hold_no_memory(workbench, browser):
+    """What a page held is given back when it is left: after the first quarter the heap stays where it was."""
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 720})
+    heaps = _clicked_at_random(opened, seed=int(os.environ.get("JOUNCE_SEED", "1801")), seconds=600.0)
+    opened.context.close()
+    assert opened.troubles == []
+    assert heaps[-1] - heaps[1] < 3e6, [round(heap / 1e6, 2) for heap in heaps]
