@@ -22,6 +22,7 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import Bounds, Free, free_parameters
+from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
 from jounce.ride.covariance import Analysis, Signal
@@ -73,6 +74,9 @@ def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
     if not channels:
         ends = {".".join(name.split(".")[-2:]) for name in units}
         error = unknown(words[0], {*ends, *(name for name in units if name.count(".") < 2)}, what="metric", where=where)
+        if words[0] in {row.name for row in CATALOGUE}:
+            hint = "Kinematic quantities are designed by jn.design_kinematics, `jounce design kinematics`."
+            raise DescriptionError(error.what, where=where, allowed=error.allowed, hint=hint)
         raise error
     if kind == "coefficient" and not words[0].endswith("force"):
         raise DescriptionError(

@@ -189,6 +189,7 @@ def test_more_starts_do_not_end_worse():
         ({DAMPER: ("-1 N*s/m", "3 kN*s/m")}, "sprung.az", {}, ROAD, "out of range"),
         ({DAMPER: "10 mm"}, "sprung.az", {}, ROAD, "wrong unit"),
         ({DAMPER: "±10 %"}, "sprung.ax", {}, ROAD, "unknown metric 'sprung.ax'.*Did you mean"),
+        ({DAMPER: "±10 %"}, "camber_gain", {}, ROAD, "unknown metric 'camber_gain'.*jounce design kinematics"),
         ({DAMPER: "±10 %"}, "sprung.az smoothed", {}, ROAD, "no such number of a channel"),
         ({DAMPER: "±10 %"}, "sprung.az coefficient", {}, ROAD, "coefficient is that of a force"),
         ({DAMPER: "±10 %"}, "mode 1 colour", {}, ROAD, "not a number of a mode"),
