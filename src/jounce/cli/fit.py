@@ -32,7 +32,7 @@ from jounce.cli.options import (
     write_picture,
     write_report,
 )
-from jounce.cli.reply import Reply, estimates, progress, show_findings, show_written, table
+from jounce.cli.reply import Reply, estimates, number, progress, show_findings, show_written, table
 from jounce.core.display import shown_as
 from jounce.core.errors import OutputError, RecordingError, nearest, unknown
 
@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from jounce.design.measured_poses import HardpointFit
     from jounce.identify.damper import DamperCurve, DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
+    from jounce.identify.estimate import Estimate
     from jounce.identify.stiffness import StiffnessResult
     from jounce.report import Page
 
@@ -511,15 +512,27 @@ def hardpoints(
     return Reply(plain, lambda console: _draw_hardpoints(console, plain, found), as_json, missing=missing)
 
 
+def _fitted(label: str, one: Estimate, si: str, before: float) -> tuple[object, ...]:
+    """Row of a number before and after, in the unit that people use for it."""
+    from jounce.core.display import display_unit
+
+    unit = display_unit(si)
+    ends = one.interval and " … ".join(number((end - before) * unit.factor) for end in one.interval)
+    values = (round(value * unit.factor, 6) for value in (before, one.value, one.value - before))
+    return label, unit.name or ("SI" if si == "1" else si), *values, ends
+
+
 def _draw_hardpoints(out: Console, plain: dict[str, Any], found: HardpointFit) -> None:
     """Print points and offsets with their intervals, and what is left of each quantity."""
     from jounce.core.display import display_unit
 
-    length = {label: "m" if "hardpoints." in label else "1" for label in found.numbers}
-    out.print(estimates("Points", [(label, one, length[label]) for label, one in found.numbers.items()]))
-    if found.offsets:
-        rows = [(name, one, found.quantities[name].unit) for name, one in found.offsets.items()]
-        out.print(estimates("Offsets of readings", rows))
+    rows = []
+    for label, one in found.numbers.items():
+        rows.append(_fitted(label, one, "m" if "hardpoints." in label else "1", found.before[label]))
+    for name, one in found.offsets.items():
+        rows.append(_fitted(f"offset of {name}", one, found.quantities[name].unit, 0.0))
+    header = ("number", "unit", "before", "found", "by", "95 % interval of the change")
+    out.print(table("Points", header, rows, text=(0, 1, 5)))
     left = []
     for name, one in found.quantities.items():
         unit = display_unit(one.unit)
