@@ -14,6 +14,14 @@ from scipy.optimize import brentq
 import jounce as jn
 from jounce.parts import rig_from_table
 
+pytestmark = pytest.mark.source(
+    kind="published",
+    of="suspension kinematics",
+    key="worked-examples",
+    where="CalculatorAtoZ 31583 and 31639, Anti Dive Geometry, Wheel Rate Calculator",
+    tolerance="half a unit of the last printed digit",
+)
+
 INCH, POUND_FORCE = 0.0254, 4.4482216152605
 
 
