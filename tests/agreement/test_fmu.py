@@ -247,6 +247,19 @@ def test_same_rig_gives_the_same_bytes(written, tmp_path):
     assert again.read_bytes() == written("kart-quarter-car").read_bytes()
 
 
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("more", [{}, {"tester": "eusama"}, {"control": "skyhook", "controller_only": True}])
+def test_code_gives_no_warning(tmp_path, version, more):
+    made = jn.export_fmu(jn.load("kart-quarter-car"), tmp_path / "a.fmu", version=version, platforms=(), **more)
+    with zipfile.ZipFile(made.path) as archive:
+        archive.extractall(tmp_path)
+    files = sorted(map(str, (tmp_path / "sources").glob("*.c")))
+    words = ["gcc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-fsyntax-only", *files]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
 @pytest.mark.slow
 def test_code_is_clean_under_sanitizers(written, tmp_path):
     """Both uses, a landing, saved states: no undefined behaviour, no address that is not ours."""

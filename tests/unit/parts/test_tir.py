@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from jounce.core.errors import DescriptionError
+from jounce.parts import load
 from jounce.parts.elements import Tyre
 from jounce.parts.importers import read_tir, tyre_from_tir
 
@@ -218,6 +219,14 @@ def test_bottoming_curves_are_read_and_named_as_dropped(tmp_path: Path) -> None:
     assert (finding.severity, finding.value) == ("note", pytest.approx(0.09))
     assert "the rim hits the road from a deflection of 0.09 m on" in finding.message
     assert tyre.tyre()["stiffness"] == pytest.approx(2e5)
+    curve = tyre.tyre(rim=True)["curve"]  # the rim's force adds to the tyre's from 90 mm on
+    assert curve["deflection"] == pytest.approx([0.0, 0.09, 0.095, 0.1])
+    assert curve["force"] == pytest.approx([0.0, 18000.0, 19000.0 + 4000.0, 20000.0 + 20000.0])
+    rig = load("sedan-double-wishbone").with_changes({"tyre": tyre.tyre(rim=True)})
+    assert rig.tyre.stiffness is None
+    file.write_text(text.replace("[BOTTOMING_CURVE]\n{pen fz}\n0 0\n5 4000\n10 20000\n", "BOTTOM_STIFF = 2000\n"))
+    stiff = read_tir(file).tyre(rim=True)["curve"]
+    assert stiff["force"] == pytest.approx([0.0, 18000.0, 0.099 * 2e5 + 0.009 * 2e6])
     file.write_text(text.replace("BOTTOMING_RADIUS = 210\n", ""))
     assert "it never acts" in read_tir(file).findings[0].message
     file.write_text(text.replace("5 4000", "5 -4000"))

@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding
@@ -19,6 +21,7 @@ _SECTION = re.compile(r"\[([A-Za-z0-9_ \t]+)\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
 _BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
 _LARGEST = 20_000_000  # bytes
+_POINTS = 9  # of a curve that is no table
 _USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_coefficient": (0.0, 5e4, "N*s/m")}
 
 
@@ -120,12 +123,12 @@ class TyreProperties(Shown):
             )
         return factor
 
-    def tyre(self, pressure: float | None = None) -> dict[str, Any]:
+    def tyre(self, pressure: float | None = None, *, rim: bool = False) -> dict[str, Any]:
         """Give a tyre table for rigs: ``stiffness`` or ``curve``, ``damping_coefficient`` and ``undeformed_radius``.
 
         A curve is given where the file has a measured one or one with Q_FZ2; ``pressure`` is in Pa, by default that
-        of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them. The rim, which
-        hits the road below ``bottoming_radius``, is left out.
+        of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them. With ``rim`` the
+        curve holds the rim, too, which hits the road below ``bottoming_radius``.
         """
         factor = self._pressure_factor(pressure)
         tyre: dict[str, Any] = {"stiffness": self.stiffness * factor}
@@ -145,7 +148,28 @@ class TyreProperties(Shown):
             scale = factor * self.nominal_load / self.radius
             terms = [scale * first, scale * self.load_curvature / self.radius]
             tyre = {"curve": {"kind": "polynomial", "coefficients": terms}}
+        if rim and self.bottoming_radius is not None and (self.bottoming_penetration or self.bottoming_stiffness):
+            tyre = {"curve": self._with_rim(tyre, self.radius - self.bottoming_radius)}
         return {**tyre, "damping_coefficient": self.damping_coefficient, "undeformed_radius": self.radius}
+
+    def _with_rim(self, tyre: dict[str, Any], free: float) -> dict[str, Any]:
+        """Table of a tyre whose rim hits the road at a deflection (m)."""
+        depth, load = self.bottoming_penetration, self.bottoming_load
+        if not depth:
+            depth, load = (0.0, 0.1 * free), (0.0, 0.1 * free * (self.bottoming_stiffness or 0.0))
+        own = tyre.get("curve", {})
+        told = np.array(own.get("deflection", np.linspace(0.0, free, _POINTS) if own else [0.0]))
+        at = np.unique([*told, free, *(free + one for one in depth)])
+        if own.get("kind") == "polynomial":
+            first, second = own["coefficients"]
+            force = first * at + second * at**2
+        elif own:
+            rise = (own["force"][-1] - own["force"][-2]) / (told[-1] - told[-2])
+            force = np.interp(at, told, own["force"]) + rise * np.maximum(at - told[-1], 0.0)
+        else:
+            force = tyre["stiffness"] * at
+        force = force + np.interp(at - free, depth, load, left=0.0)
+        return {"kind": "table", "deflection": at.tolist(), "force": force.tolist()}
 
 
 def read_tir(path: Path | str) -> TyreProperties:
@@ -228,7 +252,7 @@ def _dropped(name: str, radius: float, rim_radius: float | None, *, has_rim: boo
     if rim_radius is None:
         text = "the file has the force of the rim on the road, but no BOTTOMING_RADIUS: it never acts, and is left out."
         return (Finding(name, "note", text),)
-    text = "the rim hits the road from a deflection of {:.4g} m on; a rig's tyre has no rim, so this is left out."
+    text = "the rim hits the road from a deflection of {:.4g} m on; a rig's tyre leaves it out unless rim is asked for."
     return (Finding(name, "note", text.format(radius - rim_radius), radius - rim_radius),)
 
 
@@ -241,7 +265,7 @@ def _unusual(name: str, found: dict[str, float]) -> tuple[Finding, ...]:
     )
 
 
-def tyre_from_tir(path: Path | str, *, pressure: float | None = None) -> dict[str, Any]:
+def tyre_from_tir(path: Path | str, *, pressure: float | None = None, rim: bool = False) -> dict[str, Any]:
     r"""Read a tyre property file as a table for rigs.
 
     Parameters
@@ -250,6 +274,8 @@ def tyre_from_tir(path: Path | str, *, pressure: float | None = None) -> dict[st
         The ``.tir`` file.
     pressure : float, optional
         Inflation pressure in Pa; by default that of the file.
+    rim : bool
+        Let the curve hold the rim, too, which hits the road where the file has its bottoming.
 
     Returns
     -------
@@ -272,7 +298,7 @@ def tyre_from_tir(path: Path | str, *, pressure: float | None = None) -> dict[st
     >>> tyre_from_tir(file)
     {'stiffness': 200000.0, 'damping_coefficient': 0.0, 'undeformed_radius': 0.3}
     """
-    return read_tir(path).tyre(pressure)
+    return read_tir(path).tyre(pressure, rim=rim)
 
 
 class _Entries:
