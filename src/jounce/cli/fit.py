@@ -534,9 +534,9 @@ def _draw_hardpoints(out: Console, plain: dict[str, Any], found: HardpointFit) -
     header = ("number", "unit", "before", "found", "by", "95 % interval of the change")
     out.print(table("Points", header, rows, text=(0, 1, 5)))
     left = []
-    for name, one in found.quantities.items():
-        unit = display_unit(one.unit)
-        sizes = (one.rms_before, one.rms_after, one.noise)
+    for name, seen in found.quantities.items():
+        unit = display_unit(seen.unit)
+        sizes = (seen.rms_before, seen.rms_after, seen.noise)
         left.append((name, unit.name or "1", *(size * unit.factor for size in sizes)))
     out.print(
         table("What is left, root mean square", ("quantity", "unit", "before", "after", "noise"), left, text=(0, 1))
