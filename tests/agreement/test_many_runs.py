@@ -194,6 +194,28 @@ def test_numbers_that_contradict_each_other_only_together_are_refused_each_by_it
     assert np.isfinite(found["rms sprung.az"].values).tolist() == [True, True, False]
 
 
+def test_one_variant_that_the_description_forbids_leaves_the_others_side_by_side():
+    rig, trial = jn.load("audi-a6-quarter-car"), course(speed="1 m/s", duration="0.2 s")
+    masses = [400.0, 420.0, -1.0, 440.0, 460.0, 480.0]
+    found = jn.simulate_many(rig, trial, {"sprung.mass": masses}, metrics="rms sprung.az")
+    assert found.attrs["side_by_side"] == 5
+    assert [bool(reason) for reason in found["reason"].values] == [False, False, True, False, False, False]
+    sound = [mass for mass in masses if mass > 0.0]
+    others = jn.simulate_many(rig, trial, {"sprung.mass": sound}, metrics="rms sprung.az")["rms sprung.az"].values
+    assert np.delete(found["rms sprung.az"].values, 2).tolist() == others.tolist()
+
+
+@pytest.mark.parametrize("control", [None, "skyhook"])
+def test_trials_that_differ_are_shared_by_threads(control):
+    rig = jn.load("audi-a6-quarter-car")
+    changes = {"trial.speed": [10.0, 12.0, 14.0, 14.0, 10.0], "sprung.mass": [400.0, 420.0, -1.0, 460.0, 480.0]}
+    given = {"metrics": ["rms sprung.az", "max tyre.force"], "control": control}
+    one, more = (jn.simulate_many(rig, course(duration="0.2 s"), changes, **given, threads=count) for count in (1, 3))
+    assert one.identical(more)
+    assert [bool(reason) for reason in one["reason"].values] == [False, False, True, False, False]
+    assert np.isfinite(one["rms sprung.az"].values).tolist() == [True, True, False, True, True]
+
+
 def test_what_runs_away_is_said():
     road = jn.Ramp(height="200 m", length="1 m")
     rig = jn.load("audi-a6-quarter-car").with_changes({"tyre.lift_off": False})

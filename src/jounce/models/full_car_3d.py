@@ -108,7 +108,7 @@ def _corner(
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = build_linkage(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
+        linkage: Linkage = build_linkage(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)

@@ -12,7 +12,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,9 @@ from jounce.simulation.compiled import Compiled, compile_described, sources
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.result import Solution, held_to_its_branch
 from jounce.simulation.settings import RunSettings
+
+if TYPE_CHECKING:
+    from jounce.mechanics.model import Model
 
 DEGREES = (10, 18)
 """Of the polynomials; the second where a wheel travels far or the tolerance is tight."""
@@ -241,7 +244,7 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
 
 
 def _compiled(rig: Corner, structure: str, degree: int) -> Compiled:
-    def model():  # noqa: ANN202
+    def model() -> Model:
         from jounce.models.reduced import reduced_corner
 
         return reduced_corner(rig, degree)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -65,8 +65,19 @@ class Work:
     def run(self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None) -> xr.Dataset:
         """Run variants, given by their values (SI) by path; ``first`` is the number of the first one."""
         results = _Results(self.metrics, self.channels, len(next(iter(columns.values()))))
-        for group, rows in self.study.groups(columns):
-            group.fill(results, columns, rows, threads)
+        groups = list(self.study.groups(columns))
+        small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
+        free = self.study.control is None  # a controller may be a function that keeps something
+        workers = min(threads or os.cpu_count() or 1, len(small)) if free else 1
+        for group, rows in groups:
+            if len(rows) >= LEAST or workers <= 1:
+                group.fill(results, columns, rows, threads)
+        if workers > 1:
+            (lead, rows), *others = small  # what all of them share is made by the first
+            lead.fill(results, columns, rows, 1)
+            results.make_room()
+            with ThreadPoolExecutor(workers) as pool:
+                list(pool.map(lambda pair: pair[0].fill(results, columns, pair[1], 1), others))
         return results.dataset(self.study, columns, first, self.design)
 
 
@@ -289,10 +300,14 @@ class _Group:
             for row in rows:
                 results.reasons[row] = self.reason
             return
-        if self.control is not None or any(path in MOVES_TRACKS for path in own) or not self._is_sound(own):
-            for i, row in enumerate(rows):
-                changes = {path: float(column[i]) for path, column in own.items()}
-                self._alone(results, int(row), partial(self._run, changes))
+        described = np.full(len(rows), self.control is not None or any(path in MOVES_TRACKS for path in own))
+        if not described.any():
+            described = self._forbidden(own, len(rows))
+        for i in np.flatnonzero(described).tolist():
+            changes = {path: float(column[i]) for path, column in own.items()}
+            self._alone(results, int(rows[i]), partial(self._run, changes))
+        own, rows = {path: column[~described] for path, column in own.items()}, rows[~described]
+        if not len(rows):
             return
         parameters = self._parameters(own, len(rows))
         careful = np.ones(len(rows), dtype=bool)
@@ -321,19 +336,24 @@ class _Group:
             found[:, self.study.compiled.facts.parameters.index(path)] = column
         return found
 
-    def _is_sound(self, own: Mapping[str, Array]) -> bool:
-        """Whether the description allows all variants: the corners of what they span, or each where these are more.
+    def _forbidden(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_]:
+        """Which variants the description does not allow; they are left to say why.
 
-        What it asks of several numbers together (that one is below another) holds inside where it holds at all corners.
+        What it asks of several numbers together (that one is below another) holds inside where it holds at all corners
+        of what the variants span, so that each is looked at only where these are more, or one is forbidden.
         """
         whole = [column.tolist() for column in own.values()]
         corners = itertools.product(*((min(column), max(column)) for column in whole))
-        few = 2 ** len(own) < len(next(iter(own.values()), ()))
+        if 2 ** len(own) < count and all(map(partial(self._is_allowed, own), corners)):
+            return np.zeros(count, dtype=bool)
+        rows = zip(*whole, strict=True) if whole else [()] * count
+        return np.array([not self._is_allowed(own, row) for row in rows], dtype=bool)
+
+    def _is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:
         try:
-            for row in corners if few else zip(*whole, strict=True):
-                self.study.rig.with_changes(dict(zip(own, row, strict=True)))
+            self.study.rig.with_changes(dict(zip(paths, row, strict=True)))
         except DescriptionError:
-            return False  # one by one those that are allowed run, and the others say why not
+            return False
         return True
 
     @cached_property

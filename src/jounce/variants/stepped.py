@@ -169,7 +169,7 @@ class Blocks:
         found = self._evaluate("rest", places * (1 + 2 * places), x, modes)
         slopes = found[:, places:].reshape(len(x), places, 2 * places, wide).transpose(0, 3, 1, 2)
         falling = found[:, :places].transpose(0, 2, 1)
-        usable = np.isfinite(slopes).all(axis=(2, 3)) & np.isfinite(falling).all(axis=2)
+        usable = np.asarray(np.isfinite(slopes).all(axis=(2, 3)) & np.isfinite(falling).all(axis=2))
         slopes = np.where(usable[..., None, None], slopes, np.eye(places, 2 * places))
         usable &= np.linalg.det(slopes[..., :places]) != 0.0
         slopes = np.where(usable[..., None, None], slopes, np.eye(places, 2 * places))
