@@ -169,12 +169,15 @@ def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
         assert float(runs[0]["max tyre.force"][i]) == pytest.approx(expected, rel=1e-7)
 
 
-def test_circles_run_one_by_one():
+def test_over_circles_variants_step_side_by_side():
     rig = jn.load("audi-a6-quarter-car")
     road = jn.HalfCylinder(radius="20 mm", start="1 m")
     trial = jn.Trial(road=road, speed="10 m/s", duration="0.5 s")
     many = jn.simulate_many(rig, trial, jn.sobol({"sprung.mass": "10 %"}, 8), metrics="max sprung.az")
-    assert many.attrs["side_by_side"] == 0
+    assert many.attrs["side_by_side"] == 8
+    for mass, value in zip(many["sprung.mass"].values[::7], many["max sprung.az"].values[::7], strict=True):
+        run = jn.simulate(rig.with_changes({"sprung.mass": float(mass)}), trial, tolerance=1e-8)
+        assert value == pytest.approx(float(run["sprung.az"].max()), rel=1e-5)
     found = jn.simulate_many(rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"])
     single = [
         float(jn.simulate(rig.with_changes({"strut.damper.coefficient": c}), trial)["sprung.az"].max())
@@ -214,6 +217,26 @@ def test_trials_that_differ_are_shared_by_threads(control):
     assert one.identical(more)
     assert [bool(reason) for reason in one["reason"].values] == [False, False, True, False, False]
     assert np.isfinite(one["rms sprung.az"].values).tolist() == [True, True, False, True, True]
+
+
+def test_curved_lumped_models_step_side_by_side():
+    """A damper without a kink, and a tyre whose force is a polynomial: nothing of it is linear."""
+    rig = jn.load("audi-a6-quarter-car").with_changes(
+        {
+            "strut.damper": {"kind": "tanh", "coefficient": 800.0, "stiffness": 0.0, "force": 300.0, "slope": 12.0},
+            "tyre.stiffness": None,
+            "tyre.curve": {"kind": "polynomial", "coefficients": [1.8e5, 2e6]},
+        }
+    )
+    trial, words = course(duration="0.5 s"), ["rms sprung.az", "min tyre.force", "Wk sprung.az"]
+    masses = np.linspace(400.0, 520.0, 11)
+    many = jn.simulate_many(rig, trial, {"sprung.mass": masses}, metrics=words)
+    assert many.attrs["side_by_side"] == 11
+    for i in (0, 10):
+        one = jn.simulate_many(rig, trial, {"sprung.mass": masses[i : i + 1]}, metrics=words, tolerance=1e-8)
+        assert one.attrs["side_by_side"] == 0
+        for word in words:
+            assert float(many[word][i]) == pytest.approx(float(one[word][0]), rel=1e-5)
 
 
 def test_what_runs_away_is_said():

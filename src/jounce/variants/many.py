@@ -8,11 +8,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, JounceError, unforeseen, unknown
+from jounce.core.errors import DescriptionError, JounceError, SimulationError, unforeseen, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.parts import Rig
@@ -20,7 +20,7 @@ from jounce.parts.rig import change_table, parameters_of, quantity_at, unit_of, 
 from jounce.recordings.schema import channels_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.prepare import prepare
+from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
 from jounce.simulation.reduced import STEPS_SHARE, ReducedCorner, Reduction, reduction_for
 from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
@@ -390,26 +390,19 @@ class _Group:
     def _stepped(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
-        """Fill in what can be stepped side by side as reduced corners; tell which variants are left."""
+        """Fill in what can be stepped side by side; tell which variants are left."""
         study, careful = self.study, np.ones(len(rows), dtype=bool)
-        if study.reduction is None or len(rows) < LEAST:
+        laid_out = self._laid_out(parameters) if study.settings.method == "auto" and len(rows) >= LEAST else None
+        if laid_out is None:
             return careful
-        names, outputs = study.compiled.facts.parameters, study.compiled.output_names
-        times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
-        values = dict(zip(names, study.base.tolist(), strict=True))
-        corner = ReducedCorner(study.reduction, values, self._signals, times, tolerance)
-        base = corner.lay_out()
-        if base is None or base.prepared.method != "explicit" or not can_step(base.prepared.compiled):
-            return careful
-        compiled = base.prepared.compiled
-        every = np.concatenate([study.base[None, :], parameters])
-        numbers, sound = study.reduction.alike(base.table, base.degree, names, every, corner.limit)
-        numbers, sound = numbers[1:], sound[1:]
-        wanted = [*(metric.channel for metric in results.metrics), *results.channels]
+        base, numbers, sound, holds, tolerance = laid_out
+        outputs = study.compiled.output_names
+        limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
+        wanted = [*(metric.channel for metric in results.metrics), *results.channels, *limits]
         channels = [outputs.index(name) for name in dict.fromkeys(wanted)]
         row_of = {outputs[number]: i for i, number in enumerate(channels)}
-        extended = in_blocks(compiled, numbers)
-        blocks = Blocks(compiled, base.prepared, extended, self._signals, channels, STEPS_SHARE * tolerance)
+        extended = in_blocks(base.compiled, numbers)
+        blocks = Blocks(base.compiled, base, extended, self._signals, channels, tolerance)
         rest, wide = blocks.rest(), extended.shape[2]
         sound &= ~rest.lost.ravel()[: len(rows)]
         results.make_room()
@@ -417,7 +410,11 @@ class _Group:
         def take(block: int, states: Array, found: Array) -> None:
             first = block * wide
             count = min(wide, len(rows) - first)
-            lanes = np.flatnonzero(sound[first : first + count] & base.holds(states)[:count])
+            kept = holds(states)
+            for name, limit in limits.items():  # what runs away is said where it runs alone
+                course = found[row_of[name]]
+                kept = kept & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
+            lanes = np.flatnonzero(sound[first : first + count] & kept[:count])
             still = blocks.outputs_at_rest(rest, block)
             for i, metric in enumerate(results.metrics):
                 row = row_of[metric.channel]
@@ -426,14 +423,40 @@ class _Group:
                     metric, moved, still[row, lanes], study.settings.output_step
                 )
             if results.channels:
-                kept = [row_of[name] for name in results.channels]
+                shown = [row_of[name] for name in results.channels]
                 for lane in lanes:
-                    results.courses[rows[first + lane]] = found[kept, lane].copy()
+                    results.courses[rows[first + lane]] = found[shown, lane].copy()
             careful[first + lanes] = False
 
         blocks.run(rest, take, threads)
         results.tally["side_by_side"] += int(np.sum(~careful))
         return careful
+
+    def _laid_out(self, parameters: Array) -> _LaidOut | None:
+        """How variants may be stepped side by side; None where they may not, or where the rig itself cannot run."""
+        study = self.study
+        times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
+        if study.reduction is None:
+            if not can_step(study.compiled):
+                return None
+            try:
+                base = prepare(study.compiled, study.base, self._signals, times, tolerance=tolerance)
+            except SimulationError:
+                return None
+            every = np.ones(len(parameters), dtype=bool)
+            found = _LaidOut(base, parameters, every, lambda states: np.ones(states.shape[1], dtype=bool), tolerance)
+        else:
+            names = study.compiled.facts.parameters
+            values = dict(zip(names, study.base.tolist(), strict=True))
+            corner = ReducedCorner(study.reduction, values, self._signals, times, tolerance)
+            one = corner.lay_out()
+            if one is None:
+                return None
+            whole = np.concatenate([study.base[None, :], parameters])
+            numbers, sound = study.reduction.alike(one.table, one.degree, names, whole, corner.limit)
+            found = _LaidOut(one.prepared, numbers[1:], sound[1:], one.holds, STEPS_SHARE * tolerance)
+        steps = found.base.exact is None and found.base.method == "explicit" and can_step(found.base.compiled)
+        return found if steps else None
 
     def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array]]) -> None:
         """Fill in what a run gives: samples of all outputs, and their values at rest; or why there is none."""
@@ -490,6 +513,16 @@ class _Group:
         assert at is not None
         still, values_there = prepared.still, prepared.problem.p
         return solution.outputs, prepared.compiled.evaluate("output", at.x, still, values_there, at.modes)
+
+
+class _LaidOut(NamedTuple):
+    """A run of the rig itself, parameters of the variants, which of them are sound, where their states may be."""
+
+    base: Prepared
+    numbers: Array
+    sound: NDArray[np.bool_]
+    holds: Callable[[Array], NDArray[np.bool_]]
+    tolerance: float
 
 
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
