@@ -248,8 +248,7 @@ def test_same_rig_gives_the_same_bytes(written, tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("version", [2, 3])
-@pytest.mark.parametrize("more", [{}, {"tester": "eusama"}, {"control": "skyhook", "controller_only": True}])
+@pytest.mark.parametrize(("version", "more"), [(2, {}), (3, {"control": "skyhook", "controller_only": True})])
 def test_code_gives_no_warning(tmp_path, version, more):
     made = jn.export_fmu(jn.load("kart-quarter-car"), tmp_path / "a.fmu", version=version, platforms=(), **more)
     with zipfile.ZipFile(made.path) as archive:
@@ -387,7 +386,7 @@ def test_the_reference_inside_is_what_the_fmu_gives(written, tmp_path, version, 
         assert np.abs(np.array(found)[:, i] - own).max() < 6e-3 * np.ptp(own), name
 
 
-@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("version", [pytest.param(2, marks=pytest.mark.slow), 3])
 def test_casadi_reads_rates_and_derivatives(written, tmp_path, version):
     """Another importer, with the FMU's own directional derivatives for its Jacobian."""
     import casadi as ca

@@ -78,7 +78,7 @@ def test_every_corner_of_a_car_has_its_own_instance(made) -> None:
     assert own.sizes == run.sizes
 
 
-@pytest.mark.parametrize("law", ["skyhook", "lqr"])
+@pytest.mark.parametrize("law", ["skyhook", pytest.param("lqr", marks=pytest.mark.slow)])
 def test_a_controller_that_we_wrote_drives_our_car(tmp_path, law) -> None:
     """Of a half car: the law leaves jounce as an FMU of its own, and comes back."""
     rig = jn.load("audi-a6-half-car-4dof")

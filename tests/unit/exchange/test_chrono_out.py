@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import jounce as jn
@@ -38,8 +37,6 @@ def test_rigs_come_back(tmp_path: Path, name: str) -> None:
     for path, value in before.items():
         assert after[path] == pytest.approx(value, rel=ROUND[name], abs=ROUND[name] * 0.02), path
     assert found.strut.damper.kind == rig.strut.damper.kind
-    sweeps = [np.array(jn.sweep_travel(one, [-0.04, -0.02, 0.0, 0.02, 0.04])["camber"]) for one in (rig, found)]
-    assert sweeps[0] == pytest.approx(sweeps[1], abs=1e-7)
 
 
 def test_the_right_side_is_written_as_the_left(tmp_path: Path) -> None:
@@ -49,6 +46,7 @@ def test_the_right_side_is_written_as_the_left(tmp_path: Path) -> None:
     assert json.loads(one)["Spindle"]["COM"] == [0.0, pytest.approx(0.7979), 0.0]
 
 
+@pytest.mark.slow
 def test_a_wheel_without_a_body_is_taken_from_the_upright(tmp_path: Path) -> None:
     rig = jn.load("kart-double-wishbone")
     made = write_chrono(rig, tmp_path / "kart.json")

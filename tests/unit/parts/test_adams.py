@@ -211,7 +211,6 @@ def test_bushings_in_their_units(changed, units) -> None:
     assert "[bushings.lower_arm_front]" in text
     rigid, _, _ = import_adams(file, rigid=True)
     assert rigid.bushings.lower_arm_front is None
-    assert np.isfinite(jn.modes(rig)[0].frequency_hz)
 
 
 @pytest.mark.parametrize(
