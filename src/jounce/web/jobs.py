@@ -38,7 +38,7 @@ class Jobs:
     """The jobs of a project."""
 
     def __init__(self, project: Project) -> None:
-        self.project, self.folder = project, project.root.joinpath(*PLACE)
+        self.project, self.folder = project, project.inside("/".join(PLACE))
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self.ended: dict[str, dict[str, Any]] = {}
         self.ready: subprocess.Popen[bytes] | None = None
@@ -209,7 +209,7 @@ class Jobs:
         """Write down what is to be done, and with which words."""
         folder.mkdir(parents=True, mode=0o700)
         own = [word.replace("{folder}", str(folder)) for word in doing.own]
-        about = {"kind": task and task.kind, "asked": task and task.model_dump(), "title": doing.title}
+        about: dict[str, Any] = {"kind": task and task.kind, "asked": task and task.model_dump(), "title": doing.title}
         about |= {
             "root": str(self.project.root),
             "begun": time.time(),

@@ -38,8 +38,9 @@ def write_study(project: Project, path: str, study: Mapping[str, Any], was: str 
             count = read_sweep(trial).count
     except DescriptionError as error:
         where = error.where.replace(str(trial), path)
-        kind, told = type(error), {"found": error.found, "allowed": error.allowed, "hint": error.hint}
-        raise kind(error.what, where=where, **told) from None
+        raise DescriptionError(
+            error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+        ) from None
     finally:
         trial.unlink(missing_ok=True)
     written: Text = project.write(path, text, was)

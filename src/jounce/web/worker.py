@@ -67,7 +67,8 @@ class _Told:
     """How far the work is, written to the disk now and then."""
 
     def __init__(self, file: Path) -> None:
-        self.file, self.written, self.line = file, 0.0, None
+        self.file, self.written = file, 0.0
+        self.line: Any = None
         self.steps: deque[dict[str, Any]] = deque(maxlen=_MOST_STEPS)
         self.search = ""
         self.lock = threading.Lock()

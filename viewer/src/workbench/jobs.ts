@@ -21,12 +21,19 @@ export const whole = <T>(id: string) => get<Whole<T>>(`/api/jobs/${encodeURIComp
 
 type Listener = (jobs: Job[]) => void;
 const listeners = new Map<Listener, { node: Node; shown: boolean }>();
-let latest: Job[] | null = null, socket: WebSocket | null = null;
+let latest: Job[] | null = null, socket: WebSocket | null = null, pause = 1000;
+const lost = make("p", { class: "problem", role: "alert" }, "The server does not tell about jobs any more; those that run go on. Start it again with jounce serve, and open the address that it prints.");
 
 function open(): void {
   socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
-  socket.addEventListener("message", (event) => { latest = JSON.parse(event.data as string) as Job[]; tell(); });
-  socket.addEventListener("close", () => { socket = null; setTimeout(() => { if (listeners.size) open(); }, 1000); });
+  socket.addEventListener("message", (event) => { pause = 1000; lost.remove(); latest = JSON.parse(event.data as string) as Job[]; tell(); });
+  socket.addEventListener("close", () => {
+    socket = null;
+    if (![...listeners.values()].some((one) => one.node.isConnected)) { listeners.clear(); return; }
+    document.getElementById("main")!.prepend(lost);
+    setTimeout(() => { if (listeners.size && !socket) open(); }, pause);
+    pause = Math.min(2 * pause, 30_000);
+  });
 }
 
 function tell(): void {

@@ -15,7 +15,9 @@ interface Kept { path: string; rig: string; changes: Record<string, number | str
 /** Where a file of a kind opens, and in which words. */
 const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   rig: [["rig", "name", "edit"], ["trial", "rig", "drive it"], ["kinematics", "rig", "kinematics"]],
-  record: [["record", "path", "look at it"], ["trial", "record", "beside a run"]],
+  record: [["record", "path", "look at it"], ["trial", "record", "beside a run"], ["inspection", "record", "inspect"]],
+  campaign: [["campaign", "file", "open"]],
+  store: [["inspection", "store", "search"]],
 };
 const moment = (seconds: number) => new Date(seconds * 1000).toISOString().slice(0, 16).replace("T", " ");
 

@@ -2,7 +2,7 @@
 
 import { make, written } from "../../page";
 import * as api from "../api";
-import { begin, jobList, report, ways, whole } from "../jobs";
+import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, problem } from "../parts";
 import { address, type Page, RIGS, type Values } from "../shell";
@@ -145,6 +145,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
 async function showSweep(place: HTMLElement, id: string | null, given: string | null): Promise<void> {
   const job = id ? await whole(id) : null;
   const folder = given ?? String(job?.asked.out ?? "");
+  if (job && (job.state === "running" || job.state === "cancelling")) { showRunning(place, job, folder); return; }
   const sweep = await api.get<Sweep>(`/api/sweep?${api.query({ folder })}`);
   const title = job?.title ?? `Sweep in ${folder}`;
   const back = make("p", {}, make("a", { href: address("studies") }, "All studies"));
@@ -178,6 +179,22 @@ async function showSweep(place: HTMLElement, id: string | null, given: string | 
     make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "chosen variants" }, make("table", {}, make("caption", {}, "The first of the chosen variants"),
       make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "variant"), ...sweep.columns.map((one) => make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`)), make("th", { scope: "col" }, ""))), chosen)),
     ...(job ? [ways(job)] : []), ...(job?.has_page ? [report(`/api/jobs/${job.id}/report`, "Report")] : []));
+}
+
+/** A sweep that goes on: how far it is; what is finished may be looked at, and all of it is shown at its end. */
+function showRunning(place: HTMLElement, job: Whole, folder: string): void {
+  const card = new JobCard(job);
+  place.replaceChildren(make("h1", {}, job.title), make("p", {}, make("a", { href: address("studies") }, "All studies")), card.element,
+    make("p", {}, make("a", { href: address("studies", { folder }) }, "What is finished by now")));
+  let shown = false;
+  follow(card.element, (jobs) => {
+    const now = jobs.find((one) => one.id === job.id);
+    if (!now || shown) return;
+    card.show(now);
+    if (now.state === "running" || now.state === "cancelling") return;
+    shown = true;
+    showSweep(place, job.id, null).catch((error) => place.replaceChildren(make("h1", {}, job.title), card.element, problem(error)));
+  });
 }
 
 type Summary = NonNullable<Sweep["summary"]>;
