@@ -131,6 +131,9 @@ def test_demo_makes_numbered_folders(cli, tmp_path: Path) -> None:
     assert outcome.json["out"].endswith("demo-1")
     assert "synthetic" in outcome.json["synthetic"]
     assert (tmp_path / "demo-1" / "report.html").exists()
+    told = cli("demo", "--quick", "--out", "a demo").out
+    assert told.splitlines()[-2] == f"the report: {(tmp_path / 'a demo' / 'report.html').as_uri()}"
+    assert told.splitlines()[-1] == "the workbench: jounce serve 'a demo'"
     refused = cli("demo", "--out", "demo-1")
     assert refused.exit_code == 2
     assert "--force" in refused.err

@@ -65,6 +65,7 @@ export type Numbers = Float64Array | (number | null)[];
 /** All arrays of a page: sixteen bits a number, as differences in two planes of bytes, deflated; or an answer's, as they are. */
 export class Store {
   private readonly made: (Numbers | undefined)[] = [];
+  private straight: ((index: number) => Float64Array) | null = null;
   private constructor(readonly content: Content, private readonly bytes: Uint8Array) {}
 
   static async open(text: string): Promise<Store> {
@@ -82,12 +83,9 @@ export class Store {
     const length = new DataView(buffer).getUint32(0, true), start = 4 + length;
     const content = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Content;
     const store = new Store(content, new Uint8Array(0));
-    content.arrays.forEach(({ n, at }, i) => {
-      const found = new Float64Array(buffer, start + at, n);
-      store.made[i] = found.some(Number.isNaN) ? Array.from(found, (one) => (Number.isNaN(one) ? null : one)) : found;
-    });
+    store.straight = (index) => new Float64Array(buffer, start + content.arrays[index]!.at, content.arrays[index]!.n);
     const rows = (index: number) => {
-      const flat = new Float64Array(buffer, start + content.arrays[index]!.at, content.arrays[index]!.n);
+      const flat = store.straight!(index);
       return Array.from({ length: flat.length / 3 }, (_, i) => flat.subarray(3 * i, 3 * i + 3));
     };
     for (const one of content.mechanisms) {
@@ -112,8 +110,13 @@ export class Store {
   }
 
   get(index: number): Numbers {
-    return (this.made[index] ??= unpack(this.content.arrays[index]!, this.bytes));
+    return (this.made[index] ??= this.straight ? withGaps(this.straight(index)) : unpack(this.content.arrays[index]!, this.bytes));
   }
+}
+
+/** What is not known is nothing, for those who draw. */
+function withGaps(found: Float64Array): Numbers {
+  return found.some(Number.isNaN) ? Array.from(found, (one) => (Number.isNaN(one) ? null : one)) : found;
 }
 
 const GAP = 65535;

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -469,4 +471,13 @@ def demo(
         say("writing the report")
         # it holds the campaign by now, and nothing else of these names
         drawn, missing = _write(result, folder, figure or (), table_ or (), report or (), force=True)
-    return campaign_reply(result, folder, missing, as_json=as_json, figures=drawn)
+    reply = campaign_reply(result, folder, missing, as_json=as_json, figures=drawn)
+
+    def draw(console: Console) -> None:
+        reply.draw(console)
+        page = folder.resolve() / "report.html"
+        if page.is_file():
+            console.print(f"the report: {page.as_uri()}", soft_wrap=True, highlight=False)
+        console.print(f"the workbench: jounce serve {shlex.quote(str(folder))}", soft_wrap=True, highlight=False)
+
+    return replace(reply, draw=draw)

@@ -1,0 +1,244 @@
+"""How fast the workbench answers: a server and a headless Chromium that draws in software, as `make bench-web` runs it.
+
+Every figure is the time a person waits: from the input event to the frame after the curves have been drawn. What the
+medians were, and on which machine, is written into ``docs/explanation/workbench-speed.md`` with ``--write``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import urllib.request
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+TABLE = Path(__file__).parents[1] / "docs" / "explanation" / "workbench-speed.md"
+STATIC = Path(__file__).parents[1] / "src" / "jounce" / "web" / "static"
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+ARGUMENTS = [
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+]
+SLIDER = """async ([selector, count, values]) => {
+  // Each value is set as a hand would, and waited for until the frame after its curves is on the screen.
+  const times = [], frame = () => new Promise((done) => requestAnimationFrame(done));
+  const slider = document.querySelector(selector), low = Number(slider.min), high = Number(slider.max);
+  for (let i = 0; i < count; i++) {
+    const before = jounce.live.times.length, began = performance.now();
+    slider.value = String(low + (high - low) * (0.3 + 0.4 * ((i * 7) % count) / count));
+    slider.dispatchEvent(new Event("input"));
+    while (values && jounce.live.times.length === before) await frame();
+    await frame(); await frame();
+    times.push(performance.now() - began);
+    await new Promise((done) => setTimeout(done, 60));
+  }
+  return times;
+}"""
+
+
+class Served:
+    """A server over a folder, in a process of its own, and how long it took to answer."""
+
+    def __init__(self, folder: Path) -> None:
+        began = time.perf_counter()
+        command = [sys.executable, "-m", "jounce", "serve", str(folder), "--no-open", "--json"]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        assert self.process.stdout is not None
+        said = json.loads(self.process.stdout.readline())
+        self.address, self.token = said["url"], said["token"]
+        self.base = self.address.partition("?")[0]
+        self.ask("GET", "api/health")
+        self.up = time.perf_counter() - began
+
+    def ask(self, method: str, path: str, body: Any = None) -> Any:
+        """Ask as a script does."""
+        headers = {"Authorization": f"Bearer {self.token}", "Content-Type": "application/json"}
+        data = None if body is None else json.dumps(body).encode()
+        request = urllib.request.Request(self.base + path, data, headers, method=method)  # noqa: S310 - this machine
+        with urllib.request.urlopen(request, timeout=120) as answer:  # noqa: S310
+            return json.load(answer)
+
+
+def median(times: list[float]) -> str:
+    """Median and nine tenths, ms."""
+    ordered = sorted(times)
+    return f"{statistics.median(ordered):.0f} ms (nine in ten below {ordered[int(0.9 * (len(ordered) - 1))]:.0f} ms)"
+
+
+def long_record(folder: Path) -> None:
+    """A recording of ten million samples."""
+    import xarray as xr
+
+    time_ = np.arange(10_000_000) / 1000.0
+    noise = np.random.default_rng(0).standard_normal(len(time_)).astype("f4")
+    values = ("time", np.sin(time_).astype("f4") + 0.1 * noise, {"units": "m/s^2"})
+    record = xr.Dataset({"sprung.az": values}, coords={"time": ("time", time_, {"units": "s"})})
+    record.to_netcdf(folder / "long.nc", engine="h5netcdf")
+
+
+def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
+    """Rows: what, what is to be reached, what was measured."""
+    from playwright.sync_api import sync_playwright
+
+    rows = [("server up", "1.5 s", f"{served.up:.2f} s")]
+    size = sum(file.stat().st_size for file in STATIC.iterdir())
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        context = browser.new_context(viewport={"width": 1280, "height": 720})
+        page = context.new_page()
+        page.goto("about:blank")
+        began = time.perf_counter()
+        page.goto(served.address)
+        page.wait_for_selector("html[data-ready=project]")
+        rows.append(("page ready", "1.5 s", f"{time.perf_counter() - began:.2f} s"))
+        rows.append(("bundle", "1 MB", f"{size / 1e6:.2f} MB"))
+
+        def opened(where: str, ready: str) -> None:
+            page.goto(f"{served.base}#/{where}")
+            page.wait_for_selector(ready, timeout=120_000)
+            page.wait_for_timeout(2500)
+
+        trial = "trial?rig=kart-double-wishbone&duration=10%20s"
+        opened(trial, ".player .u-over")
+        for name in ("strut.deflection",):
+            page.get_by_role("button", name=name, exact=True).click()  # three curves of 10 000 samples stay
+        path = ".slider[data-path='strut.spring.rate'] input[type=range]"
+        times = page.evaluate(SLIDER, [path, 30, True])
+        what = "slider to redrawn curves (3 x 10 000 samples, as changed and as it is) with the mechanism moving"
+        rows.append((what, "100 ms", median(times)))
+        opened("kinematics?rig=formula-student-front", ".multiples figure")
+        count = page.locator(".multiples figure").count()
+        times = page.evaluate(DRAG, 30)
+        rows.append((f"dragged hardpoint to {count} redrawn curves", "100 ms", median(times)))
+        times = page.evaluate(SLIDER, [".drive input[type=range]", 30, False])
+        rows.append((f"travel slider to the pose of mechanism and {count} curves", "–", median(times)))
+        long_record(folder)
+        began = time.perf_counter()
+        opened("record?path=long.nc", ".u-over")
+        rows.append(("recording of 10 million samples opened", "3 s", f"{time.perf_counter() - began - 2.5:.2f} s"))
+        times = page.evaluate(PAN, 40)
+        rows.append(("panned by a fifth of what is seen, redrawn", "no stutter", median(times)))
+        rows.append(("eight tabs and four jobs: the page answers in", "300 ms", busy(served, context, folder)))
+        browser.close()
+    return rows
+
+
+DRAG = """async (count) => {
+  const times = [], frame = () => new Promise((done) => requestAnimationFrame(done));
+  const input = document.querySelector(".points input[aria-label='z [mm]']");
+  document.querySelector(".points select").value = "tie_rod_inner";
+  document.querySelector(".points select").dispatchEvent(new Event("change"));
+  for (let i = 0; i < count; i++) {
+    const before = jounce.live.times.length, began = performance.now();
+    input.value = String(Number(input.value) + (i % 2 ? -1 : 1));
+    input.dispatchEvent(new Event("change"));
+    while (jounce.live.times.length === before) await frame();
+    await frame(); await frame();
+    times.push(performance.now() - began);
+    await new Promise((done) => setTimeout(done, 60));
+  }
+  return times;
+}"""
+PAN = """async (count) => {
+  const times = [], frame = () => new Promise((done) => requestAnimationFrame(done));
+  const player = document.querySelector(".player");
+  const press = (key) => player.dispatchEvent(new KeyboardEvent("keydown", { key }));
+  for (let i = 0; i < 4; i++) { press("+"); await new Promise((done) => setTimeout(done, 200)); }
+  for (let i = 0; i < count; i++) {
+    const before = jounce.live.times.length, began = performance.now();
+    press(i % 20 < 10 ? "ArrowRight" : "ArrowLeft");
+    while (jounce.live.times.length === before && performance.now() - began < 2000) await frame();
+    await frame();
+    times.push(performance.now() - began);
+  }
+  return times;
+}"""
+STUDY = """schema = "jounce.sweep/1"
+rig = "kart-quarter-car"
+metrics = ["rms sprung.az"]
+
+[trial]
+speed = "2 m/s"
+duration = "20 s"
+road = {kind = "half-sine", height = "10 mm", length = "60 mm", start = "0.2 m"}
+
+[design]
+kind = "monte-carlo"
+count = 100000
+
+[vary]
+"strut.spring.rate" = ["15 N/mm", "30 N/mm"]
+"""
+
+
+def busy(served: Served, context: Any, folder: Path) -> str:
+    """How long small questions take while four jobs run and eight tabs are open."""
+    jobs = []
+    for k in range(4):
+        (folder / f"busy-{k}.toml").write_text(STUDY, encoding="utf-8")
+        jobs.append(served.ask("POST", "api/jobs", {"kind": "sweep", "study": f"busy-{k}.toml", "out": f"busy-{k}"}))
+    tabs = [context.new_page() for _ in range(7)]
+    for tab in tabs:
+        tab.goto(f"{served.base}#/jobs")
+    time.sleep(6.0)
+    states = [served.ask("GET", f"api/jobs/{job['id']}")["state"] for job in jobs]
+    times: list[float] = []
+
+    def ask(path: str) -> None:
+        began = time.perf_counter()
+        served.ask("GET", path)
+        times.append(1e3 * (time.perf_counter() - began))
+
+    for k in range(40):
+        workers = [threading.Thread(target=ask, args=(path,)) for path in ("api/project", "api/jobs")]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+        tabs[k % len(tabs)].evaluate("document.title")
+        time.sleep(0.05)
+    for job in jobs:
+        served.ask("POST", f"api/jobs/{job['id']}/cancel", {})
+    running = sum(state == "running" for state in states)
+    return f"{median(times)}, {running} jobs running"
+
+
+def main() -> None:
+    """Measure, print, and write the table by wish."""
+    with tempfile.TemporaryDirectory(prefix="jounce-bench-") as place:
+        served = Served(Path(place))
+        try:
+            rows = measured(served, Path(place))
+        finally:
+            served.process.terminate()
+            served.process.wait(20)
+    lines = ["| what | wanted | measured |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
+    day = datetime.now(tz=UTC).date().isoformat()
+    where = f"{day}, {os.cpu_count()} processors, {platform.machine()}, Python {platform.python_version()}"
+    head = (
+        "# How fast the workbench answers\n\nWritten by `make bench-web`: headless Chromium at 1280 x 720 that "
+        "draws in software, from the input to the frame after the curves are drawn.\n"
+    )
+    text = f"{head}\n{chr(10).join(lines)}\n\nMeasured on {where}; load of the machine at the end {load:.1f}.\n"
+    print(text)
+    if "--write" in sys.argv:
+        TABLE.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
