@@ -154,5 +154,5 @@ audit: $(VENV)/.created
 	$(BIN)/python requirements/audit.py $(subst $(VENV)/,$(VENV)-audit/,$(BIN))/python
 
 clean:
-	rm -rf .venv .venv-* build dist src/jounce/kernel/loops/built docs/_build docs/reference/api docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .venv .venv-* build dist src/jounce/kernel/loops/built docs/_build docs/reference/api docs/reference/keys docs/_generated .coverage .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +

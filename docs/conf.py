@@ -93,11 +93,12 @@ class Drawn(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         if not self.options.get("alt", "").strip():
             raise self.error("a picture needs `:alt:`, for those who do not see it")
-        found = []
+        frame = nodes.container(classes=["drawn-frame"])
+        found: list[nodes.Node] = [frame]
         for scheme in ("light", "dark"):
             image = nodes.image(uri=f"/_generated/figures/{self.arguments[0]}-{scheme}.svg", alt=self.options["alt"])
             image["classes"] += [f"only-{scheme}", "drawn"]
-            found.append(image)
+            frame += image
         if self.content:
             caption = nodes.container(classes=["drawn-caption"])
             self.state.nested_parse(self.content, self.content_offset, caption)

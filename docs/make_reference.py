@@ -17,6 +17,7 @@ from typing import Any
 import jounce
 
 FOLDER = Path(__file__).parent / "reference" / "api"
+KEYS = Path(__file__).parent / "reference" / "keys"
 SCHEMAS = Path(__file__).parent / "schemas"
 SUBJECTS = {
     "parts": "Rigs, vehicles, testers: descriptions",
@@ -109,17 +110,18 @@ def _write(file: Path, text: str) -> None:
 # --- files -----------------------------------------------------------------------------------------------------------
 
 
-def files() -> str:
-    """Every kind of file that jounce reads as a description: its tables and their keys, from the schemas."""
-    parts = []
+def files() -> dict[str, str]:
+    """A page for every kind of file that jounce reads as a description: its tables and their keys, from its schema."""
+    pages = {}
     for file in sorted(SCHEMAS.glob("*.schema.json")):
         kind = file.name.partition(".")[0]
         schema = json.loads(file.read_text(encoding="utf-8"))
-        parts += [f"## {kind}", "", f"{{download}}`{file.name} </schemas/{file.name}>`", ""]
+        parts = [f"# Keys of a {kind} file", "", f"{{download}}`{file.name} </schemas/{file.name}>`", ""]
         for title, table in _tables(schema):
             says = _text(table.get("description", ""))
             parts += [f"**{title}**" + (f": {says}" if says else ""), "", *_rows(table), ""]
-    return "\n".join(parts) + "\n"
+        pages[kind] = "\n".join(parts) + "\n"
+    return pages
 
 
 def _tables(schema: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -179,6 +181,6 @@ def _kind(value: dict[str, Any]) -> str:
 def write() -> None:
     """Write both."""
     write_api()
-    folder = Path(__file__).with_name("_generated")
-    folder.mkdir(exist_ok=True)
-    _write(folder / "files.md", files())
+    KEYS.mkdir(exist_ok=True)
+    for kind, text in files().items():
+        _write(KEYS / f"{kind}.md", text)

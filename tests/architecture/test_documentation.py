@@ -23,7 +23,7 @@ ROOT = Path(__file__).parents[2]
 PAGES = {
     str(page.relative_to(ROOT)): page
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")))
-    if page.parent.name not in {"_generated", "api"}  # written when the documentation is built
+    if page.parent.name not in {"_generated", "api", "keys"}  # written when the documentation is built
 }
 BLOCK = re.compile(r"^```(python|toml|console|\{code-cell\} ipython3)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 OPTIONS = re.compile(r"---\n.*?^---\n|(?::[^\n]*\n)+", re.MULTILINE | re.DOTALL)  # of a cell

@@ -86,7 +86,7 @@ def prose(text: str) -> str:
     return re.sub(r"^\s*\$ .*$", "", text, flags=re.MULTILINE)
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES if page.parent.name not in {"_generated", "api"}], ids=str)
+@pytest.mark.parametrize("page", PAGES, ids=str)
 def test_pages_are_in_british_spelling(page: Path) -> None:
     text = prose(page.read_text(encoding="utf-8"))
     found = [match[0] for pattern in (AMERICAN, MISSPELT) for match in pattern.finditer(text)]
