@@ -28,6 +28,7 @@ from jounce.control import CONTROLS
 from jounce.control.controller import FILE_CONTROLS
 from jounce.core.kinds import FILE_REF
 from jounce.design.kinematic_study import KinematicStudy
+from jounce.design.optimisation_study import OptimisationStudy
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
 from jounce.inspection.quantities import Quantity as GradedQuantity
@@ -242,6 +243,13 @@ def sweep_schema() -> dict[str, Any]:
     return {"$schema": DIALECT, "title": "jounce sweep file", **schema}
 
 
+def optimisation_schema() -> dict[str, Any]:
+    """Schema of a study of the best design or of a front."""
+    schema = OptimisationStudy.model_json_schema(by_alias=True)
+    schema["required"] = ["schema", *(name for name in schema["required"] if name != "schema")]
+    return {"$schema": DIALECT, "title": "jounce optimisation study file", **schema}
+
+
 def schemas() -> dict[str, str]:
     """All schemas: file name to text. What an earlier file defines, later ones refer to."""
     makers = {
@@ -252,7 +260,7 @@ def schemas() -> dict[str, str]:
         "truth": truth_schema,
     }
     makers |= {"control": control_schema, "tester": tester_schema, "limits": limits_schema, "record": record_schema}
-    makers |= {"design": design_schema, "sweep": sweep_schema}
+    makers |= {"design": design_schema, "sweep": sweep_schema, "optimisation": optimisation_schema}
     found: dict[str, Any] = {}
     for kind, make in makers.items():
         schema, name = _written(make()), f"{kind}.schema.json"

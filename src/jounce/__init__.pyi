@@ -40,6 +40,7 @@ from .design.kinematics import design_kinematics as design_kinematics
 from .design.lumping import lumped_from as lumped_from
 from .design.measured_poses import fit_hardpoints as fit_hardpoints
 from .design.model_comparison import compare_models as compare_models
+from .design.optimisation_study import run_optimisation as run_optimisation
 from .design.optimise import optimise as optimise
 from .design.pareto import best_dampers as best_dampers
 from .design.pareto import pareto as pareto

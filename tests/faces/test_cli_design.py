@@ -143,3 +143,21 @@ def test_bad_requests_are_one_message(cli, words, text):
     assert done.exit_code == 2, done.out
     assert text in done.err
     assert done.err.count("\n") <= 2
+
+
+def test_a_study_file_says_all_of_an_optimisation(cli, tmp_path):
+    (tmp_path / "study.toml").write_text(
+        'schema = "jounce.optimisation/1"\nrig = "audi-a6-quarter-car"\n'
+        'free = {"strut.damper.coefficient" = ["500 N*s/m", "5000 N*s/m"]}\nobjective = "p95 sprung.az"\n'
+        'cases = {rough = {road = "C", speed = "20 m/s"}}\nspread = {"sprung.mass" = "10 %"}\nsamples = 4\n',
+        encoding="utf-8",
+    )
+    found = cli("design", "optimise", "study.toml", "--out", "best.toml", "--json")
+    assert found.exit_code == 0, found.err
+    assert found.json["converged"]
+    assert (tmp_path / "best.toml").is_file()
+    assert "study.toml" in cli("check", "study.toml").out
+    told = cli("design", "optimise", "study.toml", "--objective", "sprung.az")
+    assert told.exit_code == 2
+    assert "a study file says all" in told.err
+    assert cli("design", "optimise", "audi-a6-quarter-car").exit_code == 2

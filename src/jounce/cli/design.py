@@ -125,15 +125,25 @@ def springs(
 
 @app.command("optimise")
 def optimise(
-    vehicle: VehicleName,
-    free: FreeNumbers,
+    vehicle: Annotated[
+        str,
+        typer.Argument(
+            metavar="NAME|FILE|STUDY.toml",
+            help='A rig or vehicle; or a study file, schema = "jounce.optimisation/1", which says all else.',
+            show_default=False,
+        ),
+    ],
+    free: Annotated[
+        list[str] | None,
+        typer.Option(metavar="PATH=BOUNDS", help='What may vary: "300..6000" with units or SI, or "±30 %". Repeat it.'),
+    ] = None,
     objective: Annotated[
-        list[str],
+        list[str] | None,
         typer.Option(
             metavar="METRIC[=WEIGHT]",
             help='Metric to minimise: sprung.az, "sprung.az weighted", "worst tyre.force coefficient". Repeat it.',
         ),
-    ],
+    ] = None,
     road: Annotated[
         str, typer.Option(help="A class (iso:A to iso:H) or roughness; with --duration any road file.")
     ] = "iso:C",
@@ -157,6 +167,12 @@ def optimise(
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
     check_outputs(rig=out, figure=figure, report=report, force=force)
+    if _is_study(vehicle):
+        _refuse_beside_study(free, objective, limit, set_, duration, band)
+        return _from_study(Path(vehicle), out, figure, report, force=force, as_json=as_json)
+    if not free or not objective:
+        missing_ = "--free" if not free else "--objective"
+        raise DescriptionError("nothing is given", where=missing_, hint="Or give a study file that says it.")
     bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
     limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     weights = _weights(objective)
@@ -183,6 +199,63 @@ def optimise(
     plain |= {"out": out and str(out), "figure": drawn, "report": document}
     missing = [*missing, *undrawn]
     return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json, missing=missing)
+
+
+def _is_study(name: str) -> bool:
+    """Whether a file is a study of an optimisation, by its schema line."""
+    file = Path(name)
+    if file.suffix != ".toml" or not file.is_file():
+        return False
+    from jounce.design.optimisation_study import SCHEMA
+
+    with file.open(encoding="utf-8", errors="replace") as lines:
+        return any(line.split("#")[0].replace(" ", "").strip() == f'schema="{SCHEMA}"' for line in lines)
+
+
+def _refuse_beside_study(*given: object) -> None:
+    names = ("--free", "--objective", "--limit", "--set", "--duration", "--band")
+    for name, value in zip(names, given, strict=True):
+        if value:
+            raise DescriptionError("a study file says all of the task", where=name, hint="Write it into the file.")
+
+
+def _from_study(
+    study: Path, out: Path | None, figure: Path | None, report: Path | None, *, force: bool, as_json: bool
+) -> Reply:
+    """Search what a study asks for: the best design, or a front."""
+    from jounce.design.optimise import Optimisation
+
+    with progress() as say:
+        say("reading the study")
+        from jounce.design.optimisation_study import read_optimisation, run_optimisation
+
+        task = read_optimisation(study)[0]
+        if task.front is not None and out is not None:
+            raise DescriptionError("a front is many rigs", where="--out", hint="Take one of its designs with --set.")
+        say("searching")
+        found = run_optimisation(study)
+    if isinstance(found, Optimisation):
+        _write_rig(found.rig, out, f"Best of {study.name} over {found.driven}.", force=force)
+    drawn, missing = write_picture(found, figure, study.stem, force=force)
+
+    def page() -> Page:
+        from jounce.report import front_page, optimisation_page
+
+        if isinstance(found, Optimisation):
+            return optimisation_page(found, title=study.stem)
+        return front_page(found, title=study.stem)
+
+    document, undrawn = write_report(page, report, force=force)
+    named = {"rig": task.rig, "set": {}, "study": str(study)}
+    plain = {**named, **found.to_dict(), "out": out and str(out), "figure": drawn, "report": document}
+
+    def draw(console: Console) -> None:
+        if isinstance(found, Optimisation):
+            draw_optimisation(console, plain, found)
+        else:
+            draw_front(console, plain, found)
+
+    return Reply(plain, draw, as_json, missing=[*missing, *undrawn])
 
 
 @app.command("pareto")

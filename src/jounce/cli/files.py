@@ -342,6 +342,14 @@ def _check_sweep(checked: Checked) -> None:
     )
 
 
+def _check_optimisation(checked: Checked) -> None:
+    from jounce.design.optimisation_study import check_optimisation
+
+    study, problem = check_optimisation(checked.file)
+    wanted = "front" if study.front is not None else "best design"
+    checked.what = f"{wanted} of {study.rig}: {len(problem.free)} numbers over {problem.driven}"
+
+
 _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
@@ -353,6 +361,7 @@ _SCHEMAS: dict[str, Callable[[Checked], None]] = {
     "jounce.limits/1": _check_limits,
     "jounce.design/1": _check_design,
     "jounce.sweep/1": _check_sweep,
+    "jounce.optimisation/1": _check_optimisation,
 }
 
 

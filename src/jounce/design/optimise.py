@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 
-from jounce.core.errors import FitError
+from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
+from jounce.design.cases import Case, cases_problem
 from jounce.design.problem import DesignProblem, LimitGiven, Objective, StationaryEvaluator, design_problem
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig
@@ -21,6 +22,7 @@ from jounce.parts.rig import unit_of
 from jounce.ride.stationary import linear_findings
 from jounce.ride.surface import Density, Sides
 from jounce.roads import Trial
+from jounce.variants.designs import Spread
 
 _ACTIVE = 1e-5
 _STATIONARY = 1e-4
@@ -33,12 +35,16 @@ _FINE = 1e-14
 
 @dataclass(frozen=True)
 class Search:
-    """Where a search ended: values (SI), objective, largest broken share of a limit (1), iterations."""
+    """Where a search ended: values (SI), objective, largest broken share of a limit (1), iterations.
+
+    ``settled`` tells whether nothing better is near where slopes do not tell: percentiles have kinks.
+    """
 
     values: Array
     objective: float
     violation: float
     iterations: int
+    settled: bool = False
 
 
 @dataclass(frozen=True)
@@ -147,7 +153,35 @@ def search(
     found = [_one(problem, point, precision) for point in points]
     if all(one.violation > _ACTIVE for one in found):
         found.append(_one(problem, least_violation(problem), precision))
-    return min(found, key=lambda one: (max(one.violation, _ACTIVE), one.objective))
+    best = min(found, key=lambda one: (max(one.violation, _ACTIVE), one.objective))
+    return _settled(problem, best) if problem.has_kinks else best
+
+
+_NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
+
+
+def _settled(problem: DesignProblem, found: Search) -> Search:
+    """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
+    from scipy.optimize import minimize
+
+    scale = Scale(problem)
+    count = len(problem.free)
+
+    def kept(u: Array) -> Array:
+        rows = [margin for _, _, _, margin, _ in problem.margins(scale.values(u))]
+        return np.asarray([*rows, *u, *(1.0 - u)])
+
+    result = minimize(
+        lambda u: problem.objective(scale.values(u))[0], scale.scaled(found.values), method="COBYLA",
+        constraints=[{"type": "ineq", "fun": kept}], tol=_NEARER,
+        options={"rhobeg": _NEAR, "maxiter": _MOST_NEAR * count},
+    )  # fmt: skip
+    values = scale.values(np.clip(np.asarray(result.x), 0.0, 1.0))
+    objective, violation = problem.objective(values)[0], violation_of(problem, values)
+    iterations = found.iterations + int(result.nfev)
+    if objective < found.objective and violation <= max(found.violation, _KEPT):
+        return Search(values, objective, violation, iterations, bool(result.success))
+    return Search(found.values, found.objective, found.violation, iterations, bool(result.success))
 
 
 def _one(problem: DesignProblem, begin: Array, precision: float) -> Search:
@@ -262,7 +296,8 @@ class DesignNumber:
     sensitivity : float
         Relative change of the objective for a relative change of the number (1), the others kept.
     flat : tuple of float or None
-        Within this range the objective rises by at most 1 % and every limit holds, the others kept; None for trials.
+        Within this range the objective rises by at most 1 % and every limit holds, the others kept; None where trials
+        or several cases judge.
     """
 
     path: str
@@ -374,7 +409,7 @@ class Optimisation(Plain):
         return {number.path: number.value for number in self.numbers}
 
 
-def optimise(
+def optimise(  # noqa: PLR0913 - each is a choice of its own
     rig: Rig,
     free: Mapping[str, Bounds],
     objective: Objective,
@@ -386,6 +421,10 @@ def optimise(
     band: tuple[float, float] | Literal["iso"] | None = None,
     sides: Sides | None = None,
     starts: int = 1,
+    cases: Mapping[str, Case] | None = None,
+    spread: Mapping[str, Spread] | None = None,
+    samples: int = 32,
+    seed: int = 1,
 ) -> Optimisation:
     """Find the numbers of a rig with the least objective within bounds and limits.
 
@@ -418,6 +457,19 @@ def optimise(
         What left and right share, as for :func:`stationary`.
     starts : int
         Searches, the first from the rig, the others from points spread over the bounds.
+    cases : mapping, optional
+        Instead of one road or trial several by name, judged at once: a :class:`jounce.Trial`,
+        ``{"road": ..., "speed": ...}`` (m/s), or ``{"travel": ["-30 mm", "30 mm"]}`` for kinematics of a 3-D corner.
+        Metrics then have the name before them: ``"rough: sprung.az weighted"``, ``"corner: range toe"`` (``range``,
+        ``max`` or ``min`` of a quantity of the catalogue over the travel, without a word its value at design).
+    spread : mapping, optional
+        Path to its spread in production or in use, as for :func:`jounce.sobol`. Each design is then judged over
+        ``samples`` of it, the same for all designs: ``"rough: p95 tyre.force coefficient"`` is the 95th percentile,
+        without a word the mean counts. A free number may be spread, too: it is multiplied then.
+    samples : int
+        Of the spread, 2 to 4096; best a power of 2.
+    seed : int
+        Of the samples.
 
     Returns
     -------
@@ -444,13 +496,32 @@ def optimise(
     >>> round(best.values["strut.damper.coefficient"], 1)   # k sqrt((m_s + m_u) / k_t)
     1559.1
     """
-    problem = design_problem(
-        rig, free, objective, constraints,
-        road=road, speed=speed, trial=trial, band=band, sides=sides,
-    )  # fmt: skip
+    given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
+    problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
     found = search(problem, starts=starts)
     check_kept(problem, found)
     return outcome(problem, found)
+
+
+def task_of(
+    rig: Rig, free: Mapping[str, Bounds], objective: Objective, constraints: Mapping[str, LimitGiven] | None,
+    given: Mapping[str, Any], cases: Mapping[str, Case] | None, spread: Mapping[str, Spread] | None, samples: int,
+    seed: int, more: Sequence[str] = (),
+) -> DesignProblem:  # fmt: skip
+    """A task of one road or trial, or of several cases and samples."""
+    if cases is None and spread is None:
+        return design_problem(rig, free, objective, constraints, more=more, **given)
+    chosen = {name: value for name, value in given.items() if value is not None}
+    if cases is not None and chosen:
+        raise DescriptionError("cases have their own roads", where=next(iter(chosen)), hint="Give either of both.")
+    if cases is None:
+        trial = chosen.pop("trial", None)
+        if trial is not None and chosen:
+            raise DescriptionError("a trial has its own road", where=next(iter(chosen)))
+        cases = {"all": trial if trial is not None else chosen}
+    return cases_problem(
+        rig, free, objective, constraints, cases=cases, spread=spread, samples=samples, seed=seed, more=more
+    )
 
 
 def check_kept(problem: DesignProblem, found: Search) -> None:
@@ -482,19 +553,21 @@ def outcome(problem: DesignProblem, found: Search) -> Optimisation:
     numbers = tuple(_number(problem, i, values, value, slopes) for i in range(len(values)))
     constraints = tuple(_constraints(problem, values, conditions.gains, value))
     best = problem.with_values(values)
-    findings = [*problem.notes, *_findings(problem, numbers, converged=conditions.holds)]
+    findings = [*problem.notes, *_findings(problem, numbers, converged=conditions.holds or found.settled)]
     if isinstance(problem.evaluator, StationaryEvaluator):
         findings += _linear(problem, best)
     before, after = ({text: problem.whole(text, at)[0] for text in problem.metrics} for at in (problem.start, values))
     return Optimisation(
-        best, numbers, problem.weights, value, before, after, constraints, conditions.holds, found.iterations,
-        problem.evaluations, "exact" if problem.evaluator.is_exact else "differences", driven_over(problem),
-        tuple(findings),
+        best, numbers, problem.weights, value, before, after, constraints, conditions.holds or found.settled,
+        found.iterations, problem.evaluations, "exact" if problem.evaluator.is_exact else "differences",
+        driven_over(problem), tuple(findings),
     )  # fmt: skip
 
 
 def driven_over(problem: DesignProblem) -> str:
     """Say in words what a design is judged on."""
+    if problem.driven:
+        return problem.driven
     surface = problem.surface
     if surface is None:
         return "a simulated trial"
@@ -511,7 +584,7 @@ def _number(problem: DesignProblem, i: int, values: Array, objective: float, slo
         at = "lower"
     elif free.upper - value <= room:
         at = "upper"
-    flat = _flat(problem, i, values, objective) if problem.trial is None else None
+    flat = _flat(problem, i, values, objective) if problem.surface is not None else None
     unit, sensitivity = unit_of(problem.rig, free.path), float(value * slopes[i] / objective)
     return DesignNumber(free.path, unit, free.initial, value, free.lower, free.upper, at, sensitivity, flat)
 

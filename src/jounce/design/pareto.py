@@ -14,7 +14,8 @@ from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.types import Array
-from jounce.design.optimise import check_kept, driven_over, is_optimal, search
+from jounce.design.cases import Case
+from jounce.design.optimise import check_kept, driven_over, is_optimal, search, task_of
 from jounce.design.problem import DesignProblem, Limit, LimitGiven, StationaryEvaluator, combined, design_problem
 from jounce.design.springs import wheels_of
 from jounce.identify.fit_problem import Bounds
@@ -22,6 +23,7 @@ from jounce.parts import Rig
 from jounce.parts.rig import unit_of
 from jounce.ride.closed_forms import comfort_damping, road_holding_damping
 from jounce.ride.surface import Density
+from jounce.variants.designs import Spread
 
 COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
 _RANGE = (0.2, 5.0)
@@ -187,11 +189,11 @@ class ParetoFront(Plain):
         return "\n".join([head, *aligned(rows), *beside, *map(str, self.findings)])
 
 
-def pareto(
+def pareto(  # noqa: PLR0913 - each is a choice of its own
     rig: Rig,
     free: Mapping[str, Bounds],
-    road: str | float | Density,
-    speed: float | str,
+    road: str | float | Density | None = None,
+    speed: float | str | None = None,
     *,
     comfort: str = COMFORT,
     holding: str = HOLDING,
@@ -199,6 +201,10 @@ def pareto(
     constraints: Mapping[str, LimitGiven] | None = None,
     points: int = 25,
     band: tuple[float, float] | Literal["iso"] | None = None,
+    cases: Mapping[str, Case] | None = None,
+    spread: Mapping[str, Spread] | None = None,
+    samples: int = 32,
+    seed: int = 1,
 ) -> ParetoFront:
     """Designs between most comfort and best road holding, none of which is worse in both than any other.
 
@@ -223,6 +229,13 @@ def pareto(
         Number of designs, ends included: 3 to 500.
     band : tuple of float or "iso", optional
         Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
+    cases : mapping, optional
+        Several cases instead of one road, by name, as for :func:`optimise`; ``comfort``, ``holding`` and ``travel`` are
+        then any metrics of them (SI).
+    spread : mapping, optional
+        Path to its spread, as for :func:`optimise`, for designs that are robust: ``"p95 sprung.az"``.
+    samples, seed : int
+        Of the spread, as for :func:`optimise`.
 
     Returns
     -------
@@ -245,7 +258,8 @@ def pareto(
     if not _FEWEST <= points <= _MOST:
         raise DescriptionError("not a number of points", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
     given: dict[str, Any] = {"road": road, "speed": speed, "band": band}
-    soft = design_problem(rig, free, comfort, constraints, more=[holding, travel], **given)
+    chosen = {name: value for name, value in given.items() if value is not None}
+    soft = task_of(rig, free, comfort, constraints, chosen, cases, spread, samples, seed, more=[holding, travel])
     firm = replace(soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])})
     table, converged = _front(soft, firm, holding, points)
     whole = {
@@ -253,8 +267,11 @@ def pareto(
         for name, text in (("comfort", comfort), ("holding", holding), ("travel", travel))
     }
     metrics = {"comfort": comfort, "holding": holding, "travel": travel}
-    assert soft.surface is not None
-    marks, notes = _marks(soft, metrics, {**given, "band": soft.surface.band})
+    if soft.surface is not None:
+        marks, notes = _marks(soft, metrics, {**given, "band": soft.surface.band})
+    else:
+        present = {name: soft.whole(text, soft.start)[0] for name, text in metrics.items()}
+        marks, notes = (ParetoMark("as it is", "present", {}, **present),), []
     paths = [number.path for number in soft.free]
     return ParetoFront(
         metrics,
@@ -275,16 +292,16 @@ def _front(soft: DesignProblem, firm: DesignProblem, holding: str, points: int) 
     if first <= last * (1.0 + _SAME):
         return np.array([ends[0].values]), is_optimal(soft, ends[0].values).holds
     along = np.cos(0.5 * np.pi * np.arange(1, points - 1) / (points - 1)) ** 2
-    table, holds = [ends[0].values], is_optimal(soft, ends[0].values).holds
+    table, holds = [ends[0].values], ends[0].settled or is_optimal(soft, ends[0].values).holds
     for share in along:  # dense where one of both is nearly free
         bound = last + (first - last) * float(share)
         limit = Limit(soft.metrics[holding], None, bound, is_whole=True)
         problem = replace(soft, limits=(*soft.limits, limit))
         found = search(problem, begin=table[-1], precision=_PRECISION)
-        holds &= is_optimal(problem, found.values).holds
+        holds &= found.settled or is_optimal(problem, found.values).holds
         table.append(found.values)
     table.append(ends[1].values)
-    return np.array(table), bool(holds and is_optimal(firm, ends[1].values).holds)
+    return np.array(table), bool(holds and (ends[1].settled or is_optimal(firm, ends[1].values).holds))
 
 
 def _marks(

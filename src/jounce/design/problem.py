@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -268,6 +268,17 @@ class TrialEvaluator:
         return _of_kind(metric, sigma, change.T, rest, rest_slopes.T)
 
 
+class Judge(Protocol):
+    """What judges designs: metrics by their texts, with slopes by the free numbers."""
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether its slopes are exact."""
+
+    def at(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric by its text: values of its channels and their slopes, SI."""
+
+
 Evaluator = StationaryEvaluator | TrialEvaluator
 
 
@@ -308,20 +319,27 @@ class DesignProblem:
     """A design task: the rig it starts from, what may vary, the weights of the objective and the limits.
 
     ``metrics`` are all by their text; ``surface`` is the road of a stationary response, ``trial`` what is simulated
-    otherwise; ``notes`` say what was decided on the way; ``base`` has the objective's metrics at the start, SI.
+    otherwise; ``notes`` say what was decided on the way; ``base`` has the objective's metrics at the start, SI;
+    ``driven`` says what several cases are.
     """
 
     rig: Rig
     free: tuple[Free, ...]
     weights: dict[str, float]
     limits: tuple[Limit, ...]
-    evaluator: Evaluator
+    evaluator: Evaluator | Judge
     metrics: dict[str, Metric]
     surface: Surface | None
     trial: Trial | None
     notes: tuple[Finding, ...] = ()
     base: dict[str, float] = field(default_factory=dict)
+    driven: str = ""
     _memory: dict[bytes, dict[str, Numbers]] = field(default_factory=dict, repr=False)
+
+    @property
+    def has_kinks(self) -> bool:
+        """Whether percentiles over samples bend where two of them change places."""
+        return bool(getattr(self.evaluator, "has_kinks", False))
 
     @property
     def start(self) -> Array:
@@ -393,18 +411,16 @@ def design_problem(
     **settings: Any,
 ) -> DesignProblem:
     """Read a design task; ``more`` are further metrics to be known, ``settings`` those of the road (SI or texts)."""
-    numbers = free_parameters(rig, {path: _relative(bounds) for path, bounds in free.items()}, where="free")
+    numbers = numbers_of(rig, free)
     units = units_of(rig)
-    weights = _weights(objective)
+    weights = read_weights(objective)
     metrics = {text: read_metric(text, units, where="objective") for text in weights}
     limits = []
     for text, given in (constraints or {}).items():
         metrics[text] = read_metric(text, units, where="constraints")
-        limits.append(_limit(metrics[text], given))
+        limits.append(read_limit(metrics[text], given))
     metrics |= {text: read_metric(text, units, where="metrics") for text in more}
     family = LinearFamily(rig, tuple(number.path for number in numbers))
-    _check_used(family)
-    _check_bounds(rig, numbers)
     evaluator: Evaluator
     road_surface: Surface | None = None
     notes: tuple[Finding, ...] = ()
@@ -412,7 +428,7 @@ def design_problem(
         _refuse_both(road, speed, settings)
         evaluator = TrialEvaluator(family, trial, tuple(metrics.values()))
     else:
-        evaluator, notes = _stationary(family, tuple(metrics.values()), road, speed, settings)
+        evaluator, notes = stationary_evaluator(family, tuple(metrics.values()), road, speed, settings)
         road_surface = evaluator.surface
     problem = DesignProblem(rig, numbers, weights, tuple(limits), evaluator, metrics, road_surface, trial, notes)
     for text in weights:
@@ -423,11 +439,20 @@ def design_problem(
     return problem
 
 
+def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[Free, ...]:
+    """Read the free numbers, which the model depends on, with bounds that the description allows."""
+    numbers = free_parameters(rig, {path: _relative(bounds) for path, bounds in free.items()}, where="free")
+    _check_used(LinearFamily(rig, tuple(number.path for number in numbers)))
+    _check_bounds(rig, numbers)
+    return numbers
+
+
 def _relative(bounds: Bounds) -> Bounds:
     return bounds.replace("±", "").replace("+-", "").strip() if isinstance(bounds, str) else bounds
 
 
-def _weights(objective: Objective) -> dict[str, float]:
+def read_weights(objective: Objective) -> dict[str, float]:
+    """Read metrics and their weights."""
     given = {objective: 1.0} if isinstance(objective, str) else dict(objective)
     if not given:
         raise DescriptionError("no objective", where="objective", hint='Give one, e.g. {"sprung.az": 1.0}.')
@@ -439,7 +464,8 @@ def _weights(objective: Objective) -> dict[str, float]:
     return {text: float(weight) for text, weight in given.items()}
 
 
-def _limit(metric: Metric, given: LimitGiven) -> Limit:
+def read_limit(metric: Metric, given: LimitGiven) -> Limit:
+    """Read what a metric may be."""
     where = f"constraints: {metric.text}"
     if isinstance(given, (tuple, list)):
         if len(given) != 2:
@@ -491,7 +517,7 @@ def _refuse_both(road: Any, speed: float | str | None, settings: Mapping[str, An
             raise DescriptionError("a trial has its own road", where=name, hint="Give either trial or road and speed.")
 
 
-def _stationary(
+def stationary_evaluator(
     family: LinearFamily,
     metrics: tuple[Metric, ...],
     road: Any,

@@ -241,7 +241,7 @@ def read_sweep(path: Path | str) -> ReadSweep:
     file = Path(path)
     rig = load(rig_named_in(study.rig, file))
     try:
-        trial = _trial(study.trial, file, text)
+        trial = read_trial(study.trial, file, text)
         variants = _variants(study)
         settings = RunSettings(study.output_step, study.tolerance, study.method)
         work, columns = prepared(
@@ -260,7 +260,7 @@ def _variants(study: SweepStudy) -> Variants:
     return make(study.vary) if design.count is None else make(study.vary, design.count, seed=design.seed)
 
 
-def _trial(table: dict[str, Any], file: Path, text: str) -> Trial:
+def read_trial(table: dict[str, Any], file: Path, text: str, place: tuple[str, ...] = ("trial",)) -> Trial:
     """A trial whose roads may be tables, files beside the study, names or classes."""
     found = dict(table)
     for side in ("road", "right"):
@@ -271,16 +271,18 @@ def _trial(table: dict[str, Any], file: Path, text: str) -> Trial:
             try:
                 found[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
             except JounceError as error:
-                raise _told(error, file, line_of(text, ("trial", side)), f"trial.{side}: {error.where}") from None
+                raise _told(
+                    error, file, line_of(text, (*place, side)), f"{'.'.join(place)}.{side}: {error.where}"
+                ) from None
         elif isinstance(given, dict):
-            read = read_roads({side: given}, where=str(file), text=text, folder=file.parent, path=("trial",))
+            read = read_roads({side: given}, where=str(file), text=text, folder=file.parent, path=place)
             found[side] = read[side]
     given = table.get("excitation")
     if isinstance(given, str):
         found["excitation"] = file.parent / given
     elif isinstance(given, dict) and isinstance(given.get("file"), str):
         found["excitation"] = {**given, "file": file.parent / given["file"]}
-    return Trial.from_table(found, where=str(file), text=text, path=("trial",))
+    return Trial.from_table(found, where=str(file), text=text, path=place)
 
 
 def _metres(table: dict[str, Any]) -> float | None:

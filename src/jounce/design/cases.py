@@ -1,0 +1,304 @@
+"""Designs judged by several cases at once: random roads, trials and kinematics, over a spread of what is built.
+
+A metric is written with its case before it, ``"rough: sprung.az weighted"``, and with a statistic where numbers are
+spread: ``"rough: p95 tyre.force coefficient"``. All designs are judged over the same samples, so that differences
+between designs are theirs and the objective has no noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, FitError, unknown
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.design.problem import (
+    DesignProblem,
+    Evaluator,
+    LimitGiven,
+    Metric,
+    Numbers,
+    Objective,
+    StationaryEvaluator,
+    TrialEvaluator,
+    numbers_of,
+    read_limit,
+    read_metric,
+    read_weights,
+    stationary_evaluator,
+    units_of,
+)
+from jounce.identify.fit_problem import Bounds, Free
+from jounce.kinematics import sweep_travel
+from jounce.kinematics.catalogue import CATALOGUE
+from jounce.parts import Corner, Rig
+from jounce.parts.rig import unit_of
+from jounce.ride.family import LinearFamily
+from jounce.roads import Trial
+from jounce.variants.designs import Spread, is_whole, sobol
+
+Case = Trial | Mapping[str, Any]
+"""A trial, ``{"road": ..., "speed": ...}`` for a random road, or ``{"travel": [...]}`` for kinematics over it (m)."""
+_STEP = 1e-6  # of a number's range: central differences of kinematics
+_MOST_SAMPLES = 4096
+_KINDS = ("value", "range", "max", "min")
+_STATISTICS = ("mean", "p95")
+
+
+@dataclass(frozen=True)
+class KinematicEvaluator:
+    """Quantities of a 3-D corner over wheel travel (m): value at design, range, greatest and least; by differences."""
+
+    rig: Corner
+    paths: tuple[str, ...]
+    steps: Array
+    travel: Array
+    metrics: tuple[Metric, ...]
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether its slopes are exact."""
+        return False
+
+    def at(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric by its text: value and slopes, SI."""
+        here = self._numbers(values)
+        slopes = np.zeros((len(values), len(here)))
+        for i, step in enumerate(self.steps):
+            move = step * np.eye(len(values))[i]
+            slopes[i] = (self._numbers(values + move) - self._numbers(values - move)) / (2.0 * step)
+        return {m.text: (here[k : k + 1], slopes[:, k : k + 1]) for k, m in enumerate(self.metrics)}
+
+    def _numbers(self, values: Array) -> Array:
+        rig = self.rig.with_changes(dict(zip(self.paths, map(float, values), strict=True)))
+        swept = sweep_travel(rig, self.travel)
+        found = []
+        for metric in self.metrics:
+            curve = swept[metric.channels[0]].to_numpy()
+            if not np.all(np.isfinite(curve)):
+                raise FitError("the linkage does not reach all of the travel", where=metric.text)
+            number = {
+                "value": float(np.interp(0.0, self.travel, curve)), "range": float(np.ptp(curve)),
+                "max": float(np.max(curve)), "min": float(np.min(curve)),
+            }  # fmt: skip
+            found.append(number[metric.kind])
+        return np.array(found)
+
+
+@dataclass(frozen=True)
+class _Part:
+    """One sample of one case: its evaluator, and factors by which the free numbers are multiplied there."""
+
+    evaluator: Evaluator | KinematicEvaluator
+    factors: Array
+
+
+@dataclass(frozen=True)
+class CasesEvaluator:
+    """Metrics of all cases: ``wanted`` maps the text of each to its case, the metric there, and a statistic."""
+
+    parts: Mapping[str, tuple[_Part, ...]]
+    wanted: Mapping[str, tuple[str, str, str]]
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether all slopes are exact."""
+        return all(part.evaluator.is_exact for parts in self.parts.values() for part in parts)
+
+    @property
+    def has_kinks(self) -> bool:
+        """Whether a percentile is asked for."""
+        return any(statistic != "mean" for _, _, statistic in self.wanted.values())
+
+    def at(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric by its text: values of its channels and their slopes, SI."""
+        seen = {
+            case: [_scaled(part.evaluator.at(values * part.factors), part.factors) for part in parts]
+            for case, parts in self.parts.items()
+        }
+        found = {}
+        for text, (case, inner, statistic) in self.wanted.items():
+            numbers = np.stack([one[inner][0] for one in seen[case]])
+            slopes = np.stack([one[inner][1] for one in seen[case]])
+            found[text] = _statistic(statistic, numbers, slopes)
+        return found
+
+
+def _scaled(found: Mapping[str, Numbers], factors: Array) -> dict[str, Numbers]:
+    """Slopes by the design's numbers, where a sample has them multiplied."""
+    return {text: (numbers, slopes * factors[:, None]) for text, (numbers, slopes) in found.items()}
+
+
+def _statistic(kind: str, numbers: Array, slopes: Array) -> Numbers:
+    """Mean or 95th percentile over samples (samples, channels), with slopes (numbers, channels)."""
+    if kind == "mean" or len(numbers) == 1:
+        return numbers.mean(axis=0), slopes.mean(axis=0)
+    order = np.argsort(numbers, axis=0)
+    place = 0.95 * (len(numbers) - 1)
+    low = int(place)
+    share = place - low
+    high = min(low + 1, len(numbers) - 1)
+    value, slope = np.empty(numbers.shape[1]), np.empty(slopes.shape[1:])
+    for k in range(numbers.shape[1]):
+        first, second = order[low, k], order[high, k]
+        value[k] = (1.0 - share) * numbers[first, k] + share * numbers[second, k]
+        slope[:, k] = (1.0 - share) * slopes[first, :, k] + share * slopes[second, :, k]
+    return value, slope
+
+
+def cases_problem(
+    rig: Rig,
+    free: Mapping[str, Bounds],
+    objective: Objective,
+    constraints: Mapping[str, LimitGiven] | None = None,
+    *,
+    cases: Mapping[str, Case],
+    spread: Mapping[str, Spread] | None = None,
+    samples: int = 32,
+    seed: int = 1,
+    more: Sequence[str] = (),
+) -> DesignProblem:
+    """Read a design task of several cases (SI or texts); ``more`` are further metrics to be known."""
+    if not cases:
+        raise DescriptionError("no case", where="cases", hint='e.g. {"rough": {"road": "C", "speed": "20 m/s"}}')
+    numbers = numbers_of(rig, free)
+    weights = read_weights(objective)
+    wanted: dict[str, tuple[str, str, str]] = {}
+    inner: dict[str, dict[str, Metric]] = {case: {} for case in cases}
+    metrics: dict[str, Metric] = {}
+    for where, texts in (("objective", weights), ("constraints", constraints or {}), ("metrics", more)):
+        for text in texts:
+            case, statistic, words = _split(text, cases, spread, where)
+            metric = _metric(words, cases[case], rig, where)
+            wanted[text], inner[case][words] = (case, words, statistic), metric
+            metrics[text] = replace(metric, text=text)
+    limits = tuple(read_limit(metrics[text], given) for text, given in (constraints or {}).items())
+    rigs, factors = _samples(rig, numbers, spread or {}, samples, seed)
+    parts: dict[str, tuple[_Part, ...]] = {}
+    notes: list[Finding] = []
+    for case, asked in inner.items():
+        if not asked:
+            raise DescriptionError("nothing is judged by it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
+        made = []
+        for one, factor in zip(rigs, factors, strict=True):
+            evaluator, told = _evaluator(cases[case], one, numbers, tuple(asked.values()), case)
+            notes += [note for note in told if str(note) not in map(str, notes)]
+            made.append(_Part(evaluator, factor))
+        parts[case] = tuple(made)
+    words = ", ".join(f"{case} ({_words(given)})" for case, given in cases.items())
+    if spread:
+        words += f"; {len(rigs)} samples of {', '.join(spread)}, seed {seed}"
+    problem = DesignProblem(
+        rig, numbers, weights, limits, CasesEvaluator(parts, wanted), metrics, None, None, tuple(notes), driven=words
+    )
+    for text in weights:
+        base = problem.base_of(metrics[text])
+        if not (np.isfinite(base) and base != 0.0):
+            raise FitError("is zero at the start, so there is nothing to reduce", where=f"objective: {text}")
+        problem.base[text] = base
+    return problem
+
+
+def _split(
+    text: str, cases: Mapping[str, Case], spread: Mapping[str, Spread] | None, where: str
+) -> tuple[str, str, str]:
+    """Case, statistic and metric of a text."""
+    head, colon, tail = text.partition(":")
+    case = head.strip() if colon else next(iter(cases))
+    if colon and case not in cases:
+        raise unknown(case, cases, what="case", where=f"{where}: {text}")
+    if not colon and len(cases) > 1:
+        allowed = ", ".join(f'"{name}: {text}"' for name in cases)
+        raise DescriptionError("the case is missing", where=where, found=text, allowed=allowed)
+    words = (tail if colon else text).split()
+    statistic = words.pop(0) if words and words[0] in _STATISTICS else "mean"
+    if statistic == "p95" and not spread:
+        raise DescriptionError("a percentile of one design", where=f"{where}: {text}", hint="Give a spread.")
+    return case, statistic, " ".join(words)
+
+
+def _metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
+    if not (isinstance(case, Mapping) and "travel" in case):
+        return read_metric(words, units_of(rig), where=where)
+    parts = words.split()
+    kind = parts.pop(0) if len(parts) == 2 else "value"
+    if kind not in _KINDS or len(parts) != 1:
+        allowed = f"a quantity of the catalogue, or {', '.join(_KINDS)} before one"
+        raise DescriptionError("not a metric of kinematics", where=where, found=words, allowed=allowed)
+    known = {quantity.name: quantity for quantity in CATALOGUE}
+    if parts[0] not in known:
+        raise unknown(parts[0], known, what="quantity", where=where)
+    return Metric(words, (parts[0],), kind, known[parts[0]].unit)
+
+
+def _samples(
+    rig: Rig, numbers: Sequence[Free], spread: Mapping[str, Spread], samples: int, seed: int
+) -> tuple[list[Rig], list[Array]]:
+    """The rig as it would be built each time, and factors of the free numbers there."""
+    ones = np.ones(len(numbers))
+    if not spread:
+        return [rig], [ones]
+    if not (is_whole(samples) and 2 <= samples <= _MOST_SAMPLES):
+        allowed = f"2 to {_MOST_SAMPLES}"
+        raise DescriptionError("not a number of samples", where="samples", found=samples, allowed=allowed)
+    known = rig.parameters()
+    for path in spread:
+        if path not in known:
+            from jounce.parts.rig import unknown_path
+
+            raise unknown_path(f"spread: {path}", known, name=path)
+    columns = sobol(spread, samples, seed=seed).values(lambda path: (known[path], unit_of(rig, path)))
+    places = {number.path: i for i, number in enumerate(numbers)}
+    rigs, factors = [], []
+    for k in range(samples):
+        factor = ones.copy()
+        for path, i in places.items():
+            if path in columns:
+                if known[path] == 0.0:
+                    what = "a spread of a free number that is zero at the start"
+                    raise DescriptionError(what, where=f"spread: {path}")
+                factor[i] = columns[path][k] / known[path]
+        rigs.append(rig.with_changes({p: float(v[k]) for p, v in columns.items() if p not in places}))
+        factors.append(factor)
+    return rigs, factors
+
+
+def _evaluator(
+    case: Case, rig: Rig, numbers: Sequence[Free], metrics: tuple[Metric, ...], name: str
+) -> tuple[StationaryEvaluator | TrialEvaluator | KinematicEvaluator, tuple[Finding, ...]]:
+    paths = tuple(number.path for number in numbers)
+    where = f"cases.{name}"
+    if isinstance(case, Trial):
+        return TrialEvaluator(LinearFamily(rig, paths), case, metrics), ()
+    if not isinstance(case, Mapping):
+        raise DescriptionError("not a case", where=where, found=case, allowed="a trial, road and speed, or travel")
+    if "travel" not in case:
+        given = dict(case)
+        road, speed = given.pop("road", None), given.pop("speed", None)
+        for key in given:
+            if key not in ("band", "sides"):
+                raise unknown(key, ("road", "speed", "band", "sides", "travel"), what="key", where=where)
+        return stationary_evaluator(LinearFamily(rig, paths), metrics, road, speed, given)
+    if set(case) != {"travel"} or not isinstance(rig, Corner):
+        raise DescriptionError("kinematics are those of a 3-D corner over travel", where=where, found=dict(case))
+    from jounce.core.units import to_si
+
+    travel = np.array([to_si(value, "m", where=where) for value in case["travel"]])
+    if len(travel) < 2 or np.any(np.diff(travel) <= 0.0) or not travel[0] <= 0.0 <= travel[-1]:
+        allowed = "two or more rising values around 0"
+        raise DescriptionError("not a travel", where=where, found=list(case["travel"]), allowed=allowed)
+    grid = np.union1d(np.linspace(travel[0], travel[-1], 13), [0.0]) if len(travel) == 2 else travel
+    steps = np.array([_STEP * (number.upper - number.lower) for number in numbers])
+    return KinematicEvaluator(rig, paths, np.maximum(steps, 1e-9), grid, metrics), ()
+
+
+def _words(case: Case) -> str:
+    if isinstance(case, Trial):
+        return "a simulated trial"
+    if "travel" in case:
+        return "kinematics"
+    return f"random road {case.get('road')}, {case.get('speed')}"

@@ -1,0 +1,142 @@
+"""A design task as a file: what may vary, what is wanted over which cases and spread, the best design or the front."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from jounce.core.description import Description, Seed, Whole, line_of, misplaced, read_description
+from jounce.core.errors import JounceError
+from jounce.design.cases import Case, cases_problem
+from jounce.design.optimise import Optimisation, optimise
+from jounce.design.pareto import ParetoFront, pareto
+from jounce.design.problem import DesignProblem
+from jounce.parts import Rig, load
+from jounce.parts.files import rig_named_in
+from jounce.variants.study import read_trial
+
+SCHEMA: Literal["jounce.optimisation/1"] = "jounce.optimisation/1"
+
+
+class OptimisationStudy(Description):
+    """A study of the best design, or with ``front`` of those of which none is better in two metrics at once.
+
+    ``rig`` is a file or a shipped one, ``free`` has the bounds of what may vary. ``objective`` has metrics with their
+    weights; ``front`` two metrics instead, and a third that is shown if wanted. ``constraints`` are limits of any
+    metric. ``cases`` are judged at once, by name: the keys of a trial, ``road`` and ``speed`` of a random road, or
+    ``travel`` of kinematics; metrics have the name before them. ``spread`` is that of production or use, over
+    ``samples`` drawn with ``seed``. ``starts`` searches are made, a front has ``points``.
+    """
+
+    schema_: Literal["jounce.optimisation/1"] = Field(default=SCHEMA, alias="schema")
+    rig: str
+    free: dict[str, Any] = Field(min_length=1)
+    objective: dict[str, float] | str | None = None
+    front: tuple[str, ...] | None = Field(default=None, min_length=2, max_length=3)
+    constraints: dict[str, Any] = {}
+    cases: dict[str, dict[str, Any]] = Field(min_length=1)
+    spread: dict[str, Any] = {}
+    samples: Annotated[Whole, Field(ge=2, le=4096)] = 32
+    seed: Seed = 1
+    starts: Annotated[Whole, Field(ge=1, le=1000)] = 1
+    points: Annotated[Whole, Field(ge=3, le=500)] = 15
+
+    @model_validator(mode="after")
+    def _wants_one_thing(self) -> OptimisationStudy:
+        if (self.objective is None) == (self.front is None):
+            raise misplaced(("objective",), "give either objective, or front = [two metrics]")
+        return self
+
+
+def read_optimisation(path: Path | str) -> tuple[OptimisationStudy, Rig, dict[str, Any]]:
+    """Read a study with its rig, and how :func:`optimise` or :func:`pareto` is asked; errors name file and line."""
+    study, text = read_description(OptimisationStudy, path, SCHEMA)
+    file = Path(path)
+    rig = load(rig_named_in(study.rig, file))
+    cases: dict[str, Case] = {}
+    for name, table in study.cases.items():
+        is_trial = "duration" in table or "excitation" in table
+        cases[name] = read_trial(table, file, text, ("cases", name)) if is_trial else table
+    given: dict[str, Any] = {
+        "constraints": {metric: tuple(v) if isinstance(v, list) else v for metric, v in study.constraints.items()},
+        "cases": cases, "spread": study.spread or None, "samples": study.samples, "seed": study.seed,
+    }  # fmt: skip
+    return study, rig, given
+
+
+def check_optimisation(path: Path | str) -> tuple[OptimisationStudy, DesignProblem]:
+    """Read a study and all that it names, without searching."""
+    study, rig, given = read_optimisation(path)
+    objective = study.objective if study.objective is not None else (study.front or ("",))[0]
+    more = study.front[1:] if study.front is not None else ()
+    with _placed(path):
+        return study, cases_problem(rig, study.free, objective, more=more, **given)
+
+
+def run_optimisation(path: Path | str) -> Optimisation | ParetoFront:
+    """Search what a study file asks for.
+
+    Parameters
+    ----------
+    path : path
+        A file of the schema ``jounce.optimisation/1``; files it names are relative to its folder.
+
+    Returns
+    -------
+    Optimisation or ParetoFront
+        SI; a front where the study has one.
+
+    Raises
+    ------
+    DescriptionError, FitError
+        As for :func:`optimise`, with the file.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "study.toml"
+    >>> text = '''
+    ... schema = "jounce.optimisation/1"
+    ... rig = "audi-a6-quarter-car"
+    ... free = {"strut.damper.coefficient" = ["500 N*s/m", "5000 N*s/m"]}
+    ... objective = {"rough: sprung.az" = 1.0}
+    ... cases = {rough = {road = "C", speed = "20 m/s"}}
+    ... spread = {"sprung.mass" = "10 %"}
+    ... samples = 4
+    ... '''
+    >>> _ = file.write_text(text)
+    >>> run_optimisation(file).converged
+    True
+    """
+    study, rig, given = read_optimisation(path)
+    with _placed(path):
+        if study.front is None:
+            assert study.objective is not None
+            return optimise(rig, study.free, study.objective, starts=study.starts, **given)
+        first, second, *third = study.front
+        shown = third[0] if third else first
+        return pareto(rig, study.free, comfort=first, holding=second, travel=shown, points=study.points, **given)
+
+
+class _placed:  # noqa: N801 - used as a verb
+    """Name the file and the line where an error is one of the study."""
+
+    def __init__(self, path: Path | str) -> None:
+        self.path = Path(path)
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if not isinstance(error, JounceError):
+            return
+        head, _, rest = error.where.partition(": ")
+        key = "front" if head == "metrics" else head.partition(".")[0]
+        if key not in OptimisationStudy.model_fields or str(self.path) in error.where:
+            return
+        text = self.path.read_text(encoding="utf-8")
+        line = next((found for at in ((key, rest), (key,)) if (found := line_of(text, at))), None)
+        where = f"{self.path}{f', line {line}' if line else ''}: {error.where}"
+        raise type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None
