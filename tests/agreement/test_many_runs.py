@@ -173,9 +173,9 @@ def test_over_circles_variants_step_side_by_side():
     rig = jn.load("audi-a6-quarter-car")
     road = jn.HalfCylinder(radius="20 mm", start="1 m")
     trial = jn.Trial(road=road, speed="10 m/s", duration="0.5 s")
-    many = jn.simulate_many(rig, trial, jn.sobol({"sprung.mass": "10 %"}, 8), metrics="max sprung.az")
-    assert many.attrs["side_by_side"] == 8
-    for mass, value in zip(many["sprung.mass"].values[::7], many["max sprung.az"].values[::7], strict=True):
+    many = jn.simulate_many(rig, trial, jn.sobol({"sprung.mass": "10 %"}, 16), metrics="max sprung.az")
+    assert many.attrs["side_by_side"] == 16
+    for mass, value in zip(many["sprung.mass"].values[::15], many["max sprung.az"].values[::15], strict=True):
         run = jn.simulate(rig.with_changes({"sprung.mass": float(mass)}), trial, tolerance=1e-8)
         assert value == pytest.approx(float(run["sprung.az"].max()), rel=1e-5)
     found = jn.simulate_many(rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"])
@@ -229,10 +229,10 @@ def test_curved_lumped_models_step_side_by_side():
         }
     )
     trial, words = course(duration="0.5 s"), ["rms sprung.az", "min tyre.force", "Wk sprung.az"]
-    masses = np.linspace(400.0, 520.0, 11)
+    masses = np.linspace(400.0, 520.0, 17)
     many = jn.simulate_many(rig, trial, {"sprung.mass": masses}, metrics=words)
-    assert many.attrs["side_by_side"] == 11
-    for i in (0, 10):
+    assert many.attrs["side_by_side"] == 17
+    for i in (0, 16):
         one = jn.simulate_many(rig, trial, {"sprung.mass": masses[i : i + 1]}, metrics=words, tolerance=1e-8)
         assert one.attrs["side_by_side"] == 0
         for word in words:

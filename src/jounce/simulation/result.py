@@ -35,7 +35,7 @@ class Solution:
         Work done.
     state_slopes, output_slopes : ndarray, shape (n_states, n_free, n), (n_outputs, n_free, n)
         Sensitivities to the free parameters, SI.
-    method : {"exact", "explicit", "implicit"}
+    method : {"exact", "explicit", "implicit", "reduced explicit", "reduced implicit"}
         What computed them.
     """
 

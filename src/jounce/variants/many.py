@@ -25,10 +25,10 @@ from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
 from jounce.simulation.reduced import STEPS_SHARE, ReducedCorner, Reduction, reduction_for
 from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
 from jounce.simulation.settings import RunSettings
+from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, sums_side_by_side
-from jounce.variants.stepped import Blocks, can_step, in_blocks
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -392,7 +392,9 @@ class _Group:
     ) -> NDArray[np.bool_]:
         """Fill in what can be stepped side by side; tell which variants are left."""
         study, careful = self.study, np.ones(len(rows), dtype=bool)
-        laid_out = self._laid_out(parameters) if study.settings.method == "auto" and len(rows) >= LEAST else None
+        laid_out = (
+            self._laid_out(parameters) if study.settings.method == "auto" and len(rows) >= stepped.LEAST else None
+        )
         if laid_out is None:
             return careful
         base, numbers, sound, holds, tolerance = laid_out
@@ -401,8 +403,8 @@ class _Group:
         wanted = [*(metric.channel for metric in results.metrics), *results.channels, *limits]
         channels = [outputs.index(name) for name in dict.fromkeys(wanted)]
         row_of = {outputs[number]: i for i, number in enumerate(channels)}
-        extended = in_blocks(base.compiled, numbers)
-        blocks = Blocks(base.compiled, base, extended, self._signals, channels, tolerance)
+        extended = stepped.in_blocks(base.compiled, numbers)
+        blocks = stepped.Blocks(base.compiled, base, extended, self._signals, channels, tolerance)
         rest, wide = blocks.rest(), extended.shape[2]
         sound &= ~rest.lost.ravel()[: len(rows)]
         results.make_room()
@@ -437,7 +439,7 @@ class _Group:
         study = self.study
         times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
         if study.reduction is None:
-            if not can_step(study.compiled):
+            if not stepped.can_step(study.compiled):
                 return None
             try:
                 base = prepare(study.compiled, study.base, self._signals, times, tolerance=tolerance)
@@ -455,7 +457,7 @@ class _Group:
             whole = np.concatenate([study.base[None, :], parameters])
             numbers, sound = study.reduction.alike(one.table, one.degree, names, whole, corner.limit)
             found = _LaidOut(one.prepared, numbers[1:], sound[1:], one.holds, STEPS_SHARE * tolerance)
-        steps = found.base.exact is None and found.base.method == "explicit" and can_step(found.base.compiled)
+        steps = found.base.exact is None and found.base.method == "explicit" and stepped.can_step(found.base.compiled)
         return found if steps else None
 
     def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array]]) -> None:

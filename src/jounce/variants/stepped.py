@@ -28,6 +28,8 @@ from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import Prepared, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
 
+LEAST = 16
+"""Variants below which code for blocks is not worth its making, half a second once for each choice of channels."""
 WIDTH = 8
 """Variants in a block: two registers of AVX2, one of AVX-512."""
 _ITERATIONS = 30
