@@ -35,7 +35,7 @@ def median_time(run: Callable[[], object], *, repeats: int = 15, budget: float =
 
 def shown(seconds: float) -> str:
     """A time with three digits in a fitting unit."""
-    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
         if seconds >= size:
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds:.2g} s"
