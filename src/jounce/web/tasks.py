@@ -66,13 +66,13 @@ class Doing:
 class _Task(BaseModel):
     model_config = ConfigDict(extra="forbid")
 
-    def doing(self, project: Project) -> Doing:
+    def _doing(self, project: Project) -> Doing:
         """Give the command."""
         raise NotImplementedError
 
 
 Text = Annotated[str, Field(max_length=400)]
-Changes = Annotated[dict[str, float | str], Field(default_factory=dict, max_length=200)]
+Changes = Annotated[dict[str, Any], Field(default_factory=dict, max_length=200)]
 
 
 class SweepTask(_Task):
@@ -84,7 +84,7 @@ class SweepTask(_Task):
     resume: bool = False
     force: bool = False
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         study, out = _file(project, self.study), _folder(project, self.out)
         more = ["--resume"] if self.resume else ["--force"] if self.force else []
         said = ", resume=True" if self.resume else ", force=True" if self.force else ""
@@ -101,7 +101,7 @@ class CampaignTask(_Task):
     out: Text
     force: bool = False
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         file, out = _file(project, self.campaign), _folder(project, self.out)
         python = (
             "import jounce as jn\nfrom jounce.report import write_campaign\n\n"
@@ -122,12 +122,18 @@ class DesignTask(_Task):
     starts: Annotated[int, Field(ge=1, le=1000)] | None = None
     force: bool = False
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         study, out = _file(project, self.study), _folder(project, self.out)
         words = ["design", "kinematics", study, f"--out={out}"]
         words += [] if self.starts is None else [f"--starts={self.starts}"]
-        return Doing(f"Kinematic design {Path(study).stem}", [*words, *(["--force"] if self.force else [])], out=out,
-                     page=f"{out}/report.html")  # fmt: skip
+        starts = "asked.starts" if self.starts is None else str(self.starts)
+        python = (
+            "from jounce.design.kinematics import design, run_study\n\n"
+            f"found, rigs = run_study({study!r}, lambda asked, task: design(task, {starts}, asked.seed))\n"
+            "print(found)\n"
+        )
+        words += ["--force"] if self.force else []
+        return Doing(f"Kinematic design {Path(study).stem}", words, python=python, out=out, page=f"{out}/report.html")
 
 
 class CompareTask(_Task):
@@ -142,7 +148,7 @@ class CompareTask(_Task):
     control: Annotated[list[Text], Field(max_length=40)] = Field(default_factory=lambda: ["passive"])
     changes: Changes
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         vehicle = _rig(project, self.vehicle)
         words = ["compare", vehicle, f"--road={self.road}", f"--speed={self.speed}"]
         words += [f"--duration={self.duration}"] if self.duration else []
@@ -177,7 +183,7 @@ class ParetoTask(_Task):
     limit: Annotated[dict[str, Text], Field(max_length=20)] = Field(default_factory=dict)
     points: Annotated[int, Field(ge=2, le=200)] = 15
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         vehicle = _rig(project, self.vehicle)
         words = ["design", "pareto", vehicle, *(f"--free={path}={text}" for path, text in self.free.items())]
         words += [f"--road={self.road}", f"--speed={self.speed}", f"--comfort={self.comfort}"]
@@ -209,7 +215,7 @@ class EvaluateTask(_Task):
     inspector: Text = ""
     language: Literal["en", "de"] = "en"
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         records = [_file(project, one) for one in self.records]
         tester = _shipped_or_file(project, self.tester)
         words = ["inspect", "evaluate", *records, f"--tester={tester}"]
@@ -237,7 +243,7 @@ class HistoryTask(_Task):
     store: Text
     plate: Text
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         store = _file(project, self.store)
         words = ["inspect", "history", f"--plate={self.plate}", f"--store={store}"]
         python = (
@@ -259,7 +265,7 @@ class SearchTask(_Task):
     since: Text = ""
     until: Text = ""
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         store = _file(project, self.store)
         names = ("plate", "verdict", "tester", "since", "until")
         given = {name: getattr(self, name) for name in names if getattr(self, name)}
@@ -278,7 +284,7 @@ class NewCampaignTask(_Task):
     kind: Literal["new-campaign"]
     out: Text
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         out = _folder(project, self.out)
         python = f"import jounce as jn\n\nfile = jn.new_campaign({out!r})\n"
         return Doing(f"Campaign to start from in {out}", ["campaign", "new", out], python=python, patience=60.0)
@@ -294,7 +300,7 @@ class TestTask(_Task):
     wear: Text = ""
     wheel: Literal["left", "right", "both"] = "both"
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         rig, tester, out = (
             _rig(project, self.vehicle),
             _shipped_or_file(project, self.tester),
@@ -337,7 +343,7 @@ class StiffnessTask(_Reading):
     intercept: Literal["drop", "shift", "keep"] = "drop"
     branch: Literal["loading", "unloading", "both"] = "loading"
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         words = self._words(project, "force_positive", "discard_below")
         words += [f"--law={self.law}", f"--intercept={self.intercept}", f"--branch={self.branch}"]
         columns = f", columns={self.columns!r}" if self.columns else ""
@@ -361,7 +367,7 @@ class DecayTask(_Reading):
     begin: Text = ""
     end: Text = ""
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         words = [*self._words(project, "sample_time"), f"--channel={self.channel}", f"--mass={self.mass}"]
         words += [f"--from={self.begin}"] if self.begin else []
         words += [f"--to={self.end}"] if self.end else []
@@ -381,7 +387,7 @@ class PreviewTask(_Reading):
     sample_time: Text = ""
     resample: Text = ""
 
-    def doing(self, project: Project) -> Doing:  # noqa: D102
+    def _doing(self, project: Project) -> Doing:
         words = self._words(project, "sample_time", "resample")
         asked = ("columns", "variable", "sample_time", "resample")
         said = "".join(f", {name}={getattr(self, name)!r}" for name in asked if getattr(self, name))
@@ -414,7 +420,7 @@ def task_of(plain: Mapping[str, Any]) -> AnyTask:
 
 def doing_of(task: AnyTask, project: Project) -> Doing:
     """Give the command that a task means in a project."""
-    return task.doing(project)
+    return task._doing(project)
 
 
 def _file(project: Project, path: str) -> str:
