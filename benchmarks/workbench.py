@@ -213,13 +213,16 @@ def busy(served: Served, context: Any, folder: Path) -> str:
         time.sleep(0.05)
     for job in jobs:
         served.ask("POST", f"api/jobs/{job['id']}/cancel", {})
+    for job in jobs:
+        while served.ask("GET", f"api/jobs/{job['id']}")["state"] in ("running", "cancelling"):
+            time.sleep(0.2)
     running = sum(state == "running" for state in states)
     return f"{median(times)}, {running} jobs running"
 
 
 def main() -> None:
     """Measure, print, and write the table by wish."""
-    with tempfile.TemporaryDirectory(prefix="jounce-bench-") as place:
+    with tempfile.TemporaryDirectory(prefix="jounce-bench-", ignore_cleanup_errors=True) as place:
         served = Served(Path(place))
         try:
             rows = measured(served, Path(place))

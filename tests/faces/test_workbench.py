@@ -216,6 +216,7 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     assert ask("GET", "/api/check?path=karts/mine.toml")[1]["problems"] == []
 
 
+@pytest.mark.pages
 def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
     asked = RUN | {"title": "as it is"}
     status, kept = ask("POST", "/api/keep", asked)
@@ -239,6 +240,7 @@ def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
     assert arrays[curves[1]["y"]] == pytest.approx(run["sprung.az"].to_numpy(), abs=1e-6)
 
 
+@pytest.mark.pages
 def test_a_recording_stands_beside_a_run_on_its_time_and_as_spectra(ask):
     rig, road = jn.load("kart-quarter-car"), jn.HalfSine(start="0.2 m", height="10 mm", length="60 mm")
     run = jn.simulate(rig, jn.Trial(road=road, speed="2 m/s", duration="0.4 s"))
@@ -262,6 +264,7 @@ def test_a_recording_stands_beside_a_run_on_its_time_and_as_spectra(ask):
     assert two[seen].max() == pytest.approx(2.0 * one[seen].max(), rel=0.02)
 
 
+@pytest.mark.pages
 def test_of_a_long_record_every_peak_is_seen_at_every_zoom(ask):
     n = 300_000
     noise = np.random.default_rng(1).standard_normal(n)

@@ -6,12 +6,13 @@ import os
 from collections.abc import Callable
 from importlib import metadata, resources
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from jounce.core.errors import JounceError, OutputError, unforeseen
 from jounce.core.optional import require
+from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.jobs import Jobs
@@ -48,12 +49,12 @@ class Started(_Asked):
 
 
 class Edited(_Asked):
-    """A text of the project, whose values are set (as they are typed, by their keys) or changed (SI, by path)."""
+    """A text of the project, whose values are set (as typed, by their keys) or changed (SI or with units, by path)."""
 
     path: str
     text: str = Field(max_length=LONGEST)
     sets: list[tuple[list[str | int], Any]] = Field(default_factory=list, max_length=200)
-    changes: dict[str, float] = Field(default_factory=dict, max_length=200)
+    changes: dict[str, Any] = Field(default_factory=dict, max_length=200)
 
 
 class Part(_Asked):
@@ -61,8 +62,8 @@ class Part(_Asked):
 
     path: str
     channels: list[str] = Field(min_length=1, max_length=20)
-    low: float | None = None
-    high: float | None = None
+    low: Annotated[float, Unit("s")] | None = None
+    high: Annotated[float, Unit("s")] | None = None
     columns: int = Field(default=1000, ge=10, le=8000)
 
 

@@ -69,11 +69,12 @@ def form_of(
     path: str,
     text: str,
     sets: Sequence[tuple[Sequence[Key], Any]] = (),
-    changes: Mapping[str, float] | None = None,
+    changes: Mapping[str, Any] | None = None,
 ) -> Form:
     """Read a text that is, or will be, the file of that path.
 
-    ``sets`` puts values, as they are typed, to keys first (None takes one away), ``changes`` numbers in SI to paths.
+    ``sets`` puts values, as they are typed, to keys first (None takes one away), then ``changes`` puts numbers (SI or
+    with units) to paths.
     """
     file = project.inside(path)
     try:
@@ -91,7 +92,8 @@ def form_of(
             if changes:
                 from jounce.parts.files import changed_text
 
-                text = changed_text(text, rig, dict(changes))
+                now = rig.with_changes(dict(changes)).parameters()
+                text = changed_text(text, rig, {path: now[path] for path in changes})
                 values, rig = toml_table(text), rig_in(project, path, text)
             numbers = described(rig, path)
     except JounceError as error:
