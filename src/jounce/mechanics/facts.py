@@ -39,6 +39,21 @@ def moved_by(speed: str) -> str:
     return speed.removesuffix(" rate").removesuffix("_rate")
 
 
+MIDDLE, HALF = "travel.middle", "travel.half"
+"""Parameters of a reduced corner: middle and half width (m) of the travel that its polynomials are for."""
+
+
+def of_travel(quantity: str, degree: int) -> list[str]:
+    """Parameters of the polynomial of a quantity, constant first.
+
+    Examples
+    --------
+    >>> of_travel("momentum", 1)
+    ['of_travel.momentum[0]', 'of_travel.momentum[1]']
+    """
+    return [f"of_travel.{quantity}[{k}]" for k in range(degree + 1)]
+
+
 @dataclass(frozen=True)
 class Output:
     """One signal a model can give: its channel name, SI unit and label."""

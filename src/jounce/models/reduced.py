@@ -15,6 +15,7 @@ import casadi as ca
 
 from jounce.mechanics import Model, System
 from jounce.mechanics.driven import Driven, Quasistatic
+from jounce.mechanics.facts import HALF, MIDDLE, of_travel
 from jounce.models.attachments import Stretch, design_length, line_of, tyre_law, wheel_down
 from jounce.models.channels import show_tyre
 from jounce.models.corner import (
@@ -30,15 +31,6 @@ from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
 """Of all that hangs on the body: its mass, and for unit travel rate its upward momentum (kg) and 2 x energy (kg)."""
-_NEEDED = ("bodies", "spring", "damper", "tyre")
-MIDDLE, HALF = "travel.middle", "travel.half"
-"""Parameters: middle and half width of the travel (m) that the polynomials are for."""
-
-
-def is_reducible(rig: Corner) -> bool:
-    """Tell whether one coordinate says where a corner stands on its body: ideal joints, a body that does not turn."""
-    soft = rig.bushings.model_dump(exclude_none=True)
-    return rig.guide != "vertical+spherical" and not soft and not {*_NEEDED} & {*rig.lacks}
 
 
 @dataclass(frozen=True)
@@ -136,7 +128,7 @@ class _Tabulated(Described):
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has no pose
         """Give the polynomial: even and odd powers apart, so that the processor works on two sums at once."""
-        given = [self.number(path) for path in coefficients(name, self.degree)]
+        given = [self.number(path) for path in of_travel(name, self.degree)]
         square = self.x * self.x
         even, odd = (ca.SX(0.0), ca.SX(0.0))
         for number in reversed(given[::2]):
@@ -153,11 +145,6 @@ class _Tabulated(Described):
         """Length of the spring or the damper."""
         length = self.quantity(f"{element if _damper_stands_apart(self.rig) else 'spring'}.length")
         return Stretch(length, self.mechanism.rate_of(length), design_length(self, element))
-
-
-def coefficients(name: str, degree: int) -> list[str]:
-    """Parameters of the polynomial of a quantity, constant first."""
-    return [f"of_travel.{name}[{k}]" for k in range(degree + 1)]
 
 
 @dataclass(frozen=True)
@@ -218,7 +205,7 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
 def _hang(linkage: _Tabulated, gravity: ca.SX, rising: ca.SX, travelling: ca.SX) -> None:
     """Hang the masses of the suspension on the body, with their weights."""
     system = linkage.mechanism
-    mass, momentum, inertia = system.parameter(f"of_travel.{MASS}"), *map(linkage.quantity, (MOMENTUM, INERTIA))
+    mass, momentum, inertia = system.parameter(of_travel(MASS, 0)[0]), *map(linkage.quantity, (MOMENTUM, INERTIA))
     rates = ca.vertcat(rising, travelling)
     system.inertia(Hanging(rates, mass, momentum, inertia, system.rate_of(momentum), system.rate_of(inertia)))
     system.load(mass * rising + momentum * travelling, -gravity)

@@ -299,6 +299,12 @@ class Corner(Rig):
         return tuple(name for name in self.without if name != "spring" or self.torsion_bar is None)
 
     @property
+    def only_travels(self) -> bool:
+        """Whether one coordinate tells its pose: ideal joints, a body that does not turn, nothing left out."""
+        soft = self.bushings.model_dump(exclude_none=True)
+        return self.guide != "vertical+spherical" and not soft and not self.lacks
+
+    @property
     def besides_strut(self) -> tuple[str, ...]:
         """Tables of springs that carry the car beside the strut's while both wheels move alike."""
         has = {"torsion_bar": self.torsion_bar is not None, "third_spring": self.third_spring is not None}

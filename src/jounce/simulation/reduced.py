@@ -23,6 +23,7 @@ from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.kernel.native import Native, Source, kept_code
 from jounce.kernel.poses import Walk, space_for, walk_variants
+from jounce.mechanics.facts import HALF, MIDDLE, of_travel
 from jounce.parts import Rig
 from jounce.parts.corners import Corner
 from jounce.parts.rig import structure_of
@@ -116,11 +117,9 @@ class Reduction:
     def places(self, degree: int) -> _Places:
         """Where numbers belong among the parameters of the model of a degree."""
         if degree not in self.placed:
-            from jounce.models.reduced import HALF, MIDDLE, coefficients
-
             paths = self.compiled(degree).facts.parameters
-            own = [MIDDLE, HALF, f"of_travel.{self.names[0]}"]
-            own += [path for name in self.names[1:] for path in coefficients(name, degree)]
+            own = [MIDDLE, HALF, *of_travel(self.names[0], 0)]
+            own += [path for name in self.names[1:] for path in of_travel(name, degree)]
             place = {path: i for i, path in enumerate(paths)}
             given = tuple(path for path in paths if path not in set(own))
             self.placed[degree] = _Places(given, _numbers(place, given), _numbers(place, own))
@@ -223,9 +222,7 @@ def reduction_of(rig: Rig) -> Reduction | None:
         return None
     structure = structure_of(rig)
     if structure not in _reductions:
-        from jounce.models.reduced import is_reducible
-
-        _reductions[structure] = _reduction(rig, structure) if is_reducible(rig) else None
+        _reductions[structure] = _reduction(rig, structure) if rig.only_travels else None
     return _reductions[structure]
 
 
