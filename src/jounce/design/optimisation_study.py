@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from jounce.core.description import Description, Seed, Whole, line_of, misplaced, read_description
 from jounce.core.errors import JounceError
+from jounce.core.units import Unit
 from jounce.design.cases import Case, cases_problem
 from jounce.design.optimise import Optimisation, optimise
 from jounce.design.pareto import ParetoFront, pareto
@@ -17,6 +18,7 @@ from jounce.parts import Rig, load
 from jounce.parts.files import rig_named_in
 from jounce.variants.study import read_trial
 
+Weight = Annotated[float, Unit("1", above=0.0)]
 SCHEMA: Literal["jounce.optimisation/1"] = "jounce.optimisation/1"
 
 
@@ -33,7 +35,7 @@ class OptimisationStudy(Description):
     schema_: Literal["jounce.optimisation/1"] = Field(default=SCHEMA, alias="schema")
     rig: str
     free: dict[str, Any] = Field(min_length=1)
-    objective: dict[str, float] | str | None = None
+    objective: dict[str, Weight] | str | None = None
     front: tuple[str, ...] | None = Field(default=None, min_length=2, max_length=3)
     constraints: dict[str, Any] = {}
     cases: dict[str, dict[str, Any]] = Field(min_length=1)
@@ -127,9 +129,10 @@ class _placed:  # noqa: N801 - used as a verb
         self.path = Path(path)
 
     def __enter__(self) -> None:
-        return None
+        """Nothing is opened."""
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        """Raise the error again with its place."""
         if not isinstance(error, JounceError):
             return
         head, _, rest = error.where.partition(": ")

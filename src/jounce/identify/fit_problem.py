@@ -7,6 +7,7 @@ Scaling: ``p_i = p_i0 + half_range_i * s_i`` with ``s_i`` from -1 to +1 between 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -215,6 +216,12 @@ class UpdateProblem:
                 hint="Give longer recordings or free fewer parameters.",
             )
         self._last: tuple[bytes, Residuals] | None = None
+
+    def coarser(self, tolerance: float) -> UpdateProblem:
+        """The same problem with simulations of less effort, and a count of its own."""
+        found = copy(self)
+        found.tolerance, found.evaluations, found._last = max(tolerance, self.tolerance), 0, None
+        return found
 
     @property
     def size(self) -> int:

@@ -117,13 +117,58 @@ def is_stationary(problem: UpdateProblem, x: Array) -> bool:
 
 
 def minimise_from_many(problem: UpdateProblem, start: Array, method: str, starts: int, seed: int) -> list[Optimum]:
-    """Run from ``start`` and from ``starts - 1`` Latin-hypercube points; best first."""
+    """Run from ``start`` and from ``starts - 1`` Latin-hypercube points; best first.
+
+    Where these are many they first go down roughly, and the best of the places they lead to are searched to the end.
+    """
     points = [start]
     if starts > 1:
         from scipy.stats import qmc
 
         points += list(2.0 * qmc.LatinHypercube(problem.size, seed=seed).random(starts - 1) - 1.0)
+    if starts >= _MANY:
+        points = [start, *(one.scaled for one in _basins(problem, points[1:])[:_FINISHED])]
     return sorted((minimise(problem, point, method) for point in points), key=lambda optimum: optimum.objective)
+
+
+_MANY, _FINISHED = 12, 4  # starts from which on they are sifted, and how many of the best are searched to their end
+_COARSE, _LOOSE = 1e-5, 0.03  # relative error of displacements, and of the objective, while they are
+
+
+def _basins(problem: UpdateProblem, points: Sequence[Array]) -> list[Optimum]:
+    """Go down from many points with simulations of little effort; where it leads to, the best first and each once."""
+    from scipy.optimize import least_squares
+
+    rough = problem.coarser(_COARSE)
+    ends: list[Optimum] = []
+    for point in points:
+        inside = np.clip(point, -_BOUND, _BOUND)
+        try:
+            count = len(rough.residuals(inside).vector)
+        except SimulationError:
+            continue  # a place that cannot be simulated is no start
+
+        def vector(x: Array, count: int = count) -> Array:
+            try:
+                return rough.residuals(x).vector
+            except SimulationError:
+                return np.full(count, np.inf)
+
+        result = least_squares(
+            vector, inside, jac=lambda x: rough.residuals(x).jacobian, bounds=(-1.0, 1.0), xtol=1e-3, ftol=_LOOSE,
+            gtol=1e-12, max_nfev=12,
+        )  # fmt: skip
+        ends.append(Optimum(result.x, 2.0 * float(result.cost), int(result.njev), int(result.nfev), converged=True))
+    problem.evaluations += rough.evaluations
+    ends.sort(key=lambda one: one.objective)
+    apart: list[Optimum] = []
+    for end in ends:
+        if all(np.max(np.abs(end.scaled - other.scaled)) > _SAME_BASIN for other in apart):
+            apart.append(end)
+    return apart
+
+
+_SAME_BASIN = 0.1  # of half the range: searches that end closer are taken for the same
 
 
 def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:

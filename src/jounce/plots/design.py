@@ -10,7 +10,19 @@ import numpy as np
 from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import number, quantity
 from jounce.plots.labels import name_points
-from jounce.plots.style import AFTER, BEFORE, INK, MUTED, PALETTE, WIDTH, in_legend, log_axes, new_figure, styled
+from jounce.plots.style import (
+    AFTER,
+    BEFORE,
+    INK,
+    MUTED,
+    PALETTE,
+    WIDTH,
+    at_tick,
+    in_legend,
+    log_axes,
+    new_figure,
+    styled,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -100,7 +112,7 @@ def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
         _draw_mark(axes, mark, x, y, is_right=mark.comfort > middle)
     axes.set(xlabel=_label(front, "comfort"), ylabel=_label(front, "holding"))
     axes.legend(handles=_handles(front), loc="upper right", fontsize=8)
-    axes.set_title(front.driven.replace("m^3", "m³"), fontsize=8, fontweight="normal", color=MUTED)
+    axes.set_title(at_tick(front.driven.replace("m^3", "m³"), 78), fontsize=8, fontweight="normal", color=MUTED)
 
 
 def _draw_mark(axes: Axes, mark: ParetoMark, x: float, y: float, *, is_right: bool) -> None:

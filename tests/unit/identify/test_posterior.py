@@ -206,3 +206,12 @@ def test_next_trials_refuse_what_they_cannot_rank(rig, found):
     other = posterior_of(lambda p: (y - matrix[:, :1] @ p, -matrix[:, :1]), {"a": (best[0], -9.0, 9.0)}, draws=1000)
     with pytest.raises(FitError, match="something else"):
         next_trials(other, [Candidate("one", rig, TRIAL)])
+
+
+def test_many_starts_are_sifted_and_end_where_each_alone_would(rig):
+    truth = rig.with_changes({"strut.spring.rate": "24 N/mm", "tyre.stiffness": "130 N/mm"})
+    trials = [jn.FitTrial("one", rig, TRIAL, recorded(truth, 4))]
+    alone, many = (jn.update_model(trials, FREE, starts=starts) for starts in (1, 12))
+    assert many.objective_after <= alone.objective_after * (1.0 + 1e-9)
+    assert many.values() == pytest.approx(alone.values(), rel=1e-5)
+    assert many.evaluations > alone.evaluations
