@@ -117,7 +117,8 @@ def told(item: pytest.Item) -> dict[str, str] | None:
         if marker.name == "no_source":
             return None
         if marker.name == "source":
-            row = {"kind": "", "of": "", "key": "", "where": "", "tolerance": "", "compares": ""} | marker.kwargs
+            row = dict.fromkeys(("kind", "of", "key", "where", "tolerance", "compares"), "")
+            row.update({name: str(value) for name, value in marker.kwargs.items()})
             unknown = set(row) - {"kind", "of", "key", "where", "tolerance", "compares"}
             empty = [name for name in ("kind", "of", "where", "tolerance") if not row[name]]
             empty += ["key"] if row["kind"] != "computed" and not row["key"] else []
