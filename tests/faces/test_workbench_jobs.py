@@ -301,13 +301,14 @@ def test_jobs_are_followed_by_who_has_the_token_and_the_origin(server):
 @pytest.mark.slow
 def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path):
     """The server is killed while the job runs; the next one knows it, cancels it, and resumes it."""
-    (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "20000"))
+    (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "120000"))
 
     def started() -> tuple[subprocess.Popen[str], int, str]:
         command = [sys.executable, "-m", "jounce", "serve", str(tmp_path), "--no-open", "--json"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert process.stdout is not None
-        line = json.loads(process.stdout.readline())
+        with process.stdout:
+            line = json.loads(process.stdout.readline())
         return process, int(line["url"].split(":")[2].split("/")[0]), line["token"]
 
     def until(good: Any) -> dict[str, Any]:
@@ -337,7 +338,7 @@ def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path
         name = state["id"]
         done = until(lambda state: state["state"] != "running")
         assert (done["state"], done["has_page"]) == ("done", True)
-        assert done["result"]["summary"]["ran"] == 20000
+        assert done["result"]["summary"]["ran"] == 120_000
     finally:
         server.kill()
         server.wait()

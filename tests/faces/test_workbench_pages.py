@@ -24,7 +24,7 @@ STUDY = """schema = "jounce.sweep/1"
 rig = "kart-quarter-car"
 metrics = ["max sprung.az"]
 trial = {speed = "2 m/s", duration = "1 s", road = {kind = "half-sine", height = "10 mm", length = "60 mm"}}
-design = {kind = "monte-carlo", count = 20000}
+design = {kind = "monte-carlo", count = 300000}
 vary = {"strut.spring.rate" = "20 %"}
 """
 
