@@ -381,3 +381,13 @@ def test_without_the_extra_it_is_said_what_to_install(cli, study, monkeypatch) -
     outcome = cli("sweep", study(), "--out", "out", "--cluster", "tcp://127.0.0.1:8786")
     assert outcome.exit_code == 2
     assert "pip install 'jounce[cluster]'" in outcome.err
+
+
+def test_a_range_beyond_what_is_allowed_is_refused_with_its_line(cli, study, tmp_path: Path) -> None:
+    text = STUDY.replace('["400 kg", "520 kg"]', '["-1 kg", "2 kg"]')
+    outcome = cli("sweep", study(text), "--out", "out")
+    assert outcome.exit_code == 2
+    line = text.splitlines().index('"sprung.mass" = ["-1 kg", "2 kg"]') + 1
+    assert f"line {line}: vary.sprung.mass: the spread reaches beyond what is allowed, from -1 to 2 kg" in outcome.err
+    assert "above 0 kg" in outcome.err
+    assert not (tmp_path / "out").exists()

@@ -325,9 +325,21 @@ class Unit:
             raise PydanticCustomError(
                 "out_of_range",
                 "out of range; found {found}; allowed: {allowed}",
-                {"found": shown(value), "allowed": self._range() + ("" if self.si == "1" else f" {self.si}")},
+                {"found": shown(value), "allowed": self.allowed},
             )
         return number
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and greatest size (SI), infinite where there is none; the least itself may be forbidden (``above``)."""
+        least = max((bound for bound in (self.above, self.at_least) if bound is not None), default=-math.inf)
+        return least, math.inf if self.at_most is None else self.at_most
+
+    @property
+    def allowed(self) -> str:
+        """The limits in words, with their unit; empty where there are none."""
+        text = self._range()
+        return text if not text or self.si == "1" else f"{text} {self.si}"
 
     def _is_allowed(self, number: float) -> bool:
         return (

@@ -36,7 +36,7 @@ from jounce.identify.fit_problem import Bounds, Free
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Corner, Rig
-from jounce.parts.rig import unit_of
+from jounce.parts.rig import quantity_at, unit_of
 from jounce.ride.family import LinearFamily
 from jounce.roads import Trial
 from jounce.variants.designs import Spread, is_whole, sobol
@@ -251,7 +251,9 @@ def _samples(
             from jounce.parts.rig import unknown_path
 
             raise unknown_path(f"spread: {path}", known, name=path)
-    columns = sobol(spread, samples, seed=seed).values(lambda path: (known[path], unit_of(rig, path)))
+    design = sobol(spread, samples, seed=seed)
+    design.refuse_outside(lambda path: (known[path], unit_of(rig, path)), lambda path: quantity_at(rig, path))
+    columns = design.values(lambda path: (known[path], unit_of(rig, path)))
     places = {number.path: i for i, number in enumerate(numbers)}
     rigs, factors = [], []
     for k in range(samples):

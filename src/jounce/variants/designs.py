@@ -14,7 +14,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.core.units import to_si
+from jounce.core.units import Unit, to_si
 
 Spread = str | Sequence[float | str] | Mapping[str, float | str]
 """Over what a number is spread: see :func:`sobol`."""
@@ -53,8 +53,31 @@ class Design(Shown):
             rows = np.array(list(itertools.product(*columns))).reshape(-1, len(columns))
             return {path: rows[:, i].copy() for i, path in enumerate(self.spreads)}
         shares = _points(self.kind, len(self.spreads), self.count, self.seed)
-        laws = [_law(spread, *number(path), path) for path, spread in self.spreads.items()]
-        return {path: law(shares[:, i]) for i, (path, law) in enumerate(zip(self.spreads, laws, strict=True))}
+        laws = self._laws(number)
+        return {path: law(shares[:, i]) for i, (path, law) in enumerate(laws.items())}
+
+    def refuse_outside(self, number: Callable[[str], tuple[float, str]], limit: Callable[[str], Unit]) -> None:
+        """Refuse a range that reaches beyond what a description allows, before anything runs.
+
+        An end may lie on a limit that itself is forbidden (``above 0``): no point is drawn there. A normal distribution
+        has no ends, and a grid names each of its values: what of them is forbidden are variants without a run.
+        """
+        if self.kind == "grid":
+            return
+        for path, law in self._laws(number).items():
+            low, high = law(np.array([0.0, 1.0])).tolist()
+            least, most = limit(path).limits
+            if math.isfinite(low) and (low < least or high > most):
+                raise DescriptionError(
+                    f"the spread reaches beyond what is allowed, from {low:g} to {high:g} {limit(path).si}",
+                    where=path,
+                    found=self.spreads[path],
+                    allowed=limit(path).allowed,
+                )
+
+    def _laws(self, number: Callable[[str], tuple[float, str]]) -> dict[str, Callable[[Array], Array]]:
+        """What shares between 0 and 1 become of every number, SI."""
+        return {path: _law(spread, *number(path), path) for path, spread in self.spreads.items()}
 
 
 def grid(values: Mapping[str, Sequence[float | str]]) -> Design:

@@ -14,7 +14,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unforeseen, unknown
 from jounce.core.types import Array
-from jounce.core.units import to_si
+from jounce.core.units import Unit, to_si
 from jounce.parts import Rig
 from jounce.parts.rig import change_table, parameters_of, quantity_at, unit_of, unknown_path
 from jounce.recordings.schema import channels_of
@@ -158,7 +158,8 @@ class _Results:
             where["time"] = xr.Variable(("time",), times, {"units": "s"})
         for path, column in columns.items():
             where[path] = xr.Variable(("variant",), column, {"units": study.number(path)[1], "long_name": path})
-        attributes = {"rig": str(getattr(study.rig, "model", "")), **self.tally, **design}
+        outside = {"outside": study.outside(columns)}
+        attributes = {"rig": str(getattr(study.rig, "model", "")), **self.tally, **outside, **design}
         return xr.Dataset(found, where, attributes)
 
 
@@ -234,9 +235,23 @@ class Study:
             return known[rest], unit_of(of, rest)
         return known[rest], quantity_at(of, rest).si
 
+    def limit(self, path: str) -> Unit:
+        """Unit and range of the number at a path."""
+        return quantity_at(*self.owner(path))
+
+    def outside(self, columns: Mapping[str, Array]) -> int:
+        """How many variants have a number outside what its description allows."""
+        found = np.zeros(len(next(iter(columns.values()))), dtype=bool)
+        for path, column in columns.items():
+            limit = self.limit(path)
+            least, most = limit.limits
+            found |= (column < least) | (column > most) | (limit.above is not None and column == least)
+        return int(np.sum(found))
+
     def columns(self, variants: Variants) -> dict[str, Array]:
         """Values of every variant, SI."""
         if isinstance(variants, Design):
+            variants.refuse_outside(self.number, self.limit)
             found = variants.values(self.number)
         elif not variants or not hasattr(variants, "items") or not all(isinstance(path, str) for path in variants):
             allowed = "path of a number to its values, or a design such as jn.sobol(...)"

@@ -48,6 +48,7 @@ _LONG = 20.0  # s of work, from which on processes are worth their start
 _PER_WORKER = 4  # shards each worker has at least, so that all end together
 _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
 _MOST_NUMBERS = 400_000_000  # numbers that are given at once: 3.2 GB
+_COUNTED = ("side_by_side", "outside")  # attributes that add up over shards
 _MOST_DIFFERENCES = 5
 _LONG_LIST = 50
 
@@ -204,7 +205,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     spans = {number: kept.spans[number] for number in kept.names()}
     count = sum(end - first for first, end in spans.values())
     found: dict[str, Array] = {}
-    first_shard, row, tally = None, 0, 0
+    first_shard, row, tally = None, 0, dict.fromkeys(_COUNTED, 0)
     for number in sorted(spans):
         shard = _read(kept, number)
         if shard is None:
@@ -224,7 +225,9 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
         size = shard.sizes["variant"]
         for name, values in found.items():
             values[row : row + size] = shard[name].to_numpy()
-        row, tally = row + size, tally + int(shard.attrs["side_by_side"])
+        row += size
+        for name in _COUNTED:
+            tally[name] += int(shard.attrs.get(name, 0))
     if first_shard is None:
         return xr.Dataset(attrs={"variants": kept.count})
     variables = {
@@ -233,7 +236,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     }
     coordinates = {name: variables[str(name)] for name in map(str, first_shard.coords)}
     data = {name: one for name, one in variables.items() if name not in coordinates}
-    attributes = {**to_plain(first_shard.attrs), "side_by_side": tally, "variants": kept.count}
+    attributes = {**to_plain(first_shard.attrs), **tally, "variants": kept.count}
     return xr.Dataset(data, coordinates, attributes)
 
 

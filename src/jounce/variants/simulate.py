@@ -73,8 +73,8 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     threads : int, optional
         Threads that share the variants; as many as there are processors by default.
     out : path, optional
-        Folder in which results are kept by shards (netCDF) as they come, so that long sweeps survive what stops them;
-        :func:`load_sweep` reads it.
+        Folder in which results are kept by shards as they come, so that long sweeps survive what stops them;
+        :func:`load_sweep` reads it. The shards are netCDF files whatever the folder is called (``"study.zarr"``, too).
     resume : bool
         Go on where a sweep in ``out`` was stopped; nothing of it may have changed.
     workers : int
@@ -88,13 +88,14 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     xarray.Dataset
         Metrics on ``variant`` and channels on ``variant`` and ``time`` (s), each with ``units`` (SI) and ``long_name``;
         the varied numbers are coordinates. A variant that does not run has NaN and the reason in ``reason``.
-        ``attrs["side_by_side"]`` counts the variants that ran side by side. Channels over time that memory does not
-        hold stay in ``out``.
+        ``attrs["side_by_side"]`` counts the variants that ran side by side, ``attrs["outside"]`` those of which a
+        number lies outside what its description allows. Channels over time that memory does not hold stay in ``out``.
 
     Raises
     ------
     DescriptionError
-        For unknown paths, channels or metrics, values of different lengths, or more results than memory holds.
+        For unknown paths, channels or metrics, values of different lengths, a range that reaches beyond what the
+        description allows, or more results than memory holds.
     OutputError
         For a folder that holds something else, or another sweep than the one that is resumed (it says what differs),
         and for more results than the disk has room for.

@@ -11,6 +11,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
+from jounce.variants.designs import DESIGNS
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 
 if TYPE_CHECKING:
@@ -122,6 +123,11 @@ def summarise(many: xr.Dataset) -> Summary:
     if failed:
         text = f"{len(reasons) - ran} of {len(reasons)} variants have no run; statistics are of the others"
         findings.insert(0, Finding("variants", "warning", text, float(len(reasons) - ran)))
+    outside = int(many.attrs.get("outside", 0))
+    if outside and many.attrs.get("design") in DESIGNS.keys() - {"grid"}:
+        share = outside / len(reasons)
+        text = f"{share:.2g} of the variants have a number outside what its description allows and no run: statistics "
+        findings.append(Finding("spreads", "warning", f"{text}are of distributions that are cut off there", share))
     metrics = tuple(_metric(many, name) for name in names)
     side_by_side = int(many.attrs.get("side_by_side", 0))
     return Summary(count, ran, side_by_side, numbers, metrics, influences, failed, tuple(findings))

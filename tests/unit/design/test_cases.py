@@ -105,6 +105,7 @@ def test_a_front_over_a_spread(car):
         ({"objective": "rough: p95 sprung.az", "spread": None}, "percentile of one design"),
         ({"samples": 1}, "not a number of samples"),
         ({"spread": {"sprung.mas": "5 %"}}, "no such parameter"),
+        ({"spread": {"sprung.mass": ["-1 kg", "500 kg"]}}, "beyond what is allowed, from -1 to 500 kg"),
         ({"road": "C"}, "cases have their own roads"),
         ({"objective": "rough: sprung.ax"}, "unknown metric"),
     ],

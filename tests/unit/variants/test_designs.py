@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from jounce.core.errors import DescriptionError
-from jounce.variants.designs import grid, latin_hypercube, monte_carlo, sobol
+from jounce.core.units import Unit
+from jounce.variants.designs import grid, latin_hypercube, monte_carlo, morris, saltelli, sobol
 
 NUMBERS = {"mass": (16.0, "kg"), "rate": (22730.0, "N/m"), "height": (-0.2, "m")}
 
@@ -104,3 +105,32 @@ def test_a_grid_of_nothing_is_refused(given):
 def test_a_seed_is_a_whole_number(seed):
     with pytest.raises(DescriptionError, match="seed"):
         sobol({"mass": "10 %"}, 8, seed=seed)
+
+
+POSITIVE = Unit("kg", above=0.0, at_most=50.0)
+
+
+@pytest.mark.parametrize(
+    ("spread", "ends"),
+    [
+        (["-1 kg", "2 kg"], "from -1 to 2 kg"),
+        (["-2 kg", "0 kg"], "from -2 to 0 kg"),
+        (["40 kg", "60 kg"], "from 40 to 60 kg"),
+        ("150 %", "from -8 to 40 kg"),
+        ({"low": "-1 kg", "mode": "1 kg", "high": "2 kg"}, "from -1 to 2 kg"),
+    ],
+)
+@pytest.mark.parametrize("make", [sobol, latin_hypercube, monte_carlo, morris, saltelli])
+def test_a_range_beyond_what_is_allowed_is_refused_before_anything_runs(make, spread, ends):
+    with pytest.raises(DescriptionError, match="mass: the spread reaches beyond") as caught:
+        make({"rate": "10 %", "mass": spread}, 8).refuse_outside(
+            NUMBERS.__getitem__, lambda path: POSITIVE if path == "mass" else Unit("N/m", above=0.0)
+        )
+    assert ends in str(caught.value)
+    assert "allowed: above 0, at most 50 kg" in str(caught.value)
+
+
+@pytest.mark.parametrize("spread", [["0 kg", "50 kg"], "100 %", {"mean": "1 kg", "sd": "2 kg"}])
+def test_a_range_up_to_its_limits_and_a_normal_distribution_are_drawn(spread):
+    sobol({"mass": spread}, 8).refuse_outside(NUMBERS.__getitem__, lambda _: POSITIVE)
+    grid({"mass": [-1.0, 2.0]}).refuse_outside(NUMBERS.__getitem__, lambda _: POSITIVE)

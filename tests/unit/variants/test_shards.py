@@ -13,6 +13,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.variants import shards, workers
+from jounce.variants.summary import summarise
 
 RIG = jn.load("audi-a6-quarter-car")
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s", duration="0.5 s")
@@ -244,3 +245,22 @@ def test_memory_hardly_grows_with_variants() -> None:
         for count in (65_536, 524_288)
     )
     assert 1024 * (many - few) < 200 * (524_288 - 65_536)
+
+
+def test_a_normal_distribution_that_strays_says_how_much_of_it_is_cut_off(tmp_path: Path, small) -> None:
+    stray = jn.sobol({"sprung.mass": {"mean": "300 kg", "sd": "200 kg"}}, 64, seed=1)
+    found = sweep(tmp_path / "out", stray)
+    below = int(np.sum(found["sprung.mass"].values <= 0.0))
+    assert below == 4  # 64 times the normal distribution at -1.5: 4.3
+    assert found.attrs["outside"] == below == int(np.sum(found["reason"].values != ""))
+    (said,) = (one for one in summarise(found).findings if one.place == "spreads")
+    assert said.value == pytest.approx(below / 64)
+    assert "cut off" in said.message
+
+
+def test_a_range_that_no_mass_can_have_runs_nothing(tmp_path: Path) -> None:
+    with pytest.raises(DescriptionError, match=r"sprung\.mass: the spread reaches beyond .* above 0 kg"):
+        sweep(tmp_path / "out", jn.latin_hypercube({"sprung.mass": ["-1 kg", "2 kg"]}, 8))
+    with pytest.raises(DescriptionError, match=r"trial\.speed: the spread reaches beyond"):
+        sweep(tmp_path / "out", jn.sobol({"trial.speed": "150 %"}, 8))
+    assert not (tmp_path / "out").exists()
