@@ -225,29 +225,41 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        NRMSE against speed (m/s) and pitch (mm); filled marks are fitted trials, hollow ones held out.
+        NRMSE of trials over one obstacle against speed (m/s), of those over trains against pitch (mm); filled marks
+        are fitted trials, hollow ones held out. Where there are none of a kind, the other has the whole width.
 
     Raises
     ------
     FitError
-        When no trial could be compared.
+        When no trial could be compared, or none of these has a speed or a pitch.
     """
     usable = [trial for trial in trials if trial.after is not None]
     if not usable:
         raise FitError("no trial could be compared", where="residuals")
-    figure = new_figure(3.4)
-    left, right = figure.subplots(1, 2, sharey=True, gridspec_kw={"width_ratios": [1.4, 1.0]})
-    single = [trial for trial in usable if trial.entry.speed is not None and trial.obstacle_pitch is None]
     speed, pitch = shown_as("m/s", "speed"), display_unit("m")
-    singles = [(speed.factor * float(t.entry.speed or 0.0), t) for t in single]
-    _draw_errors(left, singles, channels_of(usable))
+    singles = [
+        (speed.factor * trial.entry.speed, trial)
+        for trial in usable
+        if trial.entry.speed is not None and trial.obstacle_pitch is None
+    ]
     trains = [(pitch.factor * trial.obstacle_pitch, trial) for trial in usable if trial.obstacle_pitch is not None]
-    _draw_errors(right, trains, channels_of(usable))
-    left.set(xlabel=speed.label("speed"), ylabel="NRMSE after updating [–]", title="single obstacle")
-    right.set(xlabel=pitch.label("pitch of the obstacles"), title="trains")
-    left.set_ylim(bottom=0.0)
-    _number_points(left, single, [x for x, _ in singles])
-    _number_points(right, [trial for _, trial in trains], [x for x, _ in trains])
+    panels = [
+        (1.4, singles, {"xlabel": speed.label("speed"), "title": "single obstacle"}),
+        (1.0, trains, {"xlabel": pitch.label("pitch of the obstacles"), "title": "trains"}),
+    ]
+    panels = [panel for panel in panels if panel[1]]
+    if not panels:
+        raise FitError("no trial that could be compared has a speed or a pitch of obstacles", where="residuals")
+    figure = new_figure(3.4)
+    widths = {"width_ratios": [width for width, _, _ in panels]}
+    all_axes = figure.subplots(1, len(panels), sharey=True, squeeze=False, gridspec_kw=widths)[0]
+    for axes, (_, points, words) in zip(all_axes, panels, strict=True):
+        _draw_errors(axes, points, channels_of(usable))
+        axes.set(**words)
+    all_axes[0].set(ylabel="NRMSE after updating [–]")
+    all_axes[0].set_ylim(bottom=0.0)
+    for axes, (_, points, _) in zip(all_axes, panels, strict=True):
+        _number_points(axes, [trial for _, trial in points], [x for x, _ in points])
     _residual_legend(figure, channels_of(usable))
     return figure
 
@@ -269,8 +281,6 @@ def _draw_errors(axes: Axes, points: Sequence[tuple[float, TrialResult]], channe
                     markersize=5.5,
                 )
     axes.margins(x=0.1, y=0.12)
-    if not points:
-        axes.text(0.5, 0.5, "no such trial", transform=axes.transAxes, ha="center", color=MUTED)
 
 
 def _number_points(axes: Axes, trials: Sequence[TrialResult], places: Sequence[float]) -> None:

@@ -192,7 +192,6 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
 def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
     """Every variable over ``time`` with its ``units`` and ``long_name``."""
     import h5netcdf
-    import xarray as xr
 
     columns, long_names, left_out = [], dict[str, str](), []
     findings: list[Finding] = []
@@ -209,16 +208,31 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
         rows = min(held.values(), default=0)
         check_size(rows * len(over_time), str(path))
         for name, one in over_time.items():
-            raw = xr.Variable(("time",), one[:rows], dict(one.attrs))
-            variable = xr.conventions.decode_cf_variable(name, raw, decode_times=False, decode_timedelta=False)
-            values = np.ascontiguousarray(variable.values, dtype=float)
-            columns.append(Column(name, str(variable.attrs.get("units", "")), values, str(path)))
-            long_names[name] = str(variable.attrs.get("long_name", ""))
+            about = dict(one.attrs)
+            values = np.ascontiguousarray(_decoded(name, one[:rows], about), dtype=float)
+            columns.append(Column(name, str(about.get("units", "")), values, str(path)))
+            long_names[name] = str(about.get("long_name", ""))
         left_out = [name for name in signals if name not in over_time]
         attributes = {str(key): value for key, value in file.attrs.items()}
     return SignalTable(
         _named(columns, path, options), long_names, attributes, tuple(left_out), findings=tuple(findings)
     )
+
+
+_CODES, _GAPS = ("scale_factor", "add_offset", "_Unsigned", "dtype"), ("_FillValue", "missing_value")
+
+
+def _decoded(name: str, raw: Array, about: Mapping[str, Any]) -> Array:
+    """Values of numbers that are packed or stand for gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
+    gaps = [np.asarray(about[key]) for key in _GAPS if key in about]
+    none = raw.dtype.kind == "f" and all(gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps)
+    if not any(key in about for key in _CODES) and (none or not gaps):
+        return raw
+    import xarray as xr
+
+    variable = xr.Variable(("time",), raw, dict(about))
+    decoded = xr.conventions.decode_cf_variable(name, variable, decode_times=False, decode_timedelta=False)
+    return np.asarray(decoded.values)
 
 
 _WIDEST = 64

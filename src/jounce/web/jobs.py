@@ -69,7 +69,10 @@ class Jobs:
         """Do something that does not last, in a process of its own with limits, and wait for what comes of it."""
         with tempfile.TemporaryDirectory(prefix="jounce-") as place:
             folder = self._made(Path(place) / "asked", doing, None)
-            self._apart(folder)
+            if doing.light:
+                _started(folder, waited=True)
+            else:
+                self._apart(folder)
             if not _is_over(folder, doing.patience):
                 (folder / CANCEL).touch()
                 found = f"more than {doing.patience:.0f} s"
@@ -96,7 +99,7 @@ class Jobs:
                     self.ready.stdin.write(f"{folder}\n".encode())
                     self.ready.stdin.flush()
                     return
-        _started(folder)
+        _started(folder, waited=True)
 
     def end(self) -> None:
         """End what waits; jobs go on."""
@@ -240,15 +243,16 @@ def ways(doing: Doing) -> dict[str, Any]:
             "files": doing.files}  # fmt: skip
 
 
-def _started(folder: Path) -> subprocess.Popen[bytes]:
-    """A process that works on what a folder says, and outlives this one; the page goes before it."""
+def _started(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:
+    """A process that works on what a folder says, and outlives this one; the page goes before it unless it waits."""
     with (folder / RESULT).open("wb") as out, (folder / PROBLEMS).open("wb") as problems:
         apart: dict[str, Any] = {"start_new_session": True}
         if sys.platform == "win32":
-            apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP | subprocess.BELOW_NORMAL_PRIORITY_CLASS}
+            behind = 0 if waited else subprocess.BELOW_NORMAL_PRIORITY_CLASS
+            apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP | behind}
         try:
             process = subprocess.Popen(
-                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path), str(folder)],
+                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path), str(folder), "0" if waited else "5"],
                 stdin=subprocess.DEVNULL, stdout=out, stderr=problems, env=os.environ | {"PYTHONUTF8": "1"}, **apart,
             )  # fmt: skip
         except OSError as error:
@@ -297,7 +301,7 @@ from jounce.web.worker import split_when_told
 split_when_told()"""
 _CHILD = """import json, os, pathlib, sys
 sys.path[:] = json.loads(sys.argv[1])
-if hasattr(os, "nice"): os.nice(5)
+if hasattr(os, "nice"): os.nice(int(sys.argv[3]))
 from jounce.web.worker import work
 sys.exit(work(pathlib.Path(sys.argv[2])))"""
 

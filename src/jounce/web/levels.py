@@ -160,7 +160,9 @@ class Records:
             question = {"kind": "levels", "file": str(file), "folder": str(folder)}
             try:
                 self.jobs.ask(
-                    Doing(f"Reading {path}", [], limits=(_MEMORY, _SECONDS), patience=90.0, question=question)
+                    Doing(
+                        f"Reading {path}", [], limits=(_MEMORY, _SECONDS), patience=90.0, question=question, light=True
+                    )
                 )
             except Exception:
                 shutil.rmtree(folder, ignore_errors=True)

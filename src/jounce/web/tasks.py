@@ -48,6 +48,8 @@ class Doing:
         Instead of a command, what no command answers (see `jounce.web.questions`).
     command : str
         Then, the command that comes nearest.
+    light : bool
+        Whether it loads little: what has loaded everything is then not waited for.
     """
 
     title: str
@@ -61,6 +63,7 @@ class Doing:
     patience: float = 120.0
     question: dict[str, Any] | None = None
     command: str = ""
+    light: bool = False
 
 
 class _Task(BaseModel):

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -36,6 +38,21 @@ def test_residuals_stand_where_they_belong(trials) -> None:
     assert [line.get_markerfacecolor() == "white" for line in left.lines] == [False, True]  # fitted, held out
     assert [float(line.get_xdata()[0]) for line in right.lines] == pytest.approx([150.0])
     assert [text.get_text() for text in left.texts] == ["1", "2"]
+
+
+def test_residuals_of_one_kind_have_the_whole_width(trials) -> None:
+    both = residual_against_speed_and_pitch(trials)
+    for kind, title in ((trials[:2], "single obstacle"), (trials[2:], "trains")):
+        figure = residual_against_speed_and_pitch(kind)
+        assert [axes.get_title("left") for axes in figure.axes] == [title]
+        assert figure.axes[0].get_ylabel() == both.axes[0].get_ylabel()
+        assert figure.axes[0].get_ylim()[0] == 0.0
+        figure.draw_without_rendering()
+        both.draw_without_rendering()
+        assert figure.axes[0].get_position().width > 1.5 * both.axes[0].get_position().width
+    nowhere = replace(trials[0], entry=trials[0].entry.model_copy(update={"speed": None}))
+    with pytest.raises(FitError, match="speed or a pitch"):
+        residual_against_speed_and_pitch([nowhere])
 
 
 def test_residuals_need_a_trial(trials) -> None:

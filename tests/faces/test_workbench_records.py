@@ -1,0 +1,100 @@
+"""Long records of the workbench: read once, in a process that loads little, and seen with their peaks."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import h5netcdf
+import numpy as np
+import pytest
+
+from jounce.core.errors import JounceError
+
+pytest.importorskip("fastapi")
+pytest.importorskip("pydantic")
+
+COUNT, PEAK = 100_000, 77_777
+
+
+def _written(file: Path) -> None:
+    """Two channels at 1 kHz with one peak of one sample; the second is packed, with a gap."""
+    time = 5.0 + np.arange(COUNT) / 1000.0
+    with h5netcdf.File(file, "w") as netcdf:
+        netcdf.dimensions = {"time": COUNT}
+        for name, values, attributes in (
+            ("time", time, {"units": "s"}),
+            ("a", np.where(np.arange(COUNT) == PEAK, 9.0, np.sin(time)), {"units": "m/s^2", "_FillValue": np.nan}),
+            ("b", np.where(np.arange(COUNT) == 3, -1, 8).astype("i2"),
+             {"units": "N", "scale_factor": 0.25, "add_offset": 1.0, "_FillValue": np.int16(-1)}),
+        ):  # fmt: skip
+            one = netcdf.create_variable(name, ("time",), values.dtype, values, fillvalue=attributes.get("_FillValue"))
+            one.attrs.update({key: value for key, value in attributes.items() if key != "_FillValue"})
+
+
+@pytest.fixture
+def opened(tmp_path: Path) -> Any:
+    from jounce.web.jobs import Jobs
+    from jounce.web.levels import Records
+    from jounce.web.project import Project
+
+    _written(tmp_path / "long.nc")
+    project = Project(tmp_path)
+    jobs = Jobs(project)
+    yield Records(project, jobs), jobs
+    jobs.end()
+
+
+def test_a_long_record_is_opened_without_waiting_for_what_it_does_not_need(opened: Any, tmp_path: Path) -> None:
+    records, jobs = opened
+    found = records.open("long.nc")
+    assert jobs.ready is None  # the process that loads all that commands need was not started for it
+    assert found.about["channels"] == [{"name": "a", "unit": "m/s^2"}, {"name": "b", "unit": "N"}]
+    assert (found.about["count"], found.about["first"], found.about["even"]) == (COUNT, 5.0, True)
+    (scene,) = found.viewer(["a", "b"], 5.0, 5.0 + COUNT / 1000.0, 50).scenes
+    first, second = (pane.curves[0].values for pane in scene.panes)
+    assert len(first) == 100  # two values a column
+    assert np.max(first) == 9.0
+    assert scene.x[int(np.argmax(first))] == pytest.approx(5.0 + PEAK / 1000.0, abs=COUNT / 1000.0 / 50)
+    assert set(np.unique(second)) == {3.0}  # 8 x 0.25 + 1, and no gap among the extremes
+    (near,) = found.viewer(["b"], 5.0, 5.010, 50).scenes
+    assert np.isnan(near.panes[0].curves[0].values[3])
+
+
+def test_what_was_read_stays_until_the_file_changes(opened: Any, tmp_path: Path) -> None:
+    records, jobs = opened
+    folder = records.open("long.nc").folder
+    jobs.ask = None  # nothing is asked any more
+    assert records.open("long.nc").folder == folder
+    with (tmp_path / "long.nc").open("ab") as stream:
+        stream.write(b"\0")
+    with pytest.raises(TypeError):
+        records.open("long.nc")
+
+
+def test_a_damaged_record_is_refused_and_nothing_stays(opened: Any, tmp_path: Path) -> None:
+    records, _ = opened
+    (tmp_path / "bad.nc").write_bytes(b"\x89HDF\r\n\x1a\n no more")
+    with pytest.raises(JounceError, match="netCDF-4"):
+        records.open("bad.nc")
+    kept = tmp_path / ".jounce" / "levels"
+    assert not kept.exists() or not list(kept.iterdir())
+
+
+def test_a_record_that_is_not_packed_is_read_with_few_libraries(tmp_path: Path) -> None:
+    """xarray, pandas and SciPy take longer to load than ten million samples to read."""
+    time = np.arange(1000) / 1000.0
+    with h5netcdf.File(tmp_path / "plain.nc", "w") as netcdf:
+        netcdf.dimensions = {"time": 1000}
+        netcdf.create_variable("time", ("time",), float, time).attrs["units"] = "s"
+        netcdf.create_variable("a", ("time",), "f4", np.sin(time).astype("f4"), fillvalue=np.float32(np.nan))
+    script = """import sys, pathlib
+from jounce.web import worker, questions
+from jounce.web.levels import write_levels
+write_levels(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
+print(*sorted({"xarray", "pandas", "scipy", "matplotlib", "numba"} & set(sys.modules)))"""
+    words = [sys.executable, "-c", script, str(tmp_path / "plain.nc"), str(tmp_path / "kept")]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == []
