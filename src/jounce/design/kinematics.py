@@ -29,7 +29,7 @@ from jounce.design.spread import KinematicSpread, Workshop, spread_of
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
-from jounce.parts import Corner, Rig, load
+from jounce.parts import Corner, Rig, as_rig, load
 from jounce.parts.files import rig_named_in
 
 _FIGHTS = -0.3  # cosine of two targets' slopes from which meeting one costs the other
@@ -398,7 +398,7 @@ def read_task(
     shapes: Mapping[str, Shape] | None = None,
 ) -> Task:
     """Read what :func:`design_kinematics` and its relatives take."""
-    rigs = rig if isinstance(rig, Mapping) else {"": load(rig) if isinstance(rig, (str, Path)) else rig}
+    rigs = rig if isinstance(rig, Mapping) else {"": as_rig(rig)}
     cars = dict(vehicle) if isinstance(vehicle, Mapping) else {} if vehicle is None else {"": vehicle}
     listed = [{"point": path, "within": width} for path, width in free.items()] if isinstance(free, Mapping) else free
     points = [item if isinstance(item, FreePoint) else FreePoint(**item) for item in listed]

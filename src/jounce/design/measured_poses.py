@@ -26,7 +26,7 @@ from jounce.kernel.poses import REACHED
 from jounce.kinematics.model import check_corner, has_rack
 from jounce.kinematics.sweeps import path_sweep, path_values
 from jounce.kinematics.tangents import Tangents
-from jounce.parts import Corner, Rig, load
+from jounce.parts import Corner, Rig, as_rig
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -153,7 +153,7 @@ def fit_hardpoints(
     """
     from scipy.optimize import least_squares
 
-    corner = check_corner(load(rig) if isinstance(rig, (str, Path)) else rig)
+    corner = check_corner(as_rig(rig))
     listed = [{"point": path, "within": width} for path, width in free.items()] if isinstance(free, Mapping) else free
     points = [item if isinstance(item, FreePoint) else FreePoint(**item) for item in listed]
     numbering = Numbering.of({"": corner})

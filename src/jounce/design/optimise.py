@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -17,7 +18,7 @@ from jounce.core.types import Array
 from jounce.design.cases import Case, cases_problem
 from jounce.design.problem import DesignProblem, LimitGiven, Objective, StationaryEvaluator, design_problem
 from jounce.identify.fit_problem import Bounds
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.parts.rig import unit_of
 from jounce.ride.stationary import linear_findings
 from jounce.ride.surface import Density, Sides
@@ -410,7 +411,7 @@ class Optimisation(Plain):
 
 
 def optimise(  # noqa: PLR0913 - each is a choice of its own
-    rig: Rig,
+    rig: Rig | str | Path,
     free: Mapping[str, Bounds],
     objective: Objective,
     constraints: Mapping[str, LimitGiven] | None = None,
@@ -435,8 +436,8 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
 
     Parameters
     ----------
-    rig : Rig
-        Rig or vehicle: where the search starts.
+    rig : Rig, str or Path
+        Rig or vehicle, its file or its name in the library: where the search starts.
     free : mapping
         Path to its bounds: ``(lower, upper)`` with units or in SI, or a range around the start as ``"±30 %"``.
     objective : str or mapping
@@ -497,7 +498,7 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     1559.1
     """
     given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
-    problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
+    problem = task_of(as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed)
     found = search(problem, starts=starts)
     check_kept(problem, found)
     return outcome(problem, found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -19,7 +20,7 @@ from jounce.design.optimise import check_kept, driven_over, is_optimal, search, 
 from jounce.design.problem import DesignProblem, Limit, LimitGiven, StationaryEvaluator, combined, design_problem
 from jounce.design.springs import wheels_of
 from jounce.identify.fit_problem import Bounds
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.parts.rig import unit_of
 from jounce.ride.closed_forms import comfort_damping, road_holding_damping
 from jounce.ride.surface import Density
@@ -59,7 +60,7 @@ class BestDamper(Shown):
 
 
 def best_dampers(
-    rig: Rig,
+    rig: Rig | str | Path,
     road: str | float | Density,
     speed: float | str,
     *,
@@ -71,8 +72,8 @@ def best_dampers(
 
     Parameters
     ----------
-    rig : Rig
-        Quarter car, half-car-4dof or full car with linear dampers.
+    rig : Rig, str or Path
+        Quarter car, half-car-4dof or full car with linear dampers; its file, or its name in the library.
     road : str, float or callable
         As for :func:`optimise`: class, degree of roughness in m^3, or density.
     speed : float or str
@@ -97,6 +98,7 @@ def best_dampers(
     comfort 1559 1559
     road holding 3243 3243
     """
+    rig = as_rig(rig)
     wheels, values = wheels_of(rig), rig.parameters()
     found = []
     goals: tuple[tuple[Literal["comfort", "road holding"], str, Any], ...] = (
@@ -190,7 +192,7 @@ class ParetoFront(Plain):
 
 
 def pareto(  # noqa: PLR0913 - each is a choice of its own
-    rig: Rig,
+    rig: Rig | str | Path,
     free: Mapping[str, Bounds],
     road: str | float | Density | None = None,
     speed: float | str | None = None,
@@ -213,8 +215,8 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
 
     Parameters
     ----------
-    rig : Rig
-        Rig or vehicle: where the search starts.
+    rig : Rig, str or Path
+        Rig or vehicle, its file or its name in the library: where the search starts.
     free : mapping
         Path to its bounds, as for :func:`optimise`.
     road : str, float or callable
@@ -257,6 +259,7 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     """
     if not _FEWEST <= points <= _MOST:
         raise DescriptionError("not a number of points", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+    rig = as_rig(rig)
     given: dict[str, Any] = {"road": road, "speed": speed, "band": band}
     chosen = {name: value for name, value in given.items() if value is not None}
     soft = task_of(rig, free, comfort, constraints, chosen, cases, spread, samples, seed, more=[holding, travel])

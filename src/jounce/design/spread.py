@@ -26,7 +26,7 @@ from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, 
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
-from jounce.parts import Corner, Rig, load
+from jounce.parts import Corner, Rig, as_rig
 from jounce.parts.bodies import distance
 
 _BAND = (2.5, 97.5)  # percent
@@ -157,7 +157,7 @@ def kinematic_spread(
     >>> found.met_adjusted > found.met
     True
     """
-    corner = check_corner(load(rig) if isinstance(rig, (str, Path)) else rig)
+    corner = check_corner(as_rig(rig))
     wishes = [item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets]
     chosen = spread if isinstance(spread, Spread) else Spread(**spread)
     cars = {} if vehicle is None else {"": vehicle}

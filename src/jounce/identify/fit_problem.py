@@ -23,7 +23,7 @@ from jounce.core.waiting import reached
 from jounce.identify.lags import Shifted, best_lag
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
-from jounce.parts.rig import unit_of, unknown_path
+from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
 from jounce.recordings.signals import shift_signals
 from jounce.roads import Trial
@@ -60,6 +60,9 @@ class FitTrial(Shown):
     trial: Trial
     measured: xr.Dataset
     sensors: Mapping[str, Sensor] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        check_rig(self.rig)
 
 
 @dataclass(frozen=True)

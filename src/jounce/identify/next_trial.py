@@ -21,7 +21,7 @@ from jounce.identify.discrepancy import OBSERVATIONS, candidate_information, rea
 from jounce.identify.fit_problem import FitTrial, prepare_trial, project_out
 from jounce.identify.posterior import Basis, Posterior
 from jounce.parts import Rig
-from jounce.parts.rig import unit_of
+from jounce.parts.rig import check_rig, unit_of
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Trial
 from jounce.variants.designs import is_whole
@@ -49,6 +49,9 @@ class Candidate(Shown):
     rig: Rig
     trial: Trial
     sensors: Mapping[str, Sensor] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        check_rig(self.rig)
 
 
 @dataclass(frozen=True)

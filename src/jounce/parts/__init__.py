@@ -2,7 +2,7 @@
 
 from jounce.parts.advice import rig_findings
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
-from jounce.parts.files import changed_text, library, load, rig_from_table, rig_path, save
+from jounce.parts.files import as_rig, changed_text, library, load, rig_from_table, rig_path, save
 from jounce.parts.rig import Rig
 from jounce.parts.vehicles import FullCar, FullCar3D, HalfCar, HalfCar4DOF, QuarterCar, Vehicle
 
@@ -19,6 +19,7 @@ __all__ = [
     "Rig",
     "TrailingArm",
     "Vehicle",
+    "as_rig",
     "changed_text",
     "library",
     "load",

@@ -20,7 +20,7 @@ from jounce.core.text import in_one_line, quoted
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import check_writable, write_atomically
 from jounce.parts.corners import Corner, Hardpoints
-from jounce.parts.rig import MODELS, Rig, parameters_of, split_path, unit_of, unknown_path
+from jounce.parts.rig import MODELS, Rig, check_rig, parameters_of, split_path, unit_of, unknown_path
 
 _WIDTH = 120
 _NUMBER_AND_UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*([^\d\s].*?)\s*$")
@@ -164,6 +164,15 @@ def load(name: str | Path) -> Rig:
     path = rig_path(name)
     table, text = read_toml(path)
     return rig_from_table(table, where=str(path), text=text)
+
+
+def as_rig(given: Rig | str | Path) -> Rig:
+    """Give the rig meant: one, the file of one, or the name of a shipped one.
+
+    >>> as_rig("kart-quarter-car") == load("kart-quarter-car")
+    True
+    """
+    return check_rig(load(given) if isinstance(given, str | Path) else given)
 
 
 def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") -> Rig:

@@ -6,6 +6,7 @@ import difflib
 import re
 from collections.abc import Iterable, Mapping
 from copy import deepcopy
+from pathlib import Path
 from typing import Any, ClassVar, Self
 
 from pydantic import BaseModel, model_validator
@@ -155,6 +156,14 @@ def questions(description: BaseModel) -> list[tuple[str, str, float]]:
 def _units_in(annotation: Any) -> list[Unit]:
     own = [item for item in getattr(annotation, "__metadata__", ()) if isinstance(item, Unit)]
     return own or [unit for part in getattr(annotation, "__args__", ()) for unit in _units_in(part)]
+
+
+def check_rig(given: object) -> Rig:
+    """Refuse what is no rig or vehicle."""
+    if isinstance(given, Rig):
+        return given
+    hint = f"Load it: jn.load({str(given)!r})." if isinstance(given, str | Path) else ""
+    raise DescriptionError("not a rig", where="rig", found=given, allowed="a rig or a vehicle", hint=hint)
 
 
 MODELS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": {}, "jounce.vehicle/1": {}}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -14,7 +15,7 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import channels_of, is_channel
 from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Signal
 from jounce.ride.family import LinearFamily
@@ -131,7 +132,7 @@ class StationaryResponse(Plain):
 
 
 def stationary(
-    rig: Rig,
+    rig: Rig | str | Path,
     road: str | float | Density,
     speed: float | str,
     *,
@@ -150,8 +151,8 @@ def stationary(
 
     Parameters
     ----------
-    rig : Rig
-        Rig or vehicle.
+    rig : Rig, str or Path
+        Rig or vehicle, its file or its name in the library.
     road : str, float or callable
         Class ("C", "iso:C"), degree of roughness G_d(n0) in m^3, or one-sided density (m^3) as a function of an array
         of spatial frequencies (1/m).
@@ -200,7 +201,7 @@ def stationary(
     chosen = surface(
         road, speed, waviness=waviness, band=band, cut_off=cut_off, sides=sides, contact_length=contact_length
     )
-    family = LinearFamily(rig, tuple(parameters))
+    family = LinearFamily(as_rig(rig), tuple(parameters))
     outputs = family.compiled.facts.outputs
     names = [output.name for output in outputs]
     gains = _gains(weighting or {}, names)

@@ -19,7 +19,7 @@ from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
 from jounce.mechanics.facts import SLOPES, Facts, Output, is_road
 from jounce.parts import Rig
-from jounce.parts.rig import structure_of
+from jounce.parts.rig import check_rig, structure_of
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -196,6 +196,7 @@ def compile_rig(
     Rigs that differ in numbers only share one. ``free`` is as for :func:`compile_model`, ``detail`` as for
     :func:`jounce.models.build`; the numbers of an ``actuator`` of every strut are parameters, too.
     """
+    check_rig(rig)
     key = (type(rig).__name__, structure_of(rig), detail, free, actuator.structure if actuator else "")
 
     def model() -> Model:

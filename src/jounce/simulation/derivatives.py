@@ -13,7 +13,7 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
-from jounce.parts.rig import unit_of, unknown_path
+from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.schema import place_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
@@ -182,7 +182,7 @@ def _run(
     rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolerance: float
 ) -> tuple[Compiled, Solution]:
     """Simulate with sensitivities."""
-    values = rig.parameters()
+    values = check_rig(rig).parameters()
     if isinstance(parameters, str) or not parameters or len(set(parameters)) < len(parameters):
         allowed = "at least one path, each once, in a list"
         raise SimulationError("not a choice of parameters", where="parameters", found=parameters, allowed=allowed)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.errors import SimulationError, nearest
 from jounce.core.types import Array
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def simulate(
-    rig: Rig,
+    rig: Rig | str | Path,
     trial: Trial,
     *,
     output_step: float = 1e-3,
@@ -40,8 +41,8 @@ def simulate(
 
     Parameters
     ----------
-    rig : Rig
-        What is tested.
+    rig : Rig, str or Path
+        What is tested: a rig or a vehicle, its file or its name in the library.
     trial : Trial
         Road and speed, or a base motion, and the duration.
     output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
@@ -77,7 +78,8 @@ def simulate(
     True
     """
     settings = RunSettings(output_step, tolerance, method)
-    return solved(rig, trial, settings, offset=offset, detail=detail, check=check, control=control).recording()
+    run = solved(as_rig(rig), trial, settings, offset=offset, detail=detail, check=check, control=control)
+    return run.recording()
 
 
 @dataclass(frozen=True)

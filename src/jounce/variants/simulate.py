@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
 from jounce.core.waiting import told
-from jounce.parts import Rig
+from jounce.parts import Rig, as_rig
 from jounce.roads import Trial
 from jounce.simulation.settings import Method, RunSettings
 from jounce.variants.designs import is_whole
@@ -25,7 +25,7 @@ _MOST_SAMPLES = 400_000_000  # numbers that channels over time may have: 3.2 GB
 
 
 def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
-    rig: Rig,
+    rig: Rig | str | Path,
     trial: Trial,
     variants: Variants,
     *,
@@ -51,8 +51,8 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
 
     Parameters
     ----------
-    rig : Rig
-        What all variants start from.
+    rig : Rig, str or Path
+        What all variants start from: a rig or a vehicle, its file or its name in the library.
     trial : Trial
         What all of them are driven over.
     variants : mapping or Design
@@ -115,7 +115,13 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     if not is_whole(workers) or workers < 1:
         raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
     work, columns = prepared(
-        rig, trial, variants, RunSettings(output_step, tolerance, method), metrics, outputs, _as_controller(control)
+        as_rig(rig),
+        trial,
+        variants,
+        RunSettings(output_step, tolerance, method),
+        metrics,
+        outputs,
+        _as_controller(control),
     )
     count = len(next(iter(columns.values())))
     if out is not None:
