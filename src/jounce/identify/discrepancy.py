@@ -284,7 +284,7 @@ class _Calibration:
     def __init__(
         self, trials: Sequence[FitTrial], free: Sequence[Free], doubt: Doubt, *, channels: Sequence[str] | None,
         weights: str | Mapping[str, float], align: bool, tolerance: float, priors: Mapping[str, tuple[float, float]],
-        richer: Richer | None = None,
+        richer: Richer | None = None, start: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
         self.free, self.align, self.tolerance, self.doubt = tuple(free), align, tolerance, doubt
         prepared = [prepare_trial(trial, self.free, channels, weights) for trial in trials]
@@ -294,7 +294,8 @@ class _Calibration:
         ]
         rig = trials[0].rig
         used = compile_rig(rig).facts.parameters
-        self.richer = richer or Richer(rig, [item.path for item in free], doubt, _ridden(prepared[0]), used)
+        paths, start = [item.path for item in free], start or {}
+        self.richer = richer or Richer(rig, paths, doubt, _ridden(prepared[0], start), used, start)
         self.lanes = len(self.richer.nuisances)
         self.columns = self.richer.columns()
         self.runs = [_Run(one, self) for one in prepared]
@@ -330,7 +331,7 @@ class _Calibration:
         if self.richer.has_laws and doubt.presliding > 0.0:
             found.append(Nuisance("presliding", "presliding", "N", 0.0, doubt.presliding))
         if isinstance(self.richer.rig, QuarterCar) and doubt.arms > 0.0:
-            found.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.rig.unsprung.mass))
+            found.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]))
         return found
 
     def _sensors(self) -> list[Nuisance]:
@@ -648,8 +649,9 @@ def calibrated(
 ) -> Calibrated:
     """Search as :func:`calibrate` does, and give where it ended."""
     one = _Calibration(
-        trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {}
-    )
+        trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {},
+        start=start,
+    )  # fmt: skip
     state = _State(
         np.array([item.scaled(start[item.path]) for item in free]),
         np.zeros(len(one.nuisances)),
@@ -998,9 +1000,11 @@ def _findings(
 _INPUTS = ("height", "contact_patch", "presliding", "arms")
 
 
-def _ridden(prepared: Prepared) -> Ridden:
-    """Static deflections and the largest strut velocity of a trial, by the rig as it is."""
-    solution = replace(prepared, compiled=prepared.compiled.plain).solve(np.zeros(0), 1e-5)
+def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> Ridden:
+    """Static deflections and the largest strut velocity of a trial, by the rig with its fitted values."""
+    plain = prepared.compiled.plain
+    start = plain.parameter_values({**prepared.source.rig.parameters(), **fitted})
+    solution = replace(prepared, compiled=plain, start=start).solve(np.zeros(0), 1e-5)
     names = prepared.compiled.output_names
 
     def seen(name: str) -> Array:

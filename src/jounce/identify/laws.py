@@ -1,10 +1,10 @@
 """What a parameter stands for: the value of its law over the states of a ride, in two readings.
 
-The *component value* is what a test machine gives of the part: the slope of the damper's force over velocity alone,
-its force of sliding, the tangent of spring and tyre at the static load. The *effective value* is what the model's law
-has to be to give the part's force over the ride as well as it can: a degressive damper without friction is, to a model
-with a line, a damper and some friction. They differ by definition, not by error; an interval for a parameter has to
-hold both.
+The *component value* is what a test machine gives of the part: the slope of the damper's force over velocity alone (of
+each side where its law has one for each), its force of sliding, the tangent of spring and tyre at the static load. The
+*effective value* is what the model's law has to be to give the part's force over the ride as well as it can: a
+degressive damper without friction is, to a model with a line, a damper and some friction. They differ by definition,
+not by error; an interval for a parameter has to hold both.
 """
 
 from __future__ import annotations
@@ -71,6 +71,7 @@ class Laws:
         self.richer = richer
         self.seen = States.joined(states, every)
         self.sliding = np.concatenate([one.sliding()[::every] for one in states])
+        self._plain = richer.rig.parameters()
         self._inverse: dict[str, Array] = {}
 
     def readings(self, path: str, p: Mapping[str, float], xi: Array, presliding: float) -> tuple[float, float]:
@@ -82,32 +83,41 @@ class Laws:
             return p[path], stiffness if path == "tyre.stiffness" else damping
         if path.endswith("friction.force") and path.startswith("guide"):
             return p[path], self._guide(path, p)
-        if path in ("strut.spring.rate", "strut.damper.coefficient", "strut.friction.force"):
+        if path in ("strut.spring.rate", "strut.friction.force") or path in self._sides():
             component, effective = self._strut_components(p, xi, presliding), self._strut(p, xi, presliding)
             return component[path], effective.get(path, component[path])
         return p[path], p[path]
 
     def _strut_components(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
-        v = self.seen.velocity
-        force = self.richer.damper_force(p, xi, v)
+        force = self.richer.damper_force(p, xi, self.seen.velocity)
         return {
+            **{path: float(v @ force / (v @ v)) if np.any(v) else p[path] for path, v in self._sides().items()},
             "strut.spring.rate": p.get("strut.spring.rate", 0.0),
-            "strut.damper.coefficient": float(v @ force / (v @ v)),
             "strut.friction.force": p.get("strut.friction.force", 0.0) + presliding,
         }
 
+    def _sides(self) -> dict[str, Array]:
+        """Strut velocities (m/s) that each coefficient of the damper's law is for, 0 at the others."""
+        v, place = self.seen.velocity, "strut.damper."
+        sides = {
+            "coefficient": v, "bump_coefficient": np.maximum(v, 0.0), "rebound_coefficient": np.minimum(v, 0.0)
+        }  # fmt: skip
+        return {place + name: side for name, side in sides.items() if place + name in self._plain}
+
     def _strut(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
-        """Line, damper and friction nearest to the strut's force."""
+        """Line, damper and friction nearest to the strut's force; friction that is not fitted stays as described."""
         x, v = self.seen.strut, self.seen.velocity
         onset = p.get("strut.friction.regularisation_velocity", ONSET_VELOCITY)
         force = self.richer.elastic_force("strut.spring", p, xi, x) + self.richer.damper_force(p, xi, v)
         force = force + p.get("strut.friction.force", 0.0) * np.tanh(v / onset) + presliding * self.sliding
-        names = ["strut.spring.rate", "strut.damper.coefficient"]
-        columns = [np.ones(len(v)), x, v]
+        columns = {"": np.ones(len(v)), "strut.spring.rate": x, **self._sides()}
+        turned = np.tanh(v / self._nominal("strut.friction"))
         if "strut.friction.force" in self.richer.free:
-            names.append("strut.friction.force")
-            columns.append(np.tanh(v / self._nominal("strut.friction")))
-        return dict(zip(names, self._nearest("strut", columns, force)[1:], strict=True))
+            columns["strut.friction.force"] = turned
+        else:
+            force = force - self._plain.get("strut.friction.force", 0.0) * turned
+        columns = {name: column for name, column in columns.items() if np.any(column)}
+        return dict(zip(columns, self._nearest("strut", list(columns.values()), force).tolist(), strict=True))
 
     def _tyre(self, p: Mapping[str, float], xi: Array) -> tuple[float, float]:
         touching = self.seen.tyre > 0.0
@@ -124,7 +134,7 @@ class Laws:
 
     def _nominal(self, place: str) -> float:
         """Velocity over which the plain rig's friction turns over."""
-        return self.richer.rig.parameters().get(f"{place}.regularisation_velocity", ONSET_VELOCITY)
+        return self._plain.get(f"{place}.regularisation_velocity", ONSET_VELOCITY)
 
     def _nearest(self, name: str, columns: Sequence[Array], force: Array) -> Array:
         if name not in self._inverse:

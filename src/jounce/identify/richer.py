@@ -57,14 +57,18 @@ class Richer:
     """A richer rig: its description, what may be off, and its numbers for values of both.
 
     ``free`` are the paths of the fitted parameters; ``nuisances`` stand in the order of the whitened unknowns ``xi``
-    (independent, mean 0, standard deviation 1) that stand for them.
+    (independent, mean 0, standard deviation 1) that stand for them. ``fitted`` are values (SI) that the rig does not
+    have yet: what is doubted as a share is one of these, whatever the fit started from.
     """
 
-    def __init__(self, rig: Rig, free: Sequence[str], doubt: Doubt, ridden: Ridden, used: Sequence[str]) -> None:
+    def __init__(
+        self, rig: Rig, free: Sequence[str], doubt: Doubt, ridden: Ridden, used: Sequence[str],
+        fitted: Mapping[str, float] | None = None,
+    ) -> None:  # fmt: skip
         self.rig, self.free, self.doubt, self.ridden = rig, tuple(free), doubt, ridden
         self.has_laws = isinstance(rig, (QuarterCar, Corner))
         self.nuisances: list[Nuisance] = []
-        self._values = rig.parameters()
+        self.values = {**rig.parameters(), **(fitted or {})}
         self._shares: dict[int, str] = {}
         self._added: dict[int, str] = {}
         self._factors: dict[int, str] = {}
@@ -91,7 +95,7 @@ class Richer:
 
     def columns(self) -> tuple[str, ...]:
         """Paths of the richer rig that move with fitted parameters and nuisances."""
-        return tuple(self.numbers(self._values, {}, np.zeros(len(self.nuisances))))
+        return tuple(self.numbers(self.values, {}, np.zeros(len(self.nuisances))))
 
     def plain(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
         """Numbers of the rig by path, with masses, angle and friction as they may be."""
@@ -157,7 +161,7 @@ class Richer:
         return len(self.nuisances) - 1
 
     def _masses(self, used: Sequence[str]) -> None:
-        for path, value in self._values.items():
+        for path, value in self.values.items():
             if not path.endswith("mass") or path not in used or path in self.free or value <= 0.0:
                 continue
             told = "stated" if isinstance(self.rig, Corner) else "lumped"
@@ -175,7 +179,7 @@ class Richer:
 
     def _others(self, used: Sequence[str]) -> None:
         angle = "strut.angle"
-        if angle in self._values and angle in used and angle not in self.free and angle not in self.doubt.values:
+        if angle in self.values and angle in used and angle not in self.free and angle not in self.doubt.values:
             i = self._add(angle, "angle", self.doubt.angle, unit="rad")
             if i is not None:
                 self._added[i] = angle
@@ -196,7 +200,7 @@ class Richer:
         positive = np.array(_KNOTS) * self.ridden.velocity
         knots = np.concatenate([-positive[::-1], [0.0], positive])
         moving = knots[knots != 0.0]
-        scale = self.doubt.damper_shape * np.abs(self.damper_force(self._values, np.zeros(0), moving))
+        scale = self.doubt.damper_shape * np.abs(self.damper_force(self.values, np.zeros(0), moving))
         scale = scale + self.doubt.damper_force
         at = np.arcsinh(moving / (_KNEE * self.ridden.velocity))
         apart = math.sqrt(3.0) * np.abs(at[:, None] - at)
@@ -207,7 +211,7 @@ class Richer:
         ]
         self._knotted = tuple(i for i in places if i is not None), root
         self._knots = knots
-        force = self.damper_force(self._values, np.zeros(len(self.nuisances)), knots)
+        force = self.damper_force(self.values, np.zeros(len(self.nuisances)), knots)
         self._table["strut"]["damper"] = {"velocity": tuple(knots), "force": tuple(force)}
 
     def undoubted(self) -> list[str]:
@@ -222,7 +226,7 @@ class Richer:
         return self._knotted
 
     def _frictions(self) -> None:
-        load = self._values.get("sprung.mass", 0.0) * self._values.get("gravity", 0.0)
+        load = self.values.get("sprung.mass", 0.0) * self.values.get("gravity", 0.0)
         for path, holder in self._friction_places().items():
             table = holder.setdefault(path.rpartition(".")[2], {"force": 0.0})
             table.setdefault("regularisation_velocity", ONSET_VELOCITY)
@@ -247,9 +251,9 @@ class Richer:
 
     def _springs(self) -> None:
         doubt = self.doubt
-        if isinstance(self.rig, QuarterCar) and "strut.spring.rate" in self._values and self.ridden.strut > 0.0:
+        if isinstance(self.rig, QuarterCar) and "strut.spring.rate" in self.values and self.ridden.strut > 0.0:
             self._bend("strut.spring", "spring_curvature", [(0.0, doubt.spring_curvature)], "rate")
-        if "tyre.stiffness" in self._values and self.ridden.tyre > 0.0:
+        if "tyre.stiffness" in self.values and self.ridden.tyre > 0.0:
             share = doubt.tyre_curvature
             self._bend("tyre", "tyre_curvature", [(_STIFFENS * share, share), (0.0, 0.1 * share)], "stiffness")
 

@@ -7,7 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.discrepancy import _Calibration, _drawn_by, _State, _Stray, noise_variance
+from jounce.identify.discrepancy import _Calibration, _drawn_by, _State, _Stray, calibrate, noise_variance
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
@@ -250,6 +250,25 @@ def test_without_model_error_the_price_is_small():
     assert rate.interval[0] < 23500.0 < rate.interval[1]
     assert rate.half_width < 0.1 * rate.value
     assert max(found.discrepancy.unexplained.values()) < 0.5
+
+
+def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
+    """Passes of a known bilinear damper: both guesses give the same intervals, and the spring its own rate."""
+    truth = {"strut.damper.bump_coefficient": 90.0, "strut.damper.rebound_coefficient": 260.0}
+    rate, damper = "strut.spring.rate", {"bump_coefficient": 90.0, "rebound_coefficient": 260.0}
+    passes, found = trials({"strut.damper": damper}, noise=0.05), []
+    for guess in (60.0, 500.0):
+        told = RIG.with_changes({"strut.damper": dict.fromkeys(damper, guess)})
+        made = [jn.FitTrial(one.name, told, one.trial, one.measured) for one in passes]
+        free = free_parameters(told, {rate: "15 %", **{path: ["10 N*s/m", "900 N*s/m"] for path in truth}})
+        start = {rate: 22730.0, **truth}
+        found.append(calibrate(made, free, start, doubt=jn.Doubt(), lags={}, align=False).parameters)
+    for path, value in {rate: 22730.0, **truth}.items():
+        low, high = found[0][path].interval
+        assert found[1][path].interval == pytest.approx((low, high), rel=1e-6), path
+        assert low < value < high
+        assert found[0][path].half_width < 0.15 * value, path
+    assert found[0][rate].effective.value == pytest.approx(found[0][rate].component.value, rel=5e-3)
 
 
 def test_fewer_than_three_trials_give_no_such_interval():

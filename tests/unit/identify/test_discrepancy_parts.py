@@ -286,7 +286,7 @@ def test_mean_squares_are_those_of_each_channel() -> None:
 
 def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
-    richer = SimpleNamespace(has_laws=True, rig=rig, ridden=Ridden(0.007, 0.0015, 1.0))
+    richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), ridden=Ridden(0.007, 0.0015, 1.0))
     one = SimpleNamespace(doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)])
     assert {each.name: (each.unit, each.mean, each.deviation) for each in _Calibration._inputs(one)} == {
         "height": ("1", 0.0, 0.015),
@@ -389,3 +389,69 @@ def test_a_road_is_averaged_over_the_patch(
     assert (averaged.contact_length, averaged.step) == pytest.approx((length, step))
     run.patched = False
     assert _Run.signals(run, {"contact_patch": square}) == [road]
+
+
+BILINEAR = jn.load("kart-quarter-car").with_changes({
+    "strut.damper": {"bump_coefficient": 90.0, "rebound_coefficient": 260.0},
+    "strut.friction": {"force": 12.0, "regularisation_velocity": 0.005},
+})  # fmt: skip
+SIDES = ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient")
+_TIME = np.linspace(0.0, 2.0, 2001)
+_PASS = np.exp(-1.5 * _TIME) * np.sin(14.0 * _TIME)  # one that leaves a mean deflection, and bump unlike rebound
+
+
+def _passed(strut: np.ndarray) -> States:
+    return States(_TIME, strut, np.gradient(strut, _TIME), 0.001 + 0.0 * _TIME, 0.0 * _TIME, 0.0 * _TIME)
+
+
+def _richer(rig: jn.QuarterCar, free: tuple[str, ...], fitted: dict[str, float] | None = None) -> Richer:
+    used = compile_rig(rig).facts.parameters
+    return Richer(rig, free, jn.Doubt(spring_curvature=0.0), Ridden(0.007, 0.0015, 0.5), used, fitted)
+
+
+@pytest.mark.parametrize("friction", [(), ("strut.friction.force",)])
+def test_an_asymmetric_damper_that_is_as_described_leaves_the_spring_its_rate(friction: tuple[str, ...]) -> None:
+    paths = ("strut.spring.rate", *SIDES, *friction)
+    richer = _richer(BILINEAR, paths)
+    p, xi = BILINEAR.parameters(), np.zeros(len(richer.nuisances))
+    laws = Laws(richer, [_passed(0.007 + 0.01 * _PASS)])
+    for path in paths:
+        assert laws.readings(path, p, xi, 0.0) == pytest.approx((p[path], p[path]), rel=1e-9), path
+
+
+def test_friction_that_the_rig_states_is_no_part_of_the_damper() -> None:
+    rig = BILINEAR.with_changes({"strut.damper": {"coefficient": 150.0}})
+    paths = ("strut.spring.rate", "strut.damper.coefficient")
+    richer = _richer(rig, paths)
+    laws = Laws(richer, [_passed(0.007 + 0.01 * _PASS)])
+    for path in paths:
+        p = rig.parameters()
+        assert laws.readings(path, p, np.zeros(len(richer.nuisances)), 0.0) == pytest.approx((p[path],) * 2), path
+
+
+def test_forces_beside_a_law_of_two_sides_count_on_the_side_they_are_on() -> None:
+    """The same force on both sides is so much more in bump and so much less in rebound."""
+    richer = _richer(BILINEAR, SIDES)
+    places, root = richer.whitened()
+    xi = np.zeros(len(richer.nuisances))
+    xi[list(places)] = np.linalg.solve(root, 40.0 * np.array([-0.5, -0.175, -0.06, -0.015, 0.015, 0.06, 0.175, 0.5]))
+    laws, p = Laws(richer, [_passed(0.007 + 0.01 * _PASS)]), BILINEAR.parameters()
+    for path in SIDES:  # 40 N s/m more on either side, whichever reading
+        assert laws.readings(path, p, xi, 0.0) == pytest.approx((p[path] + 40.0,) * 2, rel=1e-6)
+    xi[list(places)] = np.linalg.solve(root, np.full(8, 10.0))
+    bump, rebound = (laws.readings(path, p, xi, 0.0) for path in SIDES)
+    assert min(bump) > p[SIDES[0]] + 10.0
+    assert max(rebound) < p[SIDES[1]] - 10.0
+    only = Laws(richer, [_passed(0.007 + 0.01 * _TIME)])  # never in rebound
+    assert only.readings(SIDES[1], p, xi, 0.0) == (p[SIDES[1]],) * 2
+    assert min(only.readings(SIDES[0], p, xi, 0.0)) > p[SIDES[0]]
+
+
+def test_what_is_doubted_of_a_damper_is_a_share_of_the_law_that_was_fitted() -> None:
+    fitted = dict(zip(SIDES, (90.0, 260.0), strict=True))
+    starts = [(30.0, 30.0), (600.0, 50.0)]
+    guesses = [BILINEAR.with_changes(dict(zip(SIDES, start, strict=True))) for start in starts]
+    here = [one.deviation for one in _richer(BILINEAR, SIDES).nuisances]
+    for guess in guesses:
+        assert [one.deviation for one in _richer(guess, SIDES, fitted).nuisances] == pytest.approx(here)
+        assert [one.deviation for one in _richer(guess, SIDES).nuisances] != pytest.approx(here, rel=0.1)
