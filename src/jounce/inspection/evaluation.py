@@ -377,15 +377,18 @@ def _by_methods(
 ) -> WheelResult:
     """Put together what the chosen methods find in a test, beside what is known whatever they are."""
     halves: dict[str, float | None] = {}
+    unreliable: dict[str, None] = {}
     for key, method in METHODS.items():
         if key in chosen:
             found = method.evaluate(test)
             known, halves, findings = known | found.values, halves | found.half_widths, findings + found.findings
+            unreliable |= dict.fromkeys(found.unreliable)
             curves = curves if found.phase_deg is None else replace(curves, phase_deg=found.phase_deg)
     return WheelResult(
         wheel=test.signals.wheel,
         static_load=test.load,
         uncertainty={key: float(half) for key, half in halves.items() if half is not None and np.isfinite(half)},
+        unreliable=tuple(unreliable),
         corner=None if test.fit is None else test.fit.corner,
         findings=tuple(findings),
         curves=curves,

@@ -36,6 +36,7 @@ class Difference:
     relative_uncertainty: float | None = None  # half width of the 95 % interval of the relative difference (1)
     place: str = ""  # side of the car, for front and rear
     bands: dict[str, Band] = field(default_factory=dict)  # by name of the limit
+    unreliable: tuple[str, ...] = ()  # wheels or axles whose value is unreliable: no band then
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values and, by the name of the limit, label and verdict."""
@@ -46,6 +47,7 @@ class Difference:
             "uncertainty": self.uncertainty,
             "relative_uncertainty": self.relative_uncertainty,
             "smaller": self.smaller,
+            "unreliable": list(self.unreliable),
             "grade": grade,
         }
 
@@ -65,17 +67,19 @@ def difference_of(
     a, b = first.value(quantity), second.value(quantity)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         return None
+    doubted = tuple(name for name, one in zip(places, (first, second), strict=True) if quantity in one.unreliable)
     halves = [one.uncertainty.get(quantity) for one in (first, second)]
     half = math.hypot(*halves) if None not in halves else None  # type: ignore[arg-type]
     gap, greatest, least = abs(a - b), max(a, b), max(min(a, b), 0.0)
     smaller = "" if a == b else places[0] if a < b else places[1]
     if greatest <= 0.0:
-        return Difference(quantity, a, b, gap, None, half, smaller, place=place)
+        return Difference(quantity, a, b, gap, None, half, smaller, place=place, unreliable=doubted)
     relative = None
     if None not in halves:
         of_least, of_greatest = halves if a < b else halves[::-1]
         relative = math.hypot(of_least, of_greatest * least / greatest) / greatest  # type: ignore[arg-type, operator]
-    return Difference(quantity, a, b, gap, 1.0 - least / greatest, half, smaller, relative, place)
+    share = 1.0 - least / greatest
+    return Difference(quantity, a, b, gap, share, half, smaller, relative, place, unreliable=doubted)
 
 
 def grade_differences(
@@ -84,7 +88,8 @@ def grade_differences(
     """Find the bands of differences across ``"wheels"`` or ``"axles"``, and the reasons of the limits that count.
 
     ``used`` are the methods that decide; limits that belong to none of them only name their band. A difference is in
-    the band that its 95 % interval begins in: wheels are called unequal only where that is beyond doubt.
+    the band that its 95 % interval begins in: wheels are called unequal only where that is beyond doubt. One of
+    unreliable values is in no band.
     """
     graded = {one.quantity: one for one in differences}
     reasons: list[Reason] = []
@@ -99,6 +104,11 @@ def grade_differences(
         if value is not None and half is not None:
             sure = criterion.band_of(max(value - half, 0.0))
         counts = criterion.verified and bool(set(criterion.methods) & set(used))
+        if one.unreliable:
+            if counts:
+                about = {"criterion": criterion, "across": across, "places": one.unreliable}
+                reasons.append(Reason("unreliable_difference", "", about))
+            continue
         if band is None or sure is None:
             if counts:
                 reasons.append(Reason("no_difference", "", {"quantity": criterion.quantity}))
@@ -417,6 +427,8 @@ def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[Band | 
     reasons = [Reason("band", band.verdict, {**about, "band": band, "verdict": band.verdict})]
     if band.note == "over_range":
         reasons.append(Reason("over_range", "", {**about, "limit": band.start}))
+    if criterion.quantity in wheel.unreliable:
+        reasons.append(Reason("unreliable", "", {"criterion": criterion, "method": method}))
     return band, reasons + near_edges(criterion, value, half, method)
 
 

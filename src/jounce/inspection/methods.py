@@ -80,6 +80,7 @@ class Found:
     half_widths: dict[str, float | None] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)  # what weakens them
     phase_deg: Array | None = None  # phase angle of every turn in degrees, for the curves
+    unreliable: tuple[str, ...] = ()  # keys of values that may be far off, which no interval of theirs says
 
 
 @dataclass(frozen=True)
@@ -268,6 +269,12 @@ _EGEA_SENTENCES = {
         "the turns do not cover {low:g} to {high:g} Hz: no least phase angle.",
         "Die Hübe überdecken {low:g} bis {high:g} Hz nicht: kein kleinster Phasenwinkel.",
     ),
+    "phase_after_lift_off": Sentence(
+        "the tyre leaves the plate in this test, and how the wheel swings on afterwards depends on chance: the least "
+        "phase angle is unreliable, and a repeated test may give one that differs by ten degrees and more.",
+        "Der Reifen hebt in dieser Prüfung ab, und wie das Rad danach weiterschwingt, hängt vom Zufall ab: Der "
+        "kleinste Phasenwinkel ist unzuverlässig, eine Wiederholung kann um zehn Grad und mehr abweichen.",
+    ),
     "phase_in_lift_off": Sentence(
         "the tyre leaves the plate where the phase angle is least; the angle given is that of the fitted quarter car.",
         "Der Reifen hebt dort ab, wo der Phasenwinkel am kleinsten ist; angegeben ist der des angepassten "
@@ -329,7 +336,11 @@ def _egea(test: WheelTest) -> Found:
         found.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
         return found
     found.values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
-    found.half_widths["phase_angle_min_deg"] = minimum.half_width_deg
+    if analysis.lifted.any():  # how the wheel swings on after it depends on chance, which noise and fit do not show
+        found.unreliable = ("phase_angle_min_deg", "phase_frequency_hz")
+        found.findings.append(warning(f"{wheel}.phase", "phase_after_lift_off"))
+    else:
+        found.half_widths["phase_angle_min_deg"] = minimum.half_width_deg
     if minimum.in_lift_off:
         found.findings.append(warning(f"{wheel}.phase", "phase_in_lift_off"))
     if minimum.angle_deg < 0.0:

@@ -51,6 +51,16 @@ _SENTENCES = {
         "Das 95-%-Intervall, {quantity} {low} bis {high}, schließt den Grenzwert {limit} ein: Die Einstufung ist "
         "unsicher.",
     ),
+    "unreliable": Sentence(
+        "{quantity} is unreliable after lift-off: the class is uncertain.",
+        "{quantity}: nach dem Abheben unzuverlässig, die Einstufung ist unsicher.",
+    ),
+    "unreliable_difference": Sentence(
+        "difference {across} of {quantity} is not graded: the value is unreliable where the tyre leaves the plate "
+        "({places}).",
+        "Unterschied {across}, {quantity}: nicht bewertet; wo der Reifen abhebt, ist der Wert unzuverlässig "
+        "({places}).",
+    ),
     "unverified": Sentence(
         "{quantity} {value} would be {label} ({range}), but the limits of {method} are unverified and decide nothing. "
         "Use the manufacturer's limits.{limits}",
@@ -213,10 +223,15 @@ def verdict_words(verdict: str, language: Language = "en") -> str:
     return VERDICT_WORDS[verdict].said(language) if verdict in VERDICT_WORDS else verdict
 
 
+def _places(value: Any, language: Language) -> str:
+    return ", ".join((SIDES | AXLES)[place].said(language) for place in value)
+
+
 _WRITTEN: Mapping[str, Callable[[Any, Language], str]] = {
     "method": _methods,
     "methods": _methods,
     "grades": _grades,
+    "places": _places,
     "finding": sentence_of,
     "verdict": verdict_words,
     "quantity": lambda value, language: QUANTITIES[value].words(language),

@@ -84,6 +84,9 @@ class WheelResult(Plain):
         Damping ratio (1) on this tester by ``fit``, ``half_power``, ``amplification``, ``free_decay``.
     uncertainty : mapping of str to float
         Half width of the 95 % interval by key, in the unit of the value.
+    unreliable : tuple of str
+        Keys of values that another test of the same wheel may give quite differently, as after lift-off: they have no
+        interval, and no difference to another wheel is graded by them.
     corner : Corner or None
         Linear quarter car fitted to the record.
     grade : mapping of str to str
@@ -115,6 +118,7 @@ class WheelResult(Plain):
     boge_amplitude: float | None = None
     theta_methods: Mapping[str, float | None] = field(default_factory=dict)
     uncertainty: Mapping[str, float] = field(default_factory=dict)
+    unreliable: tuple[str, ...] = ()
     corner: Corner | None = None
     grade: Mapping[str, str] = field(default_factory=dict)
     verdict: str = NOT_GRADED
@@ -137,7 +141,7 @@ class WheelResult(Plain):
         """Plain JSON object: values, ``lift_off``, ``uncertainty``, ``grade``, ``verdict``, ``reasons``, ``findings``.
 
         Beside them ``wheel``, ``static_load``, ``adhesion_frequency_hz``, ``resonance_frequency_hz``,
-        ``boge_amplitude``, ``theta_methods`` and ``theta_graded``.
+        ``boge_amplitude``, ``theta_methods``, ``theta_graded`` and ``unreliable``.
         """
         table: dict[str, Any] = {"wheel": self.wheel, "static_load": self.static_load}
         table |= {key: getattr(self, key) for key in _KEYS} | dict(self.more)
@@ -149,6 +153,7 @@ class WheelResult(Plain):
             "theta_methods": self.theta_methods,
             "theta_graded": "theta_road",
             "uncertainty": self.uncertainty,
+            "unreliable": self.unreliable,
             "grade": self.grade,
             "verdict": self.verdict,
             "reasons": self.reasons,

@@ -324,7 +324,10 @@ SAID = (*HEAD, "comment")
 """What the head of the page takes from the header of a record."""
 _SIDES = ("left", "right")
 _LONGEST_TEXT, _LONGEST_HEAD = 160, 64
-_EXPLAINING = {"disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel", "may_be", "counts"}
+_EXPLAINING = {
+    "disagree", "mass", "tyre", "rigidity", "lifted", "limits_differ", "one_wheel", "may_be", "counts",
+    "unreliable_difference",
+}  # fmt: skip
 _ORDER = {"fail": 0, NOT_GRADED: 1, "advise": 2}
 
 Plain = dict[str, Any]
@@ -601,7 +604,7 @@ def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
 def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
     if reason.kind in _EXPLAINING or reason.kind == "finding":
         return True
-    if reason.kind in ("missing", "outside", "unlimited", "unverified", "near", "over_range"):
+    if reason.kind in ("missing", "outside", "unlimited", "unverified", "unreliable", "near", "over_range"):
         return reason.values.get("method") in graded.deciding
     return reason.verdict not in ("", "pass")
 
