@@ -25,7 +25,12 @@ FAST = {"files": 3, "descriptions": 40, "commands": 12, "outputs": 23}
 
 FOUND = {
     "files": [("mat73", 24, 16180), ("mat73", 86, 16180), ("parquet", 928, 16180)],
-    "descriptions": [("limits", 4, "left out"), ("campaign", 54, "truth"), ("sweep", 12, "long integer")],
+    "descriptions": [
+        ("limits", 4, "left out"),
+        ("campaign", 54, "truth"),
+        ("sweep", 12, "long integer"),
+        ("optimisation", 10, "table"),
+    ],
 }
 """What was bad when a seed was fresh, one of each kind."""
 
@@ -53,7 +58,7 @@ def test_right_uses_are_right(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
             words = shlex.split(outputs.USES.get(name, base))
             with outputs.folder_for(name):
                 code, _, said = commands.said_by(words)
-            assert code == 0 or name == "campaign run", (name, said)  # whose template's numbers are its user's
+            assert code == 0 or name.startswith("campaign "), (name, said)  # whose template's numbers are its user's
 
 
 def test_a_part_of_the_files() -> None:

@@ -284,7 +284,15 @@ def _evaluator(
         for key in given:
             if key not in ("band", "sides"):
                 raise unknown(key, ("road", "speed", "band", "sides", "travel"), what="key", where=where)
-        return stationary_evaluator(LinearFamily(rig, paths), metrics, road, speed, given)
+        try:
+            return stationary_evaluator(LinearFamily(rig, paths), metrics, road, speed, given)
+        except DescriptionError as error:
+            if error.where not in case:
+                raise
+            place = f"{where}.{error.where}"
+            raise DescriptionError(
+                error.what, where=place, found=error.found, allowed=error.allowed, hint=error.hint
+            ) from None
     if set(case) != {"travel"} or not isinstance(rig, Corner):
         raise DescriptionError("kinematics are those of a 3-D corner over travel", where=where, found=dict(case))
     from jounce.core.units import to_si

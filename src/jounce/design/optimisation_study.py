@@ -136,10 +136,13 @@ class _placed:  # noqa: N801 - used as a verb
         if not isinstance(error, JounceError):
             return
         head, _, rest = error.where.partition(": ")
-        key = "front" if head == "metrics" else head.partition(".")[0]
-        if key not in OptimisationStudy.model_fields or str(self.path) in error.where:
+        key, *inside = head.split(".")
+        if key not in (*OptimisationStudy.model_fields, "metrics") or str(self.path) in error.where:
             return
         text = self.path.read_text(encoding="utf-8")
-        line = next((found for at in ((key, rest), (key,)) if (found := line_of(text, at))), None)
-        where = f"{self.path}{f', line {line}' if line else ''}: {error.where}"
+        if key == "metrics" or (key == "objective" and line_of(text, ("front",))):  # a front is an objective and more
+            key = "front"
+        line = line_of(text, (key, *inside, rest))
+        place = ".".join([key, *inside]) + (f": {rest}" if rest else "")
+        where = f"{self.path}{f', line {line}' if line else ''}: {place}"
         raise type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None

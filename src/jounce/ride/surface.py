@@ -130,13 +130,13 @@ def surface(
 def read_roughness(road: str | float) -> float:
     """Degree of roughness (m^3) of a class ("C", "iso:C"), a text with its unit, or a number in m^3."""
     if not isinstance(road, str):
-        return as_roughness(road)
+        return as_roughness(road, where="road")
     text = road.strip()
     if text.lower().startswith("iso:"):
         text = text[4:]
     if any(mark.isdigit() for mark in text):
-        return as_roughness(to_si(text, "m^3", where="road"))
-    return as_roughness(text)
+        return as_roughness(to_si(text, "m^3", where="road"), where="road")
+    return as_roughness(text, where="road")
 
 
 def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, float] | None:

@@ -62,13 +62,17 @@ def class_roughness(name: str, *, where: str = "") -> float:
     return float(MEAN_A * 4 ** CLASSES.index(letter))
 
 
-def as_roughness(road: str | float) -> float:
+def as_roughness(road: str | float, *, where: str = "") -> float:
     """Degree of roughness in m^3 of a class by its name, or the number itself (m^3, above 0)."""
     if isinstance(road, str):
-        return class_roughness(road)
-    if not (math.isfinite(road) and road > 0.0):
-        raise DescriptionError("not a degree of roughness", found=f"{road} m^3", allowed="above 0 m^3, or A to H")
-    return float(road)
+        return class_roughness(road, where=where)
+    try:
+        roughness = float(road)
+    except (TypeError, ValueError, OverflowError):  # a table, or an integer beyond all numbers
+        roughness = math.nan
+    if not (math.isfinite(roughness) and roughness > 0.0):
+        raise DescriptionError("not a degree of roughness", where=where, found=road, allowed="above 0 m^3, or A to H")
+    return roughness
 
 
 def height_variance(roughness: float, low: ArrayLike, high: ArrayLike, waviness: float = 2.0) -> Array:

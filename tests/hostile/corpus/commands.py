@@ -43,6 +43,8 @@ BASES = {
     '"rod: tie_rod_inner-tie_rod_outer 5 mm, rim 120 mm from -50 mm to 20 mm"',
     "steering-effort": 'steering-effort kart-double-wishbone --load lateral_force="100 N"',
     "campaign run": "campaign run none.toml --out results",
+    "campaign posterior": "campaign posterior none.toml --out drawn",
+    "campaign next": "campaign next none.toml",
     "campaign new": "campaign new mine",
     "campaign synthesise": 'campaign synthesise bench --duration "0.6 s"',
     "sweep": "sweep none.toml --out swept",

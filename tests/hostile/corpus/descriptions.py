@@ -76,6 +76,23 @@ seed = 1
 "sprung.mass" = ["400 kg", "520 kg"]
 "tyre.stiffness" = {mean = "300 N/mm", sd = "5 %"}
 """
+_OPTIMISATION = """schema = "jounce.optimisation/1"
+rig = "audi-a6-quarter-car"
+free = {"strut.damper.coefficient" = ["500 N*s/m", "5000 N*s/m"]}
+front = ["motorway: p95 sprung.az", "bump: p95 tyre.force"]
+constraints = {"motorway: strut.deflection" = "30 mm"}
+spread = {"sprung.mass" = ["400 kg", "550 kg"], "strut.damper.coefficient" = "15 %"}
+samples = 8
+seed = 1
+points = 3
+[cases.motorway]
+road = "A"
+speed = "36 m/s"
+[cases.bump]
+road = {kind = "half-sine", height = "10 mm", length = "1 m"}
+speed = "10 m/s"
+duration = "0.5 s"
+"""
 
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
@@ -99,6 +116,7 @@ KINDS = {
     "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
+    "optimisation": Kind(lambda: _OPTIMISATION),
     "header": Kind(lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester eusama"),
 }
 """A good file of each kind; a test holds that every schema has one."""

@@ -31,6 +31,7 @@ LONG = (
     *SLOW,
     "load-cases",
     "campaign run",
+    "campaign posterior",
     "design kinematics",
     "design optimise",
     "design pareto",
@@ -46,6 +47,7 @@ USES = {
     "design kinematics": "design kinematics study.toml --out designed",
     "design kinematic-front": "design kinematic-front study.toml --points 2 --out front",
     "campaign run": "campaign run c/campaign.toml --out r",
+    "campaign posterior": "campaign posterior c/campaign.toml --out drawn",
     "sweep": "sweep sweep.toml --out swept",
 }
 """Right uses that need a file of their own."""
@@ -190,7 +192,7 @@ def folder_for(command: str) -> Iterator[None]:
     with folder_of_files():
         Path("study.toml").write_text(_DESIGN, encoding="utf-8")
         Path("sweep.toml").write_text(_SWEEP, encoding="utf-8")
-        if command == "campaign run":
+        if command in ("campaign run", "campaign posterior"):
             new_campaign("c")
         yield
 
