@@ -106,6 +106,24 @@ def test_what_the_targets_leave_open_stays_where_it_is() -> None:
     assert abs(found.moved["hardpoints.strut_top[0]"].after - found.moved["hardpoints.strut_top[0]"].before) < 1e-6
 
 
+def test_a_curve_within_limits_moves_no_more_than_it_needs() -> None:
+    """A bracket 6 mm off, toe within a band: one height alone can do it, so six coordinates go no farther together."""
+    rig = jn.load("sedan-multi-link").with_changes({"hardpoints.link_5_inner[2]": "210 mm"})
+    band = {"over": "-40 mm:40 mm:10 mm", "at_least": "-0.08 deg", "at_most": "0.08 deg", "tolerance": "0.01 deg"}
+    alone, together = (
+        jn.design_kinematics(rig, dict.fromkeys(points, "15 mm"), [{"quantity": "toe", **band}], starts=1)
+        for points in (["hardpoints.link_5_inner[2]"], ["hardpoints.link_5_inner", "hardpoints.link_5_outer"])
+    )
+    moves, ways = (
+        np.array([moved.after - moved.before for moved in found.moved.values()]) for found in (alone, together)
+    )
+    assert alone.met
+    assert together.met
+    assert np.linalg.norm(ways) < 0.9 * np.linalg.norm(moves)  # two heights share the way
+    after = np.degrees(jn.sweep_travel(together.rig, band["over"])["toe"].to_numpy())
+    assert np.max(np.abs(after)) == pytest.approx(0.08, abs=1e-5)  # at the limit, not within: nothing is gained there
+
+
 def test_a_point_on_a_line_and_points_tied_together() -> None:
     rig = jn.load("formula-student-front")
     free = [

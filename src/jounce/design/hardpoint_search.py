@@ -25,6 +25,8 @@ _STEPS = 60
 _PULL = 1e-4  # tolerances for a number moved as far as it may go
 _DAMPING, _LARGEST_DAMPING = 1e-3, 1e10
 _SETTLED = 1e-10  # share of the cost below which a step has gained nothing
+_REACHED = 1e-9  # tolerances off from which a target has what it wants
+_SLACK = 1e-7  # tolerances that a smaller movement may cost a wanted value: a band without width has no inside
 _INSIDE = 0.95  # share of the tolerance that the second search asks for
 _MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6
 _NOTHING = 1e-9  # tolerances that a number changes from one end of its box to the other when it does nothing
@@ -115,7 +117,7 @@ class Search:
 
         cost = cost_of(found, x)
         for steps in range(1, _STEPS + 1):
-            if pull == 0.0 and cost == 0.0:
+            if np.max(np.abs(found)) <= _REACHED:
                 return x, cost, met, steps, "all targets are met"
             gradient = jacobian.T @ found + pull**2 * x
             held = ((x <= self.lower) & (gradient > 0.0)) | ((x >= self.upper) & (gradient < 0.0))
@@ -142,6 +144,53 @@ class Search:
                 break
             found, jacobian, met = self.residuals(x, asked, slopes=True)
         return x, cost, met, steps, why
+
+    def drawn_back(self, x: Array, asked: Asked) -> Array:
+        """The place nearest to the rig that is nowhere worse than x, a place where all targets are met.
+
+        A descent takes each missed limit as a value, a curve at its edge, and moves whatever has the least say for
+        that; afterwards the slight pull is too weak to bring it back. Here limits are limits: least movement, no
+        value farther off than at x. Sought from x and from the rig, as the way back may be bent.
+        """
+        from scipy.optimize import minimize
+
+        here, _ = self.evaluator.together(self.numbers(x), slopes=False)
+        slack = np.where(self.low == self.high, np.maximum(asked.inside, _SLACK), asked.inside) * self.tolerance
+        low, high = np.minimum(self.low - slack, here), np.maximum(self.high + slack, here)
+        above, below = np.isfinite(high), np.isfinite(low)
+        size = above.sum() + below.sum()
+        seen: dict[bytes, tuple[Array, Array]] = {}
+
+        def room(place: Array) -> tuple[Array, Array]:
+            """How far values are inside of their limits, in tolerances, and its slopes."""
+            key = place.tobytes()
+            if key not in seen:
+                values, along = self.evaluator.together(self.numbers(place))
+                along = along * self.scale / self.tolerance[:, None]
+                inside = np.concatenate(
+                    [((high - values) / self.tolerance)[above], ((values - low) / self.tolerance)[below]]
+                )
+                if np.all(np.isfinite(inside)):
+                    seen[key] = inside, np.vstack([-along[above], along[below]])
+                else:
+                    seen[key] = np.full(size, -_FORBIDDEN), np.zeros((size, len(place)))
+            return seen[key]
+
+        best = x
+        for begin in (x, np.clip(np.zeros_like(x), self.lower, self.upper)):
+            found = minimize(
+                lambda place: 0.5 * float(place @ place),
+                begin,
+                jac=lambda place: place,
+                bounds=list(zip(self.lower, self.upper, strict=True)),
+                constraints={"type": "ineq", "fun": lambda place: room(place)[0], "jac": lambda place: room(place)[1]},
+                method="SLSQP",
+                options={"maxiter": _STEPS, "ftol": _PRECISION},
+            )
+            place = np.clip(np.asarray(found.x, dtype=float), self.lower, self.upper)
+            if np.min(room(place)[0]) >= -_SLACK and place @ place < best @ best:
+                best = place
+        return best
 
     def constrained(self, x: Array) -> tuple[Array, int, str]:
         """The compromise within what must hold, from x: the place reached, rounds, why it ended."""
@@ -211,13 +260,15 @@ def search_from(search: Search, x: Array) -> Outcome:
     x, cost, met, steps, ended = search.descend(x, search.compromise)
     if not np.isfinite(cost):
         return Outcome(x, cost, False, False, steps, ended)
-    best = Outcome(x, cost, met, search.judged(x)[2], steps, ended)
     if met:
-        return best
+        x = search.drawn_back(x, search.compromise)
+        return Outcome(x, *search.judged(x), steps, ended)
+    best = Outcome(x, cost, met, search.judged(x)[2], steps, ended)
     x, _, met, more, _ = search.descend(x, search.bands)
     steps += more
     if met:
-        return Outcome(x, search.judged(x)[0], True, True, steps, "all targets are met")
+        x = search.drawn_back(x, search.bands)
+        return Outcome(x, *search.judged(x), steps, "all targets are met")
     if search.must.any():
         for begin in (best.x, x):
             x, more, ended = search.constrained(begin)
