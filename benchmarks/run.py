@@ -17,6 +17,7 @@ from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, 
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
 from report_rows import report_rows
 from ride_rows import ride_rows
+from scale_rows import scale_rows
 from start_rows import start_rows
 from timing import Row, markdown, median_time, shown
 from variant_rows import variant_rows
@@ -119,6 +120,7 @@ PARTS = (
     exchange_rows,
     inspection_rows,
     variant_rows,
+    scale_rows,
     update_rows,
     start_rows,
     report_rows,
