@@ -679,7 +679,7 @@ def history(
         "wheels": [
             {
                 "record": one.record, "date": one.date, "axle": one.axle, "wheel": one.wheel, **one.values,
-                "verdict": one.verdict, "limits": one.limits,
+                "verdict": one.verdict, "limits": one.limits, "unreliable": one.unreliable,
             }
             for one in visits
         ],
@@ -824,7 +824,8 @@ def _say_kept(kept: ImportedRecord, *, as_json: bool) -> None:
         return
     word = "accepted" if kept.is_new else "known"
     reason = f" ({kept.problem})" if kept.problem else ""
-    sys.stdout.write(visible(f"{word} {kept.number} {kept.file}: {kept.verdict}{reason}") + "\n")
+    warned = f", {kept.warnings} warning{'s' * (kept.warnings > 1)}" if kept.warnings else ""
+    sys.stdout.write(visible(f"{word} {kept.number} {kept.file}: {kept.verdict}{reason}{warned}") + "\n")
     sys.stdout.flush()
 
 
@@ -835,6 +836,8 @@ def _draw_import(out: Console, kept: list[ImportedRecord], failed: dict[str, str
     parts += [f"{ungraded} of the new records cannot be graded"] if ungraded else []
     parts += [f"{len(failed)} not readable"] if failed else []
     out.print(", ".join(parts))
+    if any(one.warnings for one in kept):
+        out.print("what the warnings are: column findings of inspect export")
 
 
 def _draw_again(out: Console, found: Reevaluation, label: str) -> None:

@@ -16,7 +16,7 @@ from jounce.inspection.archive import exporting, reevaluation
 from jounce.inspection.archive.entries import Grading, RecordEntry
 from jounce.inspection.archive.exporting import COLUMNS, export, rows_of
 from jounce.inspection.archive.history import WheelVisit, history_of, trends_of
-from jounce.inspection.archive.lane import entry_of, import_record, stored_tester
+from jounce.inspection.archive.lane import entry_of, import_record, stored_tester, warnings_of
 from jounce.inspection.archive.reevaluation import Reevaluation, reevaluate
 from jounce.inspection.archive.store import Store
 from jounce.inspection.limits import load_limits, shipped_limits
@@ -74,6 +74,26 @@ def test_an_axle_that_fails_with_wheels_that_pass_says_why_in_the_table(tmp_path
     rows = rows_of(store.records())
     assert [(row["verdict"], row["reasons"]) for row in rows] == [("pass", "good.")] * 2
     assert {row["axle_reasons"] for row in rows} == {"difference left to right 19 deg: fail."}
+
+
+def test_what_weakens_a_value_is_in_the_table_and_no_trend_is_drawn_from_it(tmp_path: Path) -> None:
+    def said(severity: str, message: str) -> dict:
+        return {"place": "left", "severity": severity, "message": message}
+
+    lifted = {"unreliable": ["phase_angle_min_deg", "phase_frequency_hz"], "phase_angle_min_deg": -11.0}
+    found = {**WHEEL, **lifted, "findings": [said("warning", "the tyre lifts."), said("problem", "unfit.")]}
+    store = Store(tmp_path / "lane.sqlite")
+    for year, wheel in ((2023, WHEEL), (2024, found), (2025, WHEEL)):
+        result = {"wheels": [wheel], "findings": [said("warning", "no date.")]}
+        entry = RecordEntry(f"{year}.csv", str(year).encode(), plate="B-AB 1", date=f"{year}-06-01", axle="rear")
+        store.accept(entry, Grading("fail", "limits 1", "0.1", result))
+    rows = rows_of(store.records())
+    assert [row["findings"] for row in rows] == ["no date.", "the tyre lifts. no date.", "no date."]
+    assert [warnings_of(record.grading) for record in store.records()] == [1, 2, 1]
+    visits = history_of(store, "B-AB 1")
+    assert [visit.unreliable for visit in visits] == [(), ("phase_angle_min_deg",), ()]
+    trend = next(one for one in trends_of(visits) if one.quantity == "phase_angle_min_deg")
+    assert (trend.visits, trend.change_per_year) == (2, pytest.approx(0.0, abs=1e-12))
 
 
 def test_parquet_has_types_and_units(store, tmp_path: Path) -> None:

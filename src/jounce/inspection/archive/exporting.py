@@ -24,12 +24,12 @@ VALUES = {
 _OF_RECORD = ("number", "name", "plate", "vehicle", "date", "axle", "tester", "accepted")
 TEXTS = (
     *_OF_RECORD[1:], "wheel", *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict",
-    "axle_reasons", "limits", "software",
+    "axle_reasons", "findings", "limits", "software",
 )  # fmt: skip
 COLUMNS = (
     *_OF_RECORD, "wheel", *(column for name in VALUES for column in (name, f"{name}_half_width")), "lift_off",
-    *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict", "axle_reasons", "limits",
-    "software",
+    *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict", "axle_reasons",
+    "findings", "limits", "software",
 )  # fmt: skip
 
 
@@ -44,8 +44,14 @@ def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
             about |= {"axle_verdict": grading.verdict, "limits": grading.limits, "software": grading.software}
             about["axle_reasons"] = " ".join(result.get("reasons", []))  # an axle may fail whose wheels pass
         wheels = result.get("wheels") or [{"verdict": "not graded", "reasons": result.get("reasons", [])}]
-        rows += [{**about, **_of_wheel(wheel)} for wheel in wheels]
+        said = _messages(result)
+        rows += [{**about, **_of_wheel(wheel), "findings": " ".join([*_messages(wheel), *said])} for wheel in wheels]
     return rows
+
+
+def _messages(about: Mapping[str, Any]) -> list[str]:
+    """What the evaluation found about a wheel or a record; problems are among the reasons already."""
+    return [finding["message"] for finding in about.get("findings", []) if finding["severity"] != "problem"]
 
 
 def _of_wheel(wheel: Mapping[str, Any]) -> Row:

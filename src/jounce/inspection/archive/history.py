@@ -30,6 +30,7 @@ class WheelVisit:
     values: Mapping[str, float | None]
     verdict: str  # of the wheel, by the newest grading
     limits: str  # of the wheel, by the newest grading
+    unreliable: tuple[str, ...] = ()  # which of the values say little, as after lift-off: no trend is drawn from them
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ class Trend:
     quantity: str
     # slope of the straight line through all visits (least squares), unit of the quantity per year
     change_per_year: float
-    visits: int  # with this value and a date
+    visits: int  # with this value, reliable, and a date
 
 
 def history_of(store: Store, plate: str) -> list[WheelVisit]:
@@ -68,6 +69,7 @@ def visits_of(record: StoredRecord) -> list[WheelVisit]:
             {name: wheel.get(name) for name in QUANTITIES},
             wheel["verdict"],
             record.grading.limits,
+            tuple(name for name in wheel.get("unreliable", ()) if name in QUANTITIES),
         )
         for wheel in wheels
     ]
@@ -87,7 +89,7 @@ def trends_of(visits: Iterable[WheelVisit]) -> list[Trend]:
     for visit in visits:
         day = day_number(visit.date)
         for name, value in visit.values.items():
-            if value is not None and day is not None:
+            if value is not None and day is not None and name not in visit.unreliable:
                 series.setdefault((visit.axle, visit.wheel, name), []).append((day, value))
     found = []
     for (axle, wheel, name), points in series.items():

@@ -187,6 +187,7 @@ class ImportedRecord:
     is_new: bool  # false where the same file was in the store already
     verdict: str  # of the axle; ``"not graded"`` where the record does not allow it
     problem: str = ""  # why it could not be graded; empty where it could
+    warnings: int = 0  # findings that weaken its values, of the record and of its wheels
 
 
 def import_record(
@@ -257,7 +258,7 @@ def import_record(
     return (
         _known(str(file), number, store)
         if not is_new
-        else ImportedRecord(str(file), number, True, grading.verdict, problem_of(grading))
+        else ImportedRecord(str(file), number, True, grading.verdict, problem_of(grading), warnings_of(grading))
     )
 
 
@@ -275,7 +276,13 @@ def _known(file: str, number: int, store: Store) -> ImportedRecord:
     grading = store.newest_grading(number)
     if grading is None:
         return ImportedRecord(file, number, False, NOT_GRADED)
-    return ImportedRecord(file, number, False, grading.verdict, problem_of(grading))
+    return ImportedRecord(file, number, False, grading.verdict, problem_of(grading), warnings_of(grading))
+
+
+def warnings_of(grading: Grading) -> int:
+    """Count the findings of a record and its wheels that weaken values, as a tyre that leaves the plate."""
+    places = [grading.result, *grading.result.get("wheels", [])]
+    return sum(one["severity"] == "warning" for place in places for one in place.get("findings", []))
 
 
 def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
