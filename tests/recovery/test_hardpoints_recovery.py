@@ -107,7 +107,7 @@ def test_what_the_targets_leave_open_stays_where_it_is() -> None:
 
 
 def test_a_curve_within_limits_moves_no_more_than_it_needs() -> None:
-    """A bracket 6 mm off, toe within a band: one height alone can do it, so six coordinates go no farther together."""
+    """A bracket 14 mm off, toe within a band: one height alone can do it, so six coordinates go no farther together."""
     rig = jn.load("sedan-multi-link").with_changes({"hardpoints.link_5_inner[2]": "210 mm"})
     band = {"over": "-40 mm:40 mm:10 mm", "at_least": "-0.08 deg", "at_most": "0.08 deg", "tolerance": "0.01 deg"}
     alone, together = (
@@ -122,6 +122,21 @@ def test_a_curve_within_limits_moves_no_more_than_it_needs() -> None:
     assert np.linalg.norm(ways) < 0.9 * np.linalg.norm(moves)  # two heights share the way
     after = np.degrees(jn.sweep_travel(together.rig, band["over"])["toe"].to_numpy())
     assert np.max(np.abs(after)) == pytest.approx(0.08, abs=1e-5)  # at the limit, not within: nothing is gained there
+
+
+def test_a_number_at_its_edge_and_searches_that_did_not_settle_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    rig = jn.load("sedan-multi-link").with_changes({"hardpoints.link_5_inner[2]": "210 mm"})
+    toe = {"quantity": "toe", "over": "-40 mm:40 mm:20 mm", "at_least": "-0.08 deg", "at_most": "0.08 deg"}
+
+    def findings(within: str, **further: object) -> dict[str, str]:
+        found = jn.design_kinematics(rig, {"hardpoints.link_5_inner[2]": within}, [{**toe, **further}], starts=2)
+        assert found.met
+        return {one.place: one.message for one in found.findings}
+
+    assert not findings("20 mm", tolerance="0.01 deg")
+    assert "edge of its box" in findings("14.3 mm", tolerance="0.01 deg")["hardpoints.link_5_inner[2]"]
+    monkeypatch.setattr("jounce.design.hardpoint_search._STEPS", 2)
+    assert findings("20 mm", tolerance="0.1 deg")["starts"].startswith("2 of 2 ended before they came to rest")
 
 
 def test_a_point_on_a_line_and_points_tied_together() -> None:

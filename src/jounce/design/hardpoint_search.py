@@ -28,6 +28,8 @@ _SETTLED = 1e-10  # share of the cost below which a step has gained nothing
 _REACHED = 1e-9  # tolerances off from which a target has what it wants
 _SLACK = 1e-7  # tolerances that a smaller movement may cost a wanted value: a band without width has no inside
 _INSIDE = 0.95  # share of the tolerance that the second search asks for
+UNSETTLED = "no more steps"
+"""Why a search ended that had not come to rest."""
 _MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6
 _NOTHING = 1e-9  # tolerances that a number changes from one end of its box to the other when it does nothing
 _WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
@@ -110,7 +112,7 @@ class Search:
         found, jacobian, met = self.residuals(x, asked, slopes=True)
         if not np.all(np.isfinite(found)):
             return x, np.inf, False, 0, "a pose is out of reach"
-        damping, why, steps = _DAMPING, "no more steps", 0
+        damping, why, steps = _DAMPING, UNSETTLED, 0
 
         def cost_of(residuals: Array, at: Array) -> float:
             return float(0.5 * (residuals @ residuals + pull**2 * (at @ at)))
@@ -229,7 +231,7 @@ class Search:
             method="SLSQP",
             options={"maxiter": _MOST_ROUNDS, "ftol": _PRECISION},
         )
-        ended = "no step makes it better" if found.success else "no more steps"
+        ended = "no step makes it better" if found.success else UNSETTLED
         return np.clip(np.asarray(found.x, dtype=float), self.lower, self.upper), int(found.nit), ended
 
 

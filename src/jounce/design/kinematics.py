@@ -22,7 +22,7 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.free_points import FreeNumbers, Numbering, Rigs, free_numbers
-from jounce.design.hardpoint_search import Outcome, Search, places, refuse_idle, search_from
+from jounce.design.hardpoint_search import UNSETTLED, Outcome, Search, places, refuse_idle, search_from
 from jounce.design.kinematic_study import NAME, SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
 from jounce.design.spread import KinematicSpread, Workshop, spread_of
@@ -34,6 +34,7 @@ from jounce.parts.files import rig_named_in
 
 _FIGHTS = -0.3  # cosine of two targets' slopes from which meeting one costs the other
 _STILL = 0.5e-9  # m: what moves less stays
+_EDGE = 0.02  # half boxes from its edge within which a number is told to lie there
 _GENTLE = 0.03  # tolerances that half a box must change before it counts as a way to have one more
 _AT_LIMIT = 1e-3  # tolerances
 _SEEN = 1.0  # tolerances by which curves change before points are told apart
@@ -85,6 +86,18 @@ class TargetResult(Plain):
         """Give how far values are above (positive) or below what is wanted, in tolerances [1]."""
         low, high = self.bounds()
         return np.asarray(np.where(values > high, values - high, np.minimum(values - low, 0.0)) / self.tolerance)
+
+    def worst(self, values: float | list[float]) -> tuple[int, float]:
+        """Give which of the values is farthest from what is wanted, and how far above (positive) or below it, SI."""
+        each = np.atleast_1d(np.array(values, dtype=float))
+        low, high = self.bounds()
+        k = int(np.argmax(np.maximum(low - each, each - high)))
+        return k, float(self.off(each)[k] * self.tolerance)
+
+    @property
+    def has_curve(self) -> bool:
+        """Whether a value of its own is wanted at each pose."""
+        return isinstance(self.wanted, list) and not self.limits
 
     @property
     def label(self) -> str:
@@ -567,7 +580,7 @@ def _result(
             for name, rig in moved.items()
             if task.spread is not None and wanted_of(search.wanted, name)
         },
-        findings=(*_findings(search, x, targets), *_unspread(task, search.wanted)),
+        findings=(*_findings(search, x, targets), *_unsettled(outcomes), *_unspread(task, search.wanted)),
     )
 
 
@@ -704,12 +717,24 @@ def _unspread(task: Task, wanted: Sequence[Wanted]) -> list[Finding]:
     return [Finding(f"target[{i}] {wanted[i].label}", "note", text) for i in several]
 
 
+def _unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
+    """How many searches ended before they came to rest."""
+    count = sum(outcome.ended == UNSETTLED for outcome in outcomes)
+    text = (
+        f"{count} of {len(outcomes)} ended before they came to rest ({UNSETTLED}): the design is one that was found "
+        "on the way, and another may be better. Free fewer numbers, or those alone that have a say."
+    )
+    return [Finding("starts", "note", text, float(count))] if count else []
+
+
 def _findings(search: Search, x: Array, targets: Sequence[TargetResult]) -> list[Finding]:
     found = []
-    for j in np.flatnonzero(~_room(search, x)):
-        text = "ends at the edge of its box; a wider one may bring the targets nearer."
-        if not all(target.met for target in targets):
-            found.append(Finding(search.free.labels[j], "note", text))
+    met = all(target.met for target in targets)
+    for j in np.flatnonzero((x < search.lower + _EDGE) | (x > search.upper - _EDGE)):
+        gain = "meet them with less movement of the others" if met else "bring the targets nearer"
+        if not met or abs(x[j]) > _EDGE:
+            text = f"ends at the edge of its box; a wider one may {gain}."
+            found.append(Finding(search.free.labels[j], "note", text, float(search.scale[j] * x[j])))
     for i, target in enumerate(targets):
         if not target.met:
             far = float(np.max(np.abs(search.wanted[i].off(np.atleast_1d(np.array(target.after))))))
