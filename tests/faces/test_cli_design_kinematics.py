@@ -269,3 +269,24 @@ def test_targets_that_fight_are_told_once_a_pair(cli, study) -> None:
     assert len(lines) == 1
     fights = cli("design", "kinematics", file, "--json").json["fights"]
     assert {(one["missed"], one["other"]) for one in fights} == {(0, 1), (1, 0)}
+
+
+def test_tables_say_how_far_a_curve_is_and_at_which_pose(cli, study, tmp_path: Path) -> None:
+    values = '[[target]]\nquantity = "toe"\nover = "-30 mm:30 mm:30 mm"\nvalues = ["0.1 deg", "0 deg", "0 deg"]\n'
+    centre = '[[target]]\nquantity = "roll_centre_height"\nat = "-20 mm"\nat_least = "-1 m"\ntolerance = "1 mm"\n'
+    text = HEAD + FREE + values + 'tolerance = "2 deg"\n' + centre + '[spread]\npoints = "0.2 mm"\ncars = 4\n'
+    outcome = cli("design", "kinematics", study(text), "--starts", "1", "--json")
+    results = json.loads(outcome.out)
+    away = np.degrees(np.array(results["targets"][0]["after"])) - np.array([0.1, 0.0, 0.0])
+    worst = int(np.argmax(np.abs(away)))
+    outcome = cli("design", "kinematics", study(text), "--starts", "1", "--report", "page.html")
+    (row,) = (line for line in outcome.out.splitlines() if "farthest from its curve" in line)
+    assert f"{(-30, 0, 30)[worst]} mm" in row
+    first = np.degrees(np.array(results["targets"][0]["before"])) - np.array([0.1, 0.0, 0.0])
+    assert f"{first[np.argmax(np.abs(first))]:.4f}"[:6] in row
+    assert "0 from it" in row
+    assert any("roll_centre_height" in line and "-20 mm" in line for line in outcome.out.splitlines())
+    assert "% meet all targets as built\n" in outcome.out  # nothing is adjusted
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert "farthest from its curve" in page
+    assert "roll centre height at -20 mm" in page

@@ -494,15 +494,18 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
     rows = []
     for target in found.targets:
         unit = display_unit(target.unit)
-        ends = [_worst(value, target) * unit.factor for value in (target.before, target.after)]
+        worst = [target.worst(value) for value in (target.before, target.after)]
+        ends = [_shown(value, target) * unit.factor for value in (target.before, target.after)]
+        poses = " → ".join(dict.fromkeys(target.pose(k) for k, _ in worst))
         name = f"{target.rig} {target.quantity}".strip()
-        name = name if isinstance(target.after, float) else f"{name}, worst of its curve"
+        if isinstance(target.after, list):
+            name += ", farthest from its curve" if target.has_curve else ", worst of its curve"
         met = "met" if target.met else "missed"
         met += ", must hold" if target.must else ""
         wanted = _wanted_text(target, unit.factor)
-        rows.append((name, unit.name or "1", *ends, wanted, target.tolerance * unit.factor, met))
-    header = ("target", "unit", "before", "after", "wanted", "tolerance", "")
-    console.print(table("Targets", header, rows, text=(0, 1, 4, 6)))
+        rows.append((name, poses, unit.name or "1", *ends, wanted, target.tolerance * unit.factor, met))
+    header = ("target", "at", "unit", "before", "after", "wanted", "tolerance", "")
+    console.print(table("Targets", header, rows, text=(0, 1, 2, 5, 7)))
     moved = []
     for path, change in found.moved.items():
         unit = display_unit("m" if "hardpoints." in path else "1")
@@ -514,10 +517,8 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
         console.print(f"{missed} fights {other}: what brings one nearer takes the other away ({fight.cosine:.2f})")
     for name, spread in found.spread.items():
         of = f" of {name}" if name else ""
-        console.print(
-            f"{spread.cars} cars{of}: {100.0 * spread.met:.0f} % meet all targets as built, "
-            f"{100.0 * spread.met_adjusted:.0f} % adjusted"
-        )
+        better = f", {100.0 * spread.met_adjusted:.0f} % adjusted" if spread.adjustments else ""
+        console.print(f"{spread.cars} cars{of}: {100.0 * spread.met:.0f} % meet all targets as built{better}")
         unit = display_unit("m")
         for setting, need in spread.adjustments.items():
             reach = f"{need.low * unit.factor:.3g} to {need.high * unit.factor:.3g} {unit.name}"
@@ -529,19 +530,17 @@ def draw_kinematics(console: Console, plain: dict[str, Any], found: KinematicDes
     show_written(console, plain)
 
 
-def _worst(value: float | list[float], target: TargetResult) -> float:
-    """A value, or of a curve the one farthest from what is wanted."""
-    if isinstance(value, float):
-        return value
-    low, high = target.bounds()
-    return max(zip(value, low, high, strict=True), key=lambda one: max(one[1] - one[0], one[0] - one[2]))[0]
+def _shown(value: float | list[float], target: TargetResult) -> float:
+    """A value, or of a curve the one farthest from what is wanted; how far it is where each pose wants its own."""
+    k, off = target.worst(value)
+    return off if target.has_curve else value if isinstance(value, float) else value[k]
 
 
 def _wanted_text(target: TargetResult, factor: float) -> str:
     if target.limits:
         low, high = (None if end is None else f"{end * factor:.5g}" for end in target.wanted)
         return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} … {high}"
-    return "a curve" if isinstance(target.wanted, list) else f"{target.wanted * factor:.5g}"
+    return "0 from it" if target.has_curve else f"{target.wanted * factor:.5g}"
 
 
 def _pair(text: str) -> tuple[str | float, str | float] | None:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.description import line_of, read_description
+from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
@@ -93,6 +94,13 @@ class TargetResult(Plain):
         low, high = self.bounds()
         k = int(np.argmax(np.maximum(low - each, each - high)))
         return k, float(self.off(each)[k] * self.tolerance)
+
+    def pose(self, k: int) -> str:
+        """Where a value stands, in the unit that is shown: ``-30 mm``; of a slope the whole range."""
+        unit = display_unit("rad" if self.along == "roll" else "m")
+        ends = [self.at[k]] if len(self.at) == np.size(self.after) else [self.at[0], self.at[-1]]
+        text = " … ".join(f"{0.0 + round(end * unit.factor, 6):g}" for end in ends)
+        return f"{text} {unit.name}{' of rack' if self.along == 'rack' else ''}"
 
     @property
     def has_curve(self) -> bool:
@@ -731,7 +739,7 @@ def _findings(search: Search, x: Array, targets: Sequence[TargetResult]) -> list
     found = []
     met = all(target.met for target in targets)
     for j in np.flatnonzero((x < search.lower + _EDGE) | (x > search.upper - _EDGE)):
-        gain = "meet them with less movement of the others" if met else "bring the targets nearer"
+        gain = "meet the targets with less movement of the others" if met else "bring the targets nearer"
         if not met or abs(x[j]) > _EDGE:
             text = f"ends at the edge of its box; a wider one may {gain}."
             found.append(Finding(search.free.labels[j], "note", text, float(search.scale[j] * x[j])))

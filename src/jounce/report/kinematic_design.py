@@ -111,16 +111,32 @@ def _targets(found: KinematicDesign) -> Table:
         unit = display_unit(target.unit, float(np.max(np.abs(target.after))))
         rows.append(
             (
-                target.label + (", must hold" if target.must else ""),
+                _name(target) + (", must hold" if target.must else ""),
                 unit.name or "–",
-                *(_span(value, unit.factor, _FINE * target.tolerance) for value in (target.before, target.after)),
+                *(_shown(value, target, unit.factor) for value in (target.before, target.after)),
                 _wanted(target, unit.factor),
                 f"± {number(target.tolerance * unit.factor, 2)}",
                 Cell("met", "good") if target.met else Cell("missed", "bad"),
             )
         )
     header = ("target", "unit", "before", "after", "wanted", "tolerance", "")
-    return Table("Targets", header, tuple(rows), "llrrrrl", "Curves are given by their least and greatest value.")
+    note = "Curves are given by their least and greatest value; where each pose wants its own, by the farthest from it."
+    return Table("Targets", header, tuple(rows), "llrrrrl", note)
+
+
+def _name(target: TargetResult) -> str:
+    """Name of a target, with its pose where it is one away from the design."""
+    if target.has_curve:
+        return f"{target.label}, farthest from its curve"
+    return f"{target.label} at {target.pose(0)}" if len(target.at) == 1 and target.at[0] else target.label
+
+
+def _shown(value: float | list[float], target: TargetResult, factor: float) -> str:
+    """Write a value, the ends of a curve, or how far it is from one that is wanted, and where."""
+    if not target.has_curve:
+        return _span(value, factor, _FINE * target.tolerance)
+    k, off = target.worst(value)
+    return f"{_span(off, factor, _FINE * target.tolerance)} at {target.pose(k)}"
 
 
 def _span(value: float | list[float], factor: float, least: float = 0.0) -> str:
@@ -133,7 +149,7 @@ def _wanted(target: TargetResult, factor: float) -> str:
     if target.limits:
         low, high = (None if end is None else number(end * factor) for end in target.wanted)
         return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} to {high}"
-    return _span(target.wanted, factor)
+    return "0 from it" if target.has_curve else _span(target.wanted, factor)
 
 
 def _moved(found: KinematicDesign) -> Table:
@@ -160,8 +176,9 @@ def _identified(found: KinematicDesign) -> Table:
 
 def _spread(name: str, spread: KinematicSpread) -> Table:
     unit = display_unit("m")
+    adjusted = number(100.0 * spread.met_adjusted, 3) if spread.adjustments else "–"
     rows = [
-        ("all targets are met by", "%", number(100.0 * spread.met, 3), number(100.0 * spread.met_adjusted, 3)),
+        ("all targets are met by", "%", number(100.0 * spread.met, 3), adjusted),
         *(
             (
                 f"{one.replace('_', ' ')} needs",
