@@ -785,6 +785,7 @@ def _reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrep
         left / before if before > 0.0 else 1.0,
         (
             *_findings(one, strays, nuisances, contradicted, unexplained, reducer, reduced),
+            *_one_sided(calibration),
             *_undoubted(one.richer),
         ),
     )
@@ -951,6 +952,41 @@ def _law_estimate(
     elif drawn_by:
         why = f"{drawn_by} leaves its prior"
     return LawEstimate(value, (low, high), component, effective, not why, why, shares)
+
+
+def _one_sided(calibration: Calibrated) -> list[Finding]:
+    """Say where a line cannot be the damper's law: the forces found beside it have one sign in bump and rebound.
+
+    Half the sum of the forces at both signs of a velocity is zero for every law that is the same on both sides,
+    however it bends. The line through these, weighed by their covariance, is by how much (N s/m) bump is firmer than
+    the fitted coefficient, and rebound softer; the finding's value is the difference of both.
+    """
+    one = calibration.one
+    knotted, coefficient = one.richer.whitened(), one.richer.rig.parameters().get(_LINE)
+    if knotted is None or coefficient is None:
+        return []
+    places, root = list(knotted[0]), knotted[1]
+    speeds = one.richer.bent_at()
+    speeds = speeds[speeds > 0.0]
+    seen = 0.5 * (root + root[::-1])[len(speeds) :]
+    held = [len(one.free) + i for i in places]
+    weighed = np.linalg.solve(seen @ calibration.step.covariance[np.ix_(held, held)] @ seen.T, speeds)
+    sure = float(speeds @ weighed)
+    more = float(weighed @ seen @ calibration.state.xi[places]) / sure
+    line = one.runs[0].fitted(calibration.state.theta).get(_LINE, coefficient)
+    if abs(more) < max(FAR / np.sqrt(sure), _UNLIKE * line):
+        return []
+    firm, soft = ("bump", "rebound") if more > 0.0 else ("rebound", "bump")
+    firmer, softer = line + abs(more), max(line - abs(more), 0.0)
+    text = (
+        f"firmer in {firm} than in {soft} ({firmer:.3g} beside {softer:.3g} N s/m), which one coefficient cannot say: "
+        "give the damper bump_coefficient and rebound_coefficient instead, and free both"
+    )
+    return [Finding("strut.damper", "warning", text, 2.0 * more)]
+
+
+_LINE = "strut.damper.coefficient"
+_UNLIKE = 0.1  # of the coefficient: sides that differ from it by less are as alike as dampers are
 
 
 def _undoubted(richer: Richer) -> list[Finding]:

@@ -22,6 +22,7 @@ from jounce.parts.rig import unit_of, unknown_path
 
 _KNOTS = (0.03, 0.12, 0.35, 1.0)  # of the largest strut velocity: where the damper's law may bend, either way
 _KNEE = 0.1  # of the largest strut velocity: below it velocities count by their difference, above by their ratio
+_LEAST = 1e-3  # of the largest doubt of the damper's forces: one side may be fitted to nothing
 _STIFFENS = 0.5  # of its doubt: tyres stiffen with deflection as a rule
 _ONSET = math.log(2.0)
 ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
@@ -202,6 +203,9 @@ class Richer:
         moving = knots[knots != 0.0]
         scale = self.doubt.damper_shape * np.abs(self.damper_force(self.values, np.zeros(0), moving))
         scale = scale + self.doubt.damper_force
+        if not np.any(scale):
+            return  # a damper fitted to nothing, of which a share is nothing
+        scale = np.maximum(scale, _LEAST * np.max(scale))
         at = np.arcsinh(moving / (_KNEE * self.ridden.velocity))
         apart = math.sqrt(3.0) * np.abs(at[:, None] - at)
         root = np.linalg.cholesky((1.0 + apart) * np.exp(-apart) * np.outer(scale, scale) + 1e-9 * np.diag(scale**2))
@@ -224,6 +228,10 @@ class Richer:
     def whitened(self) -> tuple[tuple[int, ...], Array] | None:
         """Places of the damper's forces among the nuisances, and the root of their prior covariance, N."""
         return self._knotted
+
+    def bent_at(self) -> Array:
+        """Strut velocities (m/s) of the damper's forces that are doubted: as far in rebound as in bump."""
+        return np.zeros(0) if self._knots is None else self._knots[self._knots != 0.0]
 
     def _frictions(self) -> None:
         load = self.values.get("sprung.mass", 0.0) * self.values.get("gravity", 0.0)

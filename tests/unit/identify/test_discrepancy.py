@@ -1,13 +1,14 @@
 """Intervals that count what the model lacks: richer rigs, exact slopes, what is claimed and when it is withheld."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.discrepancy import _Calibration, _drawn_by, _State, _Stray, calibrate, noise_variance
+from jounce.identify.discrepancy import _Calibration, _drawn_by, _one_sided, _State, _Stray, calibrate, noise_variance
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
@@ -269,6 +270,45 @@ def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
         assert low < value < high
         assert found[0][path].half_width < 0.15 * value, path
     assert found[0][rate].effective.value == pytest.approx(found[0][rate].component.value, rel=5e-3)
+
+
+def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong):
+    """Known sides are found beside a line between them; one that bends alike on both sides is not of two."""
+    made = trials({"strut.damper": {"bump_coefficient": 180.0, "rebound_coefficient": 120.0}}, noise=0.1)
+    free = free_parameters(RIG, {"strut.spring.rate": "15 %", "strut.damper.coefficient": "50 %"})
+    start = {"strut.spring.rate": 22730.0, "strut.damper.coefficient": 150.0}
+    found = calibrate(made, free, start, doubt=jn.Doubt(), lags={}, align=False)
+    told = [finding for finding in found.findings if finding.place == "strut.damper"]
+    assert [finding.severity for finding in told] == ["warning"]
+    assert told[0].value == pytest.approx(60.0, abs=6.0)
+    assert told[0].message.startswith("firmer in bump than in rebound (18")
+    assert "rebound_coefficient" in told[0].message
+    assert "strut.damper" not in [finding.place for finding in wrong[1].discrepancy.findings]
+
+
+@pytest.mark.parametrize(
+    ("bends", "sure", "told"),
+    [
+        (np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 1e-3, "bump"),
+        (-np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 1e-3, "rebound"),
+        (np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 10.0, ""),  # not sure
+        (np.array([-4.0, -2.0, 1.0, 0.2, -0.2, -1.0, 2.0, 4.0]), 1e-3, ""),  # the same law on both sides
+        (0.05 * np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 1e-6, ""),  # dampers are no more alike
+    ],
+)
+def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends, sure, told):
+    path = "strut.damper.coefficient"
+    rig = RIG.with_changes({path: 20.0})
+    richer = Richer(rig, [path], jn.Doubt(), Ridden(0.007, 0.0015, 0.5), compile_rig(rig).facts.parameters)
+    places, root = richer.whitened()
+    xi = np.zeros(len(richer.nuisances))
+    xi[list(places)] = np.linalg.solve(root, bends)
+    run = SimpleNamespace(fitted=lambda theta: {path: float(theta[0])})
+    found = _one_sided(SimpleNamespace(
+        one=SimpleNamespace(richer=richer, free=[path], runs=[run]), state=SimpleNamespace(theta=[20.0], xi=xi),
+        step=SimpleNamespace(covariance=sure * np.eye(1 + len(xi))),
+    ))  # fmt: skip
+    assert [finding.message.split()[2] for finding in found] == ([told] if told else [])
 
 
 def test_fewer_than_three_trials_give_no_such_interval():

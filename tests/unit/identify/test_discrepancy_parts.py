@@ -455,3 +455,12 @@ def test_what_is_doubted_of_a_damper_is_a_share_of_the_law_that_was_fitted() -> 
     for guess in guesses:
         assert [one.deviation for one in _richer(guess, SIDES, fitted).nuisances] == pytest.approx(here)
         assert [one.deviation for one in _richer(guess, SIDES).nuisances] != pytest.approx(here, rel=0.1)
+
+
+@pytest.mark.parametrize(("fitted", "knotted"), [((0.0, 260.0), True), ((90.0, 0.0), True), ((0.0, 0.0), False)])
+def test_a_side_that_is_fitted_to_nothing_stays_as_it_is(fitted: tuple[float, float], *, knotted: bool) -> None:
+    values, doubt = dict(zip(SIDES, fitted, strict=True)), jn.Doubt(damper_force=0.0)
+    richer = Richer(BILINEAR, SIDES, doubt, Ridden(0.007, 0.0015, 0.5), [], values)
+    assert (richer.whitened() is not None) == knotted
+    assert ("damper" in richer.undoubted()) == (not knotted)
+    assert all(np.isfinite(one.deviation) and one.deviation > 0.0 for one in richer.nuisances)
