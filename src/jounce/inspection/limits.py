@@ -155,6 +155,14 @@ class Criterion(Description):
                 return high.start
         return None
 
+    def failing_below(self) -> float | None:
+        """Limit below which a value fails where more is better; None where there is none."""
+        starts = [band.start for band in self.bands]
+        fails = [band.end for band in self.bands if band.verdict == "fail"]
+        least = self.passing_from()
+        below = [end for end in fails if least is not None and end <= least and end in starts]
+        return below[-1] if below else None
+
 
 def _in_si(band: Any, i: int, unit: str) -> Any:
     if not isinstance(band, dict):

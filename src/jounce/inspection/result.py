@@ -133,6 +133,16 @@ class WheelResult(Plain):
         return found
 
     @property
+    def body_damping_ratio(self) -> float | None:
+        """Damping ratio (1) of the body's swing on this wheel with the plate at rest, by parametric fit."""
+        return self.more.get("body_damping_ratio")
+
+    @property
+    def explained_force(self) -> float | None:
+        """Share (1) of the measured force that the fitted quarter car explains."""
+        return self.more.get("explained_force")
+
+    @property
     def is_gradable(self) -> bool:
         """Tell whether no finding makes the record unfit for grading."""
         return not any(finding.severity == "problem" for finding in self.findings)

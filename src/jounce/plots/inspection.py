@@ -30,13 +30,15 @@ _WORDS = {
     "en": {
         "left": "left", "right": "right", "frequency": "frequency [Hz]", "time": "time [s]",
         "amplitude": "Force amplitude [kN]", "phase": "Phase angle [°]", "plate": "Plate amplitude [mm]",
-        "force": "Plate force [kN]", "height": "Plate height [mm]", "limit": "limit", "static": "static load",
+        "force": "Plate force [kN]", "height": "Plate height [mm]", "limit": "limit",
+        "passes": "passes from here", "fails": "fails below", "static": "static load",
         "nothing": "no curves available",
     },
     "de": {
         "left": "links", "right": "rechts", "frequency": "Frequenz [Hz]", "time": "Zeit [s]",
         "amplitude": "Kraftamplitude [kN]", "phase": "Phasenwinkel [°]", "plate": "Plattenamplitude [mm]",
-        "force": "Plattenkraft [kN]", "height": "Plattenhub [mm]", "limit": "Grenzwert", "static": "statische Last",
+        "force": "Plattenkraft [kN]", "height": "Plattenhub [mm]", "limit": "Grenzwert",
+        "passes": "bestanden ab hier", "fails": "darunter nicht bestanden", "static": "statische Last",
         "nothing": "keine Kurven vorhanden",
     },
 }  # fmt: skip
@@ -49,13 +51,15 @@ def inspection_curves(
     *,
     language: str = "en",
     phase_limit: float | None = None,
+    phase_failure: float | None = None,
     height: float = 1.9,
     width: float = 8.6,
 ) -> Figure:
     """Draw the curves of both wheels of an axle beside each other; ``height`` and ``width`` are in inches.
 
-    On a rigid plate force amplitude and phase angle over frequency, with the limit of the least phase angle (degrees);
-    on a sprung one the plate's amplitude; with a record also the plate force (N) over time (s). Wheels without curves
+    On a rigid plate force amplitude and phase angle over frequency, with the limit from which the least phase angle
+    passes and, where that is another one, the one below which it fails (degrees); on a sprung one the plate's
+    amplitude; with a record also the plate force (N) over time (s). Wheels without curves
     are left out; labels are in English or German.
 
     Examples
@@ -69,7 +73,7 @@ def inspection_curves(
     """
     words = _WORDS["de" if language == "de" else "en"]
     wheels = [wheel for wheel in inspection.wheels if wheel.curves is not None]
-    drawings = _drawings(wheels, record, words, phase_limit)
+    drawings = _drawings(wheels, record, words, _phase_limits(phase_limit, phase_failure, words))
     figure = new_figure(height if drawings else _EMPTY_HEIGHT, width)
     rows = figure.subplots(1, max(len(drawings), 1), squeeze=False)[0]
     for axes, draw in zip(rows, drawings, strict=False):
@@ -82,7 +86,7 @@ def inspection_curves(
 
 
 def _drawings(
-    wheels: list[WheelResult], record: xr.Dataset | None, words: dict[str, str], phase_limit: float | None
+    wheels: list[WheelResult], record: xr.Dataset | None, words: dict[str, str], phase_limits: dict[str, float]
 ) -> list[Callable[[Axes], None]]:
     """What there is to draw, from left to right."""
     found: list[Callable[[Axes], None]] = []
@@ -90,7 +94,7 @@ def _drawings(
     if rigid:
         found.append(lambda axes: _over_frequency(axes, wheels, "amplitude", words))
         if any(_known(wheel.curves.phase_deg) for wheel in wheels if wheel.curves is not None):
-            found.append(lambda axes: _phase(axes, wheels, words, phase_limit))
+            found.append(lambda axes: _phase(axes, wheels, words, phase_limits))
     elif any(wheel.curves is not None and _known(wheel.curves.plate_amplitude) for wheel in wheels):
         found.append(lambda axes: _over_frequency(axes, wheels, "plate", words))
     if record is not None:
@@ -130,7 +134,14 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
     axes.legend(loc="best", labelspacing=0.2)
 
 
-def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limit: float | None) -> None:
+def _phase_limits(passing: float | None, failing: float | None, words: dict[str, str]) -> dict[str, float]:
+    """Limits (degrees) by the names that are written beside them."""
+    both = {words["passes"]: passing, words["fails"]: failing}
+    named = both if None not in both.values() and passing != failing else {words["limit"]: passing}
+    return {name: limit for name, limit in named.items() if limit is not None}
+
+
+def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limits: dict[str, float]) -> None:
     axes.axvspan(*_BAND, color="#eef3f7", linewidth=0.0, zorder=0)
     for wheel in wheels:
         curves = wheel.curves
@@ -143,10 +154,12 @@ def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limit: 
             frequency, angle = np.append(frequency, least[0]), np.append(angle, least[1])  # it lies between turns
         shown = np.where((angle > -90.0) & (angle < 270.0), angle, np.nan)
         _curve(axes, frequency, shown, wheel.wheel, words)
-    if limit is not None:
+    for name, limit in limits.items():
         axes.axhline(limit, color=MUTED, linewidth=0.9, linestyle=(0, (2, 2)))
         place = {"xy": (1.0, limit), "xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
-        axes.annotate(words["limit"], **place, xytext=(-2, 2), ha="right", color=MUTED, fontsize=7.5)  # type: ignore[arg-type]
+        over = limit == max(limits.values())
+        where = {"xytext": (-2, 2 if over else -2), "va": "baseline" if over else "top", "ha": "right"}
+        axes.annotate(name, **place, **where, color=MUTED, fontsize=7.5)  # type: ignore[arg-type]
     axes.set_yticks([0, 45, 90, 135, 180])
     axes.set_ylim(min(0.0, axes.get_ylim()[0]), max(180.0, axes.get_ylim()[1]))
     axes.set(title=words["phase"], xlabel=words["frequency"])

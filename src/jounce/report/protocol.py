@@ -288,6 +288,7 @@ def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, la
                 (records or {}).get(graded.axle),
                 language=language,
                 phase_limit=None if egea is None else egea.passing_from(),
+                phase_failure=None if egea is None else egea.failing_below(),
                 height=_HEIGHTS[len(vehicle.axles)],
             )
         found[f"axle{i}.svg"] = rendered(figure, [".svg"], salt=f"axle{i}")[".svg"]
@@ -450,13 +451,14 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
         limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
         found = next((one for one in graded.differences if one.quantity == name), None)
-        passing = _passing(limiting, language)
         decides = bool(set(methods) & set(graded.deciding))
+        passing = _limit_text(limiting, language)
+        apart = _gap_limit(graded.limits, name, language) if decides else ""
         label = _capital(quantity.words(language))
         rows.append(
             {
                 "label": label,
-                "cells": [*cells, _gap_cell(found, quantity, language, graded.limits), _cell(passing)],
+                "cells": [*cells, _gap_cell(found, quantity, language, graded.limits), _cell(passing, apart)],
                 "decides": decides,
             }
         )
@@ -518,11 +520,29 @@ def _gap_cell(found: Difference | None, quantity: Quantity, language: Language, 
     text = f"{text}{unit}" if unit == "°" else f"{text} {unit}".strip()
     if found.relative is not None:
         text += f" · {_number(100.0 * found.relative, 1, language)} %"
+    if found.unreliable:
+        return _cell(text, verdict_words(NOT_GRADED, language))
     name, band = next(iter(found.bands.items()), ("", None))
     if band is None:
         return _cell(text)
     criterion = None if limits is None else limits.differences.get(name)
     return _cell(text, "", shortened(band.words(language), 60), _tone(band, criterion))
+
+
+def _gap_limit(limits: Limits, name: str, language: Language) -> str:
+    """How far apart two wheels may be by the limits that decide, e.g. ``Δ up to 12°``."""
+    between = (one for one in limits.differences.values() if (one.quantity, one.across) == (name, "wheels"))
+    texts = [text for one in between if (text := _limit_text(one, language)) not in ("", "–")]
+    return f"Δ {texts[0]}" if texts else ""
+
+
+def _limit_text(criterion: Criterion | None, language: Language) -> str:
+    """Where a value passes, and where it fails if there is something between: ``from 45°, fail below 30°``."""
+    text, below = _passing(criterion, language), None if criterion is None else criterion.failing_below()
+    if criterion is None or not criterion.verified or below is None or below == criterion.passing_from():
+        return text
+    words = f"{verdict_words('fail', language)} {'below' if language == 'en' else 'unter'}"
+    return f"{text}, {words} {criterion.kind.limit_text(below, language)}"
 
 
 def _passing(criterion: Criterion | None, language: Language) -> str:

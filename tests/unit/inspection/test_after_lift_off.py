@@ -72,6 +72,8 @@ def test_the_phase_angle_after_lift_off_is_unreliable_and_has_no_interval(alike)
         assert wheel.unreliable == ("phase_angle_min_deg", "phase_frequency_hz")
         assert not set(wheel.unreliable) & set(wheel.uncertainty)
         assert "phase_after_lift_off" in [one.code for one in wheel.findings]
+        assert wheel.body_damping_ratio == wheel.value("body_damping_ratio") == pytest.approx(0.03, abs=0.02)
+        assert wheel.explained_force == wheel.value("explained_force") > 0.99
         assert wheel.to_dict()["unreliable"] == list(wheel.unreliable)
 
 

@@ -42,6 +42,13 @@ def record() -> xr.Dataset:
     )
 
 
+def test_the_limit_that_fails_is_drawn_beside_the_one_that_passes(record: xr.Dataset) -> None:
+    phase = inspection_curves(inspection(), record, phase_limit=45.0, phase_failure=30.0).axes[1]
+    assert {text.get_text(): text.xy[1] for text in phase.texts} == {"passes from here": 45.0, "fails below": 30.0}
+    same = inspection_curves(inspection(), record, phase_limit=35.0, phase_failure=35.0).axes[1]
+    assert [text.get_text() for text in same.texts] == ["limit"]
+
+
 def test_rigid_plates_show_force_phase_and_force_over_time(record: xr.Dataset) -> None:
     figure = inspection_curves(inspection(), record, phase_limit=35.0)
     assert [axes.get_title(loc="left") for axes in figure.axes] == [
