@@ -63,19 +63,35 @@ def test_a_long_record_is_opened_without_waiting_for_what_it_does_not_need(opene
     assert np.isnan(near.panes[0].curves[0].values[3])
 
 
-def test_what_was_read_stays_until_the_file_changes(opened: Any, tmp_path: Path) -> None:
+@pytest.fixture
+def here(opened: Any) -> tuple[Any, list[str]]:
+    """Records that are read in this process, and which were."""
+    from jounce.web.levels import write_levels
+
     records, jobs = opened
+    asked: list[str] = []
+
+    def ask(doing: Any) -> None:
+        asked.append(doing.title)
+        write_levels(Path(doing.question["file"]), Path(doing.question["folder"]))
+
+    jobs.ask = ask
+    return records, asked
+
+
+def test_what_was_read_stays_until_the_file_changes(here: Any, tmp_path: Path) -> None:
+    records, asked = here
     folder = records.open("long.nc").folder
-    jobs.ask = None  # nothing is asked any more
     assert records.open("long.nc").folder == folder
+    assert asked == ["Reading long.nc"]
     with (tmp_path / "long.nc").open("ab") as stream:
         stream.write(b"\0")
-    with pytest.raises(TypeError):
-        records.open("long.nc")
+    assert records.open("long.nc").folder != folder
+    assert asked == 2 * ["Reading long.nc"]
 
 
-def test_a_damaged_record_is_refused_and_nothing_stays(opened: Any, tmp_path: Path) -> None:
-    records, _ = opened
+def test_a_damaged_record_is_refused_and_nothing_stays(here: Any, tmp_path: Path) -> None:
+    records, _ = here
     (tmp_path / "bad.nc").write_bytes(b"\x89HDF\r\n\x1a\n no more")
     with pytest.raises(JounceError, match="netCDF-4"):
         records.open("bad.nc")

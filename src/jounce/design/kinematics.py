@@ -127,7 +127,8 @@ class StartResult(Plain):
 
     ``cost`` is half the sum of squares of all targets in tolerances, ``travelled`` the mean distance from the rig in
     shares of the boxes; both are None where the start is no mechanism. ``ended`` says why it stopped, ``holds`` whether
-    the constraints hold.
+    the constraints hold. ``numbers`` are the free numbers there by path (SI), so that another design than the best can
+    be taken; empty where they are no rig.
     """
 
     start: int
@@ -137,6 +138,7 @@ class StartResult(Plain):
     travelled: float | None
     ended: str
     holds: bool = True
+    numbers: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -545,6 +547,19 @@ def moved_rigs(search: Search, x: Array) -> dict[str, Corner]:
     return {name: rig.with_changes(changed[name]) for name, rig in numbering.rigs.items()}
 
 
+def _numbers_at(search: Search, outcome: Outcome) -> dict[str, float]:
+    """The free numbers where a search ended, as they can be written; none where they are no rig."""
+    if not np.isfinite(outcome.cost):
+        return {}
+    numbering = search.evaluator.numbering
+    try:
+        values = numbering.values(moved_rigs(search, outcome.x))
+    except JounceError:
+        return {}
+    known = dict(zip(numbering.paths, values, strict=True))
+    return {path: float(known[path]) for path in search.free.paths}
+
+
 def _result(
     task: Task,
     moved: dict[str, Corner],
@@ -566,6 +581,7 @@ def _result(
             outcome.travelled if np.isfinite(outcome.cost) else None,
             outcome.ended,
             outcome.holds,
+            _numbers_at(search, outcome),
         )
         for k, outcome in enumerate(outcomes)
     ]

@@ -51,13 +51,19 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
   }
 
   function results(found: Found): void {
-    const result = found.result as { met: boolean; moved: Record<string, { before: number; after: number }>; targets: { quantity: string; met: boolean }[]; starts: { start: number; met: boolean; cost: number | null; travelled: number | null; ended: string }[] };
-    const button = make("button", { type: "button", class: "main" }, tr("Take this design"));
+    const result = found.result as { met: boolean; moved: Record<string, { before: number; after: number }>; targets: { quantity: string; met: boolean }[]; starts: { start: number; met: boolean; cost: number | null; travelled: number | null; ended: string; numbers: Record<string, number> }[] };
+    const button = make("button", { type: "button", class: "main" }, tr("Take the best"));
     button.addEventListener("click", () => take(Object.fromEntries(Object.entries(result.moved).map(([path, one]) => [path, one.after]))));
+    const other = (start: number, moved: Record<string, number>) => { // any search that ended in a rig, not the best alone
+      if (!Object.keys(moved).length) return "";
+      const taking = make("button", { type: "button", "aria-label": tr("Take the design of search #", String(start)) }, tr("Take"));
+      taking.addEventListener("click", () => take(moved));
+      return taking;
+    };
     const numbers = new Map(rig.numbers.map((one) => [one.path, one]));
     out.replaceChildren(make("p", { class: result.met ? "good" : "problem" }, result.met ? tr("Every target is met.") : tr("# of the targets are missed.", String(result.targets.filter((one) => !one.met).length))),
-      make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("search"), tr("targets"), tr("cost, tolerances²"), tr("moved, share of the boxes"), tr("ended")].map((one) => make("th", { scope: "col" }, one)))),
-        make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, one.ended)))))),
+      make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("search"), tr("targets"), tr("cost, tolerances²"), tr("moved, share of the boxes"), tr("ended"), ""].map((one) => make("th", { scope: "col" }, one)))),
+        make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, one.ended), make("td", {}, other(one.start, one.numbers))))))),
       make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) => make("th", { scope: "col" }, one)))),
         make("tbody", {}, ...Object.entries(result.moved).map(([path, one]) => { const known = numbers.get(path), by = known?.factor ?? 1; return make("tr", {}, make("th", { scope: "row" }, path), make("td", { class: "right" }, written(one.before * by, 5)), make("td", { class: "right" }, written(one.after * by, 5)), make("td", {}, known?.unit ?? "")); })))),
       make("p", { class: "bar" }, button, make("a", { href: `/api/jobs/${found.id}/report`, target: "_blank" }, tr("Its report"))));
