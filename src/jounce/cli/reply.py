@@ -216,19 +216,22 @@ class Elapsed:
         >>> line.text()   # 2 s each, of which this one has had 1 s
         'testing 5 of 10 · 9 s, 40 %, about 11 s left'
         """
-        line = f"{self.waits or self.said} · {_duration(self.clock() - self.started)}"
-        share, left = self.share(), self.left()
+        now = self.clock()
+        line = f"{self.waits or self.said} · {_duration(now - self.started)}"
+        share, left = self.share(), self._left(now)
         if not share:
             return line
         return f"{line}, {100.0 * share:.0f} %" + (f", about {_duration(left)} left" if left and left >= 1.0 else "")
 
     def left(self) -> float | None:
         """Time (s) that what is being done still takes, judged by its share done; None where nothing tells."""
+        return self._left(self.clock())
+
+    def _left(self, now: float) -> float | None:
         share = self.share()
         done = (share or 0.0) - self._from
         if share is None or done <= 0.0:
             return None
-        now = self.clock()
         return max(0.0, (1.0 - share) * (self._heard - self._since) / done - (now - self._heard))
 
     def __rich__(self) -> Text:
