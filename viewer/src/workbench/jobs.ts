@@ -183,23 +183,29 @@ async function upload(path: string, file: File): Promise<void> {
 export class Question<T> {
   readonly button: HTMLButtonElement;
   readonly place = make("div", { "aria-live": "polite" });
+  private asked = 0;
 
   constructor(label: string, private readonly task: () => object, private readonly show: (told: Told<T>) => (Node | string)[]) {
     this.button = make("button", { type: "button", class: "main" }, label);
     this.button.addEventListener("click", () => void this.ask());
   }
 
+  /** Ask; where somebody asks again before the answer is there, the earlier answer is not shown. */
   async ask(): Promise<void> {
+    const turn = ++this.asked;
     this.button.disabled = true;
     const waiting = make("p", { class: "state" }, "working …");
     this.place.prepend(waiting);
+    let shown: () => (Node | string)[];
     try {
-      this.place.replaceChildren(...this.show(await ask<T>(this.task())));
+      const told = await ask<T>(this.task());
+      shown = () => this.show(told);
     } catch (error) {
-      this.place.replaceChildren(problem(error));
-    } finally {
-      waiting.remove();
-      this.button.disabled = false;
+      shown = () => [problem(error)];
     }
+    waiting.remove();
+    if (turn !== this.asked) return;
+    this.place.replaceChildren(...shown());
+    this.button.disabled = false;
   }
 }
