@@ -37,8 +37,8 @@ def _written(file: Path) -> None:
 @pytest.fixture
 def opened(tmp_path: Path) -> Any:
     from jounce.web.jobs import Jobs
-    from jounce.web.levels import Records
     from jounce.web.project import Project
+    from jounce.web.records import Records
 
     _written(tmp_path / "long.nc")
     project = Project(tmp_path)

@@ -17,9 +17,10 @@ from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.types import Array
+from jounce.identify.densities import Basis
 from jounce.identify.discrepancy import OBSERVATIONS, candidate_information, readings_of
 from jounce.identify.fit_problem import FitTrial, prepare_trial, project_out
-from jounce.identify.posterior import Basis, Posterior
+from jounce.identify.posterior import Posterior
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of
 from jounce.recordings.sensors import Sensor

@@ -11,30 +11,31 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.errors import FitError, SimulationError
+from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.types import Array
 from jounce.identify.datum import with_datums
-from jounce.identify.discrepancy import FEWEST_TRIALS, Calibrated, calibrated, noise_variance, readings_of
+from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
+from jounce.identify.discrepancy import FEWEST_TRIALS, calibrated, noise_variance, readings_of
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
-from jounce.identify.log_density import Convergence, LogDensity, Region, convergence, fitted, profile, sample
-from jounce.identify.update import UpdateResult, bounds_and_priors, robust_covariance, update_model
+from jounce.identify.log_density import Convergence, LogDensity, convergence, fitted, profile, sample
+from jounce.identify.prediction import Band, bands_of
+from jounce.identify.update import UpdateResult, bounds_and_priors, update_model
 from jounce.parts.rig import unit_of
 from jounce.variants.designs import is_whole
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from jounce.identify.prediction import Band
 
 _FEWEST, _MOST = 1000, 10_000_000
 _HALF_DROP = 1.920729410347062  # of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two
@@ -180,142 +181,6 @@ class Posterior(Plain, Shown):
         return "\n".join([head, *(line.rstrip() for line in aligned(rows)), *map(str, self.findings)])
 
 
-class _Residual(Protocol):
-    """Residuals as functions of scaled unknowns."""
-
-    def residuals(self, scaled: Array) -> Residuals: ...
-
-
-@dataclass(frozen=True)
-class Basis:
-    """What a posterior rests on: trials, free parameters, and the richer model where model error is counted.
-
-    ``covariance`` is that of the scaled parameters, ``values`` are the estimates (SI), ``noise`` and ``residual`` the
-    standard deviations (SI) of noise and residuals of each channel.
-    """
-
-    trials: tuple[FitTrial, ...]
-    free: tuple[Free, ...]
-    calibration: Calibrated | None
-    covariance: Array
-    values: Mapping[str, float] = field(default_factory=dict)
-    channels: Sequence[str] | None = None
-    align: bool = False
-    noise: Mapping[str, float] = field(default_factory=dict)
-    residual: Mapping[str, float] = field(default_factory=dict)
-
-
-# noise only ----------------------------------------------------------------------------------------------------------
-
-
-class NoiseDensity:
-    """Log density of scaled parameters when residuals are noise, with the covariance that an update reports."""
-
-    def __init__(self, problem: _Residual, best: Array, lower: Array, upper: Array, lowest: Array) -> None:
-        self.problem, self.best, self.lowest = problem, best, lowest
-        residuals = problem.residuals(best)
-        jacobian = residuals.jacobian
-        count, size = jacobian.shape
-        norms = np.linalg.norm(jacobian, axis=0)
-        if not np.all(norms > 1e-9 * max(float(np.max(norms, initial=0.0)), 1e-300)):
-            raise FitError("the data do not react to a parameter", where=f"unknown {int(np.argmin(norms)) + 1}")
-        square = float(residuals.vector @ residuals.vector)
-        if square <= 0.0:
-            raise FitError("the model explains the data exactly: there is no noise to judge by", where="posterior")
-        self.variance = square / max(count - size, 1)
-        self.covariance: Array = robust_covariance(residuals.vector, jacobian, residuals.blocks)
-        plain = np.linalg.cholesky(jacobian.T @ jacobian / self.variance).T
-        wanted = np.linalg.cholesky(np.linalg.inv(self.covariance)).T
-        self.turn = np.linalg.solve(plain, wanted)
-        spread = np.linalg.inv(np.linalg.inv(self.covariance) + np.eye(size) / _WIDE**2)
-        self.region = Region(best, np.linalg.cholesky(spread), lower, upper)
-
-    def __call__(self, x: Array) -> tuple[float, Array, float] | None:
-        """Log density and slopes; None where the model cannot be."""
-        at = self.best + self.turn @ (x - self.best)
-        if np.any(at < self.lowest):
-            return None
-        try:
-            found = self.problem.residuals(at)
-        except SimulationError:
-            return None
-        value = -0.5 * float(found.vector @ found.vector) / self.variance
-        return value, -(self.turn.T @ (found.jacobian.T @ found.vector)) / self.variance, 0.0
-
-
-# model error ---------------------------------------------------------------------------------------------------------
-
-
-class DoubtDensity:
-    """Log density of scaled parameters with all doubts integrated out around their best values."""
-
-    def __init__(self, calibration: Calibrated) -> None:
-        self.found = calibration
-        one, state = calibration.one, calibration.state
-        self.size = len(one.free)
-        self.best = state.theta
-        information, _ = self._linear(calibration.blocks, state)
-        p = self.size
-        self.information = information
-        self.follow = -np.linalg.solve(information[p:, p:], information[p:, :p])  # doubts by parameters
-        self.spread = np.linalg.inv(information[p:, p:])
-        profiled = information[:p, :p] + information[:p, p:] @ self.follow
-        self.covariance: Array = np.asarray(np.linalg.inv(profiled), dtype=float)
-        lower = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in one.free])
-        spread = np.linalg.inv(profiled + np.eye(p) / _WIDE**2)
-        best = np.maximum(self.best, lower)
-        self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
-        self.seen: list[tuple[Array, Array]] = []
-
-    def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array]:
-        """Information and score of all unknowns, with the variances of the calibration kept."""
-        found = self.found
-        system = found.one.system(blocks, state)
-        information, score = np.diag(system.prior), -system.prior * system.away
-        self.square = float(system.prior @ system.away**2)
-        for name, variance in found.variance.items():
-            information = information + system.normal[name][0] / variance
-            score = score + system.normal[name][1] / variance
-        for name, _, residual, _ in system.rows:
-            self.square += float(residual @ residual) / found.variance[name]
-        return information, score
-
-    def __call__(self, x: Array) -> tuple[float, Array, float] | None:
-        """Log density and slopes; None where the richer model does not run."""
-        found, p = self.found, self.size
-        moved = x - found.state.theta
-        step = np.concatenate([moved, self.follow @ moved])
-        for _ in range(_CLIMBS):
-            try:
-                state = found.one.moved(found.state, step, found.blocks, 1.0)
-                blocks, _ = found.one.blocks(state)
-            except SimulationError:
-                return None
-            information, score = self._linear(blocks, state)
-            inner = information[p:, p:]
-            more = np.linalg.solve(inner, score[p:])
-            gain = float(score[p:] @ more)
-            step[p:] += more
-            if gain < _LITTLE_GAIN:
-                break
-        value = -0.5 * (self.square - gain)
-        self.seen.append((x, step[p:]))
-        return value, score[:p] - information[:p, p:] @ more, -0.5 * float(np.linalg.slogdet(inner)[1])
-
-    def doubts(self, x: Array, seed: int) -> Array:
-        """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
-        rng = np.random.default_rng([seed, 7])
-        mean = (x - self.found.state.theta) @ self.follow.T
-        if len(self.seen) > 2 * self.size + 2:  # what is left of a straight line: its mean over all points seen
-            at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
-            rows = np.column_stack([np.ones(len(at)), at - self.found.state.theta])
-            mean = np.column_stack([np.ones(len(x)), x - self.found.state.theta]) @ np.linalg.lstsq(rows, steps)[0]
-        return np.asarray(mean + rng.normal(size=mean.shape) @ np.linalg.cholesky(self.spread).T)
-
-
-# the posterior -------------------------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class Rested:
     """An update with the density around it."""
@@ -459,10 +324,8 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     if not chosen:
         return result
     progress(f"{name}: what it predicts for {len(chosen)} trials")
-    from jounce.identify.prediction import bands_of
-
     settings: dict[str, Any] = {"channels": channels, "weights": weights, "align": basis.align}
-    predictions = bands_of(density, basis, result, chosen, update.lags, predicted_with, seed, settings)
+    predictions = bands_of(density, basis, result.samples, chosen, update.lags, predicted_with, seed, settings)
     return replace(result, predictions=predictions, findings=(*result.findings, *_missed(result, predictions)))
 
 

@@ -10,14 +10,14 @@ import numpy as np
 
 from jounce.core.shown import Shown
 from jounce.core.types import Array
+from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import Calibrated, richer_runs
 from jounce.identify.fit_problem import FitTrial, Free, prepare_trial
-from jounce.identify.posterior import DoubtDensity, NoiseDensity
 from jounce.recordings import estimate_lag
 from jounce.recordings.signals import shift_signals
 
 if TYPE_CHECKING:
-    from jounce.identify.posterior import Basis, Posterior
+    import xarray as xr
 
 _TOLERANCE = 1e-6
 _TWO_SIDED = 1.959963984540054
@@ -62,12 +62,12 @@ class Band(Shown):
 
 
 def bands_of(
-    density: NoiseDensity | DoubtDensity, basis: Basis, found: Posterior, trials: Sequence[FitTrial],
+    density: NoiseDensity | DoubtDensity, basis: Basis, samples: xr.Dataset, trials: Sequence[FitTrial],
     lags: Mapping[str, float], count: int, seed: int, settings: Mapping[str, Any],
 ) -> dict[str, dict[str, Band]]:  # fmt: skip
     """Predict every channel of some trials, with ``count`` draws each."""
     free = basis.free
-    law = np.column_stack([found.samples[item.path].to_numpy().ravel() for item in free])
+    law = np.column_stack([samples[item.path].to_numpy().ravel() for item in free])
     rows = np.random.default_rng([seed, 9]).choice(len(law), min(count, len(law)), replace=False)
     law = law[rows]
     fitted = {trial.name for trial in basis.trials}

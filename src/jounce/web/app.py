@@ -16,8 +16,8 @@ from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.jobs import Jobs
-from jounce.web.levels import Records
 from jounce.web.project import LONGEST, Project, Text, Version
+from jounce.web.records import Records
 from jounce.web.safety import Guard
 from jounce.web.working import routes
 

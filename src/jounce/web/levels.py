@@ -7,29 +7,24 @@ samples where there are few of them: no peak is lost at any zoom.
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.display import DisplayUnit
-from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.errors import RecordingError, unknown
 from jounce.core.types import Array
 
 if TYPE_CHECKING:
     from jounce.report.live import Viewer
-    from jounce.web.jobs import Jobs
-    from jounce.web.project import Project
 
 BLOCK = 256
 _PIECE, _UNEVEN = 50_000, 1e-3  # samples; shares of a step by which evenly spaced instants may be off
-_ABOUT, _PLACE, _MOST_KEPT = "about.json", (".jounce", "levels"), 6
+ABOUT = "about.json"
 _MOST_CHANNELS = 200
-_MEMORY, _SECONDS = 6e9, 120.0
 
 
 def write_levels(file: Path, folder: Path) -> dict[str, Any]:
@@ -59,7 +54,7 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
         channels.append({"name": one.name, "unit": one.unit})
     about = {"count": count, "first": float(time.values[0]), "step": float(step), "even": even,
              "last": float(time.values[-1]), "unit": time.unit or "s", "channels": channels}  # fmt: skip
-    (folder / _ABOUT).write_text(json.dumps(about), encoding="utf-8")
+    (folder / ABOUT).write_text(json.dumps(about), encoding="utf-8")
     return about
 
 
@@ -138,41 +133,3 @@ class Levels:
 def _twice(edges: Any) -> Any:
     """Two places a column: at its begin, and in its middle."""
     return np.stack([edges[:-1], 0.5 * (edges[:-1] + edges[1:])], axis=1).ravel()
-
-
-class Records:
-    """The records of a project that were looked at; what was read of them is kept beside it, the last few."""
-
-    def __init__(self, project: Project, jobs: Jobs) -> None:
-        self.project, self.jobs = project, jobs
-
-    def open(self, path: str) -> Levels:
-        """Read a record, in a process of its own, unless that was done."""
-        from jounce.web.tasks import Doing
-
-        file = self.project.inside(path)
-        if not file.is_file():
-            raise DescriptionError("no such file", where=path, hint="Choose a record of the project.")
-        state = file.stat()
-        key = sha256(f"{path}\0{state.st_size}\0{state.st_mtime_ns}".encode()).hexdigest()[:24]
-        folder = self.project.inside("/".join((*_PLACE, key)))
-        if not (folder / _ABOUT).is_file():
-            question = {"kind": "levels", "file": str(file), "folder": str(folder)}
-            try:
-                self.jobs.ask(
-                    Doing(
-                        f"Reading {path}", [], limits=(_MEMORY, _SECONDS), patience=90.0, question=question, light=True
-                    )
-                )
-            except Exception:
-                shutil.rmtree(folder, ignore_errors=True)
-                raise
-            self._forget(folder)
-        return Levels(folder, json.loads((folder / _ABOUT).read_text(encoding="utf-8")))
-
-    def _forget(self, new: Path) -> None:
-        """Take away what was read longest ago."""
-        kept = sorted((one for one in new.parent.iterdir() if one.is_dir()), key=lambda one: one.stat().st_mtime)
-        for old in kept[:-_MOST_KEPT]:
-            if old != new:
-                shutil.rmtree(old, ignore_errors=True)

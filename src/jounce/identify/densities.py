@@ -1,0 +1,152 @@
+"""Log densities of updated parameters: of least squares with noise only, and with all doubts integrated out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+
+from jounce.core.errors import FitError, SimulationError
+from jounce.core.types import Array
+from jounce.identify.discrepancy import Calibrated
+from jounce.identify.fit_problem import FitTrial, Free, Residuals
+from jounce.identify.log_density import Region
+from jounce.identify.update import robust_covariance
+
+_CLIMBS, _LITTLE_GAIN = 2, 0.5  # steps of the doubts, and twice the log density that a further one may bring
+_WIDE = 10.0  # scaled units that nothing is wider than
+
+
+class _Residual(Protocol):
+    """Residuals as functions of scaled unknowns."""
+
+    def residuals(self, scaled: Array) -> Residuals: ...
+
+
+@dataclass(frozen=True)
+class Basis:
+    """What a posterior rests on: trials, free parameters, and the richer model where model error is counted.
+
+    ``covariance`` is that of the scaled parameters, ``values`` are the estimates (SI), ``noise`` and ``residual`` the
+    standard deviations (SI) of noise and residuals of each channel.
+    """
+
+    trials: tuple[FitTrial, ...]
+    free: tuple[Free, ...]
+    calibration: Calibrated | None
+    covariance: Array
+    values: Mapping[str, float] = field(default_factory=dict)
+    channels: Sequence[str] | None = None
+    align: bool = False
+    noise: Mapping[str, float] = field(default_factory=dict)
+    residual: Mapping[str, float] = field(default_factory=dict)
+
+
+# noise only ----------------------------------------------------------------------------------------------------------
+
+
+class NoiseDensity:
+    """Log density of scaled parameters when residuals are noise, with the covariance that an update reports."""
+
+    def __init__(self, problem: _Residual, best: Array, lower: Array, upper: Array, lowest: Array) -> None:
+        self.problem, self.best, self.lowest = problem, best, lowest
+        residuals = problem.residuals(best)
+        jacobian = residuals.jacobian
+        count, size = jacobian.shape
+        norms = np.linalg.norm(jacobian, axis=0)
+        if not np.all(norms > 1e-9 * max(float(np.max(norms, initial=0.0)), 1e-300)):
+            raise FitError("the data do not react to a parameter", where=f"unknown {int(np.argmin(norms)) + 1}")
+        square = float(residuals.vector @ residuals.vector)
+        if square <= 0.0:
+            raise FitError("the model explains the data exactly: there is no noise to judge by", where="posterior")
+        self.variance = square / max(count - size, 1)
+        self.covariance: Array = robust_covariance(residuals.vector, jacobian, residuals.blocks)
+        plain = np.linalg.cholesky(jacobian.T @ jacobian / self.variance).T
+        wanted = np.linalg.cholesky(np.linalg.inv(self.covariance)).T
+        self.turn = np.linalg.solve(plain, wanted)
+        spread = np.linalg.inv(np.linalg.inv(self.covariance) + np.eye(size) / _WIDE**2)
+        self.region = Region(best, np.linalg.cholesky(spread), lower, upper)
+
+    def __call__(self, x: Array) -> tuple[float, Array, float] | None:
+        """Log density and slopes; None where the model cannot be."""
+        at = self.best + self.turn @ (x - self.best)
+        if np.any(at < self.lowest):
+            return None
+        try:
+            found = self.problem.residuals(at)
+        except SimulationError:
+            return None
+        value = -0.5 * float(found.vector @ found.vector) / self.variance
+        return value, -(self.turn.T @ (found.jacobian.T @ found.vector)) / self.variance, 0.0
+
+
+# model error ---------------------------------------------------------------------------------------------------------
+
+
+class DoubtDensity:
+    """Log density of scaled parameters with all doubts integrated out around their best values."""
+
+    def __init__(self, calibration: Calibrated) -> None:
+        self.found = calibration
+        one, state = calibration.one, calibration.state
+        self.size = len(one.free)
+        self.best = state.theta
+        information, _ = self._linear(calibration.blocks, state)
+        p = self.size
+        self.information = information
+        self.follow = -np.linalg.solve(information[p:, p:], information[p:, :p])  # doubts by parameters
+        self.spread = np.linalg.inv(information[p:, p:])
+        profiled = information[:p, :p] + information[:p, p:] @ self.follow
+        self.covariance: Array = np.asarray(np.linalg.inv(profiled), dtype=float)
+        lower = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in one.free])
+        spread = np.linalg.inv(profiled + np.eye(p) / _WIDE**2)
+        best = np.maximum(self.best, lower)
+        self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
+        self.seen: list[tuple[Array, Array]] = []
+
+    def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array]:
+        """Information and score of all unknowns, with the variances of the calibration kept."""
+        found = self.found
+        system = found.one.system(blocks, state)
+        information, score = np.diag(system.prior), -system.prior * system.away
+        self.square = float(system.prior @ system.away**2)
+        for name, variance in found.variance.items():
+            information = information + system.normal[name][0] / variance
+            score = score + system.normal[name][1] / variance
+        for name, _, residual, _ in system.rows:
+            self.square += float(residual @ residual) / found.variance[name]
+        return information, score
+
+    def __call__(self, x: Array) -> tuple[float, Array, float] | None:
+        """Log density and slopes; None where the richer model does not run."""
+        found, p = self.found, self.size
+        moved = x - found.state.theta
+        step = np.concatenate([moved, self.follow @ moved])
+        for _ in range(_CLIMBS):
+            try:
+                state = found.one.moved(found.state, step, found.blocks, 1.0)
+                blocks, _ = found.one.blocks(state)
+            except SimulationError:
+                return None
+            information, score = self._linear(blocks, state)
+            inner = information[p:, p:]
+            more = np.linalg.solve(inner, score[p:])
+            gain = float(score[p:] @ more)
+            step[p:] += more
+            if gain < _LITTLE_GAIN:
+                break
+        value = -0.5 * (self.square - gain)
+        self.seen.append((x, step[p:]))
+        return value, score[:p] - information[:p, p:] @ more, -0.5 * float(np.linalg.slogdet(inner)[1])
+
+    def doubts(self, x: Array, seed: int) -> Array:
+        """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
+        rng = np.random.default_rng([seed, 7])
+        mean = (x - self.found.state.theta) @ self.follow.T
+        if len(self.seen) > 2 * self.size + 2:  # what is left of a straight line: its mean over all points seen
+            at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
+            rows = np.column_stack([np.ones(len(at)), at - self.found.state.theta])
+            mean = np.column_stack([np.ones(len(x)), x - self.found.state.theta]) @ np.linalg.lstsq(rows, steps)[0]
+        return np.asarray(mean + rng.normal(size=mean.shape) @ np.linalg.cholesky(self.spread).T)

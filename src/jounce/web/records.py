@@ -1,0 +1,53 @@
+"""The long records that a project has seen, each read once in a process of its own."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from hashlib import sha256
+from pathlib import Path
+
+from jounce.core.errors import DescriptionError
+from jounce.web.jobs import Jobs
+from jounce.web.levels import ABOUT, Levels
+from jounce.web.project import Project
+from jounce.web.tasks import Doing
+
+_PLACE, _MOST_KEPT = (".jounce", "levels"), 6
+_MEMORY, _SECONDS = 6e9, 120.0  # that reading a record may take
+
+
+class Records:
+    """The records of a project that were looked at; what was read of them is kept beside it, the last few."""
+
+    def __init__(self, project: Project, jobs: Jobs) -> None:
+        self.project, self.jobs = project, jobs
+
+    def open(self, path: str) -> Levels:
+        """Read a record, in a process of its own, unless that was done."""
+        file = self.project.inside(path)
+        if not file.is_file():
+            raise DescriptionError("no such file", where=path, hint="Choose a record of the project.")
+        state = file.stat()
+        key = sha256(f"{path}\0{state.st_size}\0{state.st_mtime_ns}".encode()).hexdigest()[:24]
+        folder = self.project.inside("/".join((*_PLACE, key)))
+        if not (folder / ABOUT).is_file():
+            question = {"kind": "levels", "file": str(file), "folder": str(folder)}
+            try:
+                self.jobs.ask(
+                    Doing(
+                        f"Reading {path}", [], limits=(_MEMORY, _SECONDS), patience=90.0, question=question, light=True
+                    )
+                )
+            except Exception:
+                shutil.rmtree(folder, ignore_errors=True)
+                raise
+            self._forget(folder)
+        return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+
+    def _forget(self, new: Path) -> None:
+        """Take away what was read longest ago."""
+        kept = sorted((one for one in new.parent.iterdir() if one.is_dir()), key=lambda one: one.stat().st_mtime)
+        for old in kept[:-_MOST_KEPT]:
+            if old != new:
+                shutil.rmtree(old, ignore_errors=True)
