@@ -10,10 +10,13 @@ import pytest
 import jounce as jn
 from jounce.exchange.mjcf import write_mjcf
 
-mujoco = pytest.importorskip("mujoco", reason="the engines of the benchmarks are not installed")
+
+def engine():
+    return pytest.importorskip("mujoco", reason="the engines of the benchmarks are not installed")
 
 
 def opened(rig, folder: Path):
+    mujoco = engine()
     made = write_mjcf(rig, folder / "rig.xml")
     model = mujoco.MjModel.from_xml_path(str(made.path))
     return made, model, mujoco.MjData(model)
@@ -30,7 +33,7 @@ def test_it_stands_as_ours(tmp_path: Path, name: str) -> None:
     rig = jn.load(name)
     _, model, data = opened(rig, tmp_path)
     for i in range(30_000):
-        mujoco.mj_step(model, data)
+        engine().mj_step(model, data)
         if i < 15_000:  # let it settle
             data.qvel *= 0.998
     ours = jn.simulate(rig, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.002))
@@ -54,10 +57,10 @@ def test_it_moves_as_ours(tmp_path: Path) -> None:
     for i in range(2001):
         if i % 10 == 0:
             data.mocap_pos[0][2] = road(1e-4 * i)
-            mujoco.mj_forward(model, data)
+            engine().mj_forward(model, data)
             found.append([seen(model, data, name)[-1] for name in channels])
         data.mocap_pos[0][2] = road(1e-4 * (i + 0.5))
-        mujoco.mj_step(model, data)
+        engine().mj_step(model, data)
     for channel, theirs in zip(("sprung.z", "unsprung.z", "tyre.force"), np.array(found).T, strict=True):
         own = ours[channel].values
         shift = rig.hardpoints.wheel_centre[2] if channel == "unsprung.z" else 0.0
