@@ -245,6 +245,15 @@ class Outcome:
     holds: bool
     steps: int
     ended: str
+    asked: Asked | None = None
+    """What was asked for where all targets are met."""
+
+    def drawn_back(self, search: Search) -> Outcome:
+        """The same nearer to the rig, where all targets are met."""
+        if self.asked is None:
+            return self
+        x = search.drawn_back(self.x, self.asked)
+        return Outcome(x, *search.judged(x), self.steps, self.ended, self.asked)
 
     @property
     def travelled(self) -> float:
@@ -263,14 +272,12 @@ def search_from(search: Search, x: Array) -> Outcome:
     if not np.isfinite(cost):
         return Outcome(x, cost, False, False, steps, ended)
     if met:
-        x = search.drawn_back(x, search.compromise)
-        return Outcome(x, *search.judged(x), steps, ended)
+        return Outcome(x, *search.judged(x), steps, ended, search.compromise)
     best = Outcome(x, cost, met, search.judged(x)[2], steps, ended)
     x, _, met, more, _ = search.descend(x, search.bands)
     steps += more
     if met:
-        x = search.drawn_back(x, search.bands)
-        return Outcome(x, *search.judged(x), steps, "all targets are met")
+        return Outcome(x, *search.judged(x), steps, "all targets are met", search.bands)
     if search.must.any():
         for begin in (best.x, x):
             x, more, ended = search.constrained(begin)

@@ -21,6 +21,5 @@ def test_the_numbers_of_every_search_are_a_design_of_its_own() -> None:
         assert 0.5 * missed**2 == pytest.approx(one.cost, abs=1e-3)  # numbers are rounded to the nanometre
     best = {path: one.after for path, one in found.moved.items()}
     assert best in [one.numbers for one in found.starts]
-    first, second = found.starts  # drawn back to the least movement, wherever they began
-    assert second.numbers == pytest.approx(first.numbers, abs=1e-5)
+    assert len({tuple(one.numbers.values()) for one in found.starts}) > 1  # designs that differ
     assert found.results()["starts"][1]["numbers"] == found.starts[1].numbers
