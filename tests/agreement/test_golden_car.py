@@ -28,6 +28,14 @@ def golden_car() -> jn.Rig:
     return jn.QuarterCar.from_table(table)
 
 
+@pytest.mark.source(
+    kind="computed",
+    of="quarter car",
+    key="wtp-46",
+    where="constants of the golden car, its modes solved beside jounce",
+    tolerance="half a unit of the last digit",
+    compares="modes of the golden car",
+)
 def test_its_modes(golden_car: jn.Rig) -> None:
     # computed from the constants of the paper, four digits
     body, hop = jn.modes(golden_car)

@@ -43,7 +43,7 @@ def test_what_is_kept_is_still_written() -> None:
         assert row["of"] in CAPABILITIES
         assert row["key"] in keys or (row["kind"] == "computed" and not row["key"]), name
         assert 0.0 <= row["share"] <= 1.0001, name
-        assert row["values"] > 0
+        assert row["values"] >= row["least"] > 0
 
 
 @pytest.mark.parametrize("file", [*(ROOT / "tests").glob("reference/*.py"), *(ROOT / "tests").glob("measured/*.py")])
@@ -63,12 +63,26 @@ def test_comparisons_are_seen() -> None:
     assert seen.count == 8
     assert (seen.worst["ours"], seen.worst["theirs"]) in {(2.05, 2.0), (1.01, 1.0)}
     assert seen.worst["share"] == pytest.approx(0.5)
+    assert seen.room == pytest.approx(0.1)
+
+
+def seen(share: float, count: int = 2, room: float = 0.1) -> Seen:
+    found = Seen()
+    found.count, found.room, found.worst["share"] = count, room, share
+    return found
 
 
 def test_what_agrees_worse_than_the_page_is_rejected() -> None:
-    row = {**ROW, "share": 0.4}
-    assert held(row, ROW, 0.4) == held(row, ROW, 0.49) == held(row, ROW, 0.1) == ""
-    assert "is not on the page" in held(None, ROW, 0.4)
-    assert held(row, ROW, 0.51) == "takes 0.51 of what is allowed, the page says 0.4"
-    assert held(row, {**ROW, "where": "Table 3"}, 0.4) == "says another where than the page"
-    assert held({**ROW, "share": 1e-9}, ROW, 1e-3) == ""  # rounding is that of the machine
+    row = {**ROW, "share": 0.4, "least": 2, "room": 0.1}
+    assert held(row, ROW, seen(0.4)) == held(row, ROW, seen(0.49)) == held(row, ROW, seen(0.1)) == ""
+    assert "is not on the page" in held(None, ROW, seen(0.4))
+    assert held(row, ROW, seen(0.51)) == "takes 0.51 of what is allowed, the page says 0.4"
+    assert held(row, {**ROW, "where": "Table 3"}, seen(0.4)) == "says another where than the page"
+    assert held({**row, "share": 1e-9}, ROW, seen(1e-3)) == ""  # rounding is that of the machine
+
+
+def test_what_compares_less_or_allows_more_than_the_page_is_rejected() -> None:
+    row = {**ROW, "share": 0.4, "least": 2, "room": 0.1}
+    assert held(row, ROW, seen(0.4, count=3)) == held(row, ROW, seen(0.4, room=0.05)) == ""
+    assert held(row, ROW, seen(0.4, count=1)) == "compares fewer numbers than the page says, 1 for 2"
+    assert held(row, ROW, seen(0.04, room=1.0)) == "allows 1, the page says 0.1"

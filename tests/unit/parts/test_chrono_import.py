@@ -18,6 +18,13 @@ from jounce.parts.leverage import motion_ratio, spring_force, static_spring_forc
 
 FILES = Path(__file__).parents[2] / "files" / "chrono"
 FILE_NAMES = sorted(file.stem for file in FILES.glob("*.json") if "Single" not in file.stem)
+READ_BY_EYE = pytest.mark.source(
+    kind="published",
+    of="files of other makers",
+    key="project-chrono",
+    where="what its files of suspensions print, read by eye",
+    tolerance="the digits of the files",
+)
 
 
 def read(name: str, **options: Any) -> Any:
@@ -58,6 +65,7 @@ def test_templates_are_models(name: str, kind: type):
     assert isinstance(read("audi_DoubleWishbone")[0], DoubleWishbone)
 
 
+@READ_BY_EYE
 def test_points_are_those_of_the_file_moved_up():
     rig, _, _ = read("audi_DoubleWishbone", wheel_radius=0.344)
     file = table_of("audi_DoubleWishbone")
@@ -74,12 +82,14 @@ def test_points_are_those_of_the_file_moved_up():
     assert rig.bodies.upper_arm.centre_of_mass == pytest.approx(np.array([-0.1083, 0.5972, 0.1063]) + moved, abs=1e-9)
 
 
+@READ_BY_EYE
 def test_other_ends_of_a_damper_are_kept():
     points = read("HMMWV_DoubleWishboneFront")[0].hardpoints
     assert points.damper_bottom is None
     assert np.subtract(points.damper_top, points.strut_top) == pytest.approx([0.0, -0.012, 0.126], abs=1e-9)
 
 
+@READ_BY_EYE
 def test_inertia_of_an_arm_is_turned_from_its_own_axes():
     """Chrono's arm has x along its axis: the moment about that axis is the file's first one, and traces stay."""
     rig, _, _ = read("Sedan_DoubleWishbone")
@@ -109,6 +119,7 @@ def test_products_of_inertia_are_tensor_elements(tmp_path: Path):
     assert (inertia.xy, inertia.xz, inertia.yz) == pytest.approx((0.001, -0.0005, 0.0002))
 
 
+@READ_BY_EYE
 def test_inertia_of_links_has_z_along_the_link():
     rig, _, _ = read("Sedan_MultiLink")
     for name, moments in (("link_3", [0.0543, 0.0541, 0.000279]), ("link_4", [0.0762, 0.527, 0.567])):
@@ -158,6 +169,7 @@ def test_linear_and_curved_springs():
     assert spring_force(curved) == pytest.approx(369150.0 * (0.339 - length), rel=1e-9)
 
 
+@READ_BY_EYE
 def test_a_curve_that_pushes_at_its_free_length():
     """The file has -3848 N at no lengthening: it pushes there, and pulls from 53 mm of lengthening on."""
     curve = read("Polaris_Front_DoubleWishbone")[0].strut.spring.curve
@@ -176,6 +188,7 @@ def test_preload_shifts_the_force(tmp_path: Path):
     )
 
 
+@READ_BY_EYE
 def test_dampers_change_both_signs():
     assert read("audi_DoubleWishbone")[0].strut.damper.coefficient == 10000.0
     table = read("Polaris_Front_DoubleWishbone")[0].strut.damper
@@ -184,6 +197,7 @@ def test_dampers_change_both_signs():
     assert points[-0.33] == pytest.approx(-2875.0)
 
 
+@READ_BY_EYE
 def test_damper_maps_are_turned_over():
     damper = read("HMMWV_DoubleWishboneFront_mapShock")[0].strut.damper
     assert damper.velocity == pytest.approx((-0.666667, -0.333333, 0.0, 0.333333, 0.666667))

@@ -38,6 +38,14 @@ def small(folder: Path, *changes: tuple[str, str], more: str = "") -> Path:
     return file
 
 
+@pytest.mark.source(
+    kind="published",
+    of="files of other makers",
+    key="project-chrono",
+    where="what its five tyre property files print, read by eye",
+    tolerance="the digits of the files",
+    compares="stiffness, damping and radius of tyre files",
+)
 @pytest.mark.parametrize(
     ("name", "stiffness", "damping", "radius", "load"),
     [  # read off the files by eye; LCZ of the generic one is 0.4419

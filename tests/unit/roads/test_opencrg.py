@@ -18,6 +18,14 @@ ONE_INCH = road_library()["detrended_rms_course_1in"]
 INCH = 0.0254
 
 
+@pytest.mark.source(
+    kind="measured",
+    of="files of other makers",
+    key="project-chrono",
+    where="roads of 1 in and 3 in RMS, the roughness that their headers print",
+    tolerance="the headers are of the surveys before resampling; 1.5 % is asked for",
+    compares="roughness of measured roads as read from OpenCRG files",
+)
 @pytest.mark.parametrize(
     ("file", "recomputed", "header"),
     [
@@ -86,6 +94,14 @@ def test_banking_raises_the_left_and_lowers_the_right() -> None:
         np.testing.assert_allclose(read_crg_profile(file, v)[1], expected, rtol=0, atol=1e-12)
 
 
+@pytest.mark.source(
+    kind="program",
+    of="files of other makers",
+    key="asam-opencrg",
+    where="pyopencrg on files of ASAM OpenCRG",
+    tolerance="double precision",
+    compares="heights along straight, banked and sloped roads",
+)
 @pytest.mark.parametrize(("name", "v"), [("handmade_banked", 0.3), ("handmade_sloped", -1.4), ("halfround_4in", 0.7)])
 def test_agrees_with_the_evaluation_of_pyopencrg(name, v) -> None:
     import pyopencrg

@@ -27,6 +27,14 @@ def with_block(folder: Path, name: str, block: str, **lines: float) -> Path:
     return file
 
 
+@pytest.mark.source(
+    kind="program",
+    of="files of other makers",
+    key="asam-opencrg",
+    where="crgEvaluv2z of its C library 2.0.1 on files that come with it",
+    tolerance="single precision of the files",
+    compares="heights beside a curved reference line",
+)
 @pytest.mark.parametrize(
     ("name", "v", "s", "z"),
     [  # path length and height by the C library of ASAM OpenCRG 2.0.1 (crgEvaluv2xy, crgEvaluv2z)

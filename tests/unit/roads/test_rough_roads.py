@@ -19,6 +19,14 @@ from jounce.roughness.spectra import (
 MEANS = {"A": 16, "B": 64, "C": 256, "D": 1024, "E": 4096, "F": 16384, "G": 65536, "H": 262144}  # domain D1, 1e-6 m^3
 
 
+@pytest.mark.source(
+    kind="published",
+    of="ride and roughness",
+    key="iso-8608",
+    where="the geometric means of its classes",
+    tolerance="the digits of the standard",
+    compares="roughness of the classes A to H",
+)
 @pytest.mark.parametrize(("name", "mean"), MEANS.items())
 def test_means_and_limits_of_the_classes(name, mean) -> None:
     assert class_roughness(name) == pytest.approx(mean * 1e-6, rel=1e-12)
@@ -33,6 +41,14 @@ def test_classes_end_at_a_and_h() -> None:
     assert (roughness_class(1e-9), roughness_class(10.0)) == ("A", "H")
 
 
+@pytest.mark.source(
+    kind="published",
+    of="ride and roughness",
+    key="iso-8608",
+    where="densities at 1 rad/m of classes A and C",
+    tolerance="the digits of the standard",
+    compares="densities over cycles and over radians",
+)
 def test_density_in_cycles_and_in_radians() -> None:
     # ISO 8608 table: G_d(Omega0) of classes A and C at 1 rad/m
     n = 1.0 / (2.0 * np.pi)  # Omega = 1 rad/m
