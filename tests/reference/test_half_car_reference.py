@@ -44,27 +44,23 @@ def eigenvalues(model: jn.LinearModel) -> list[complex]:
 
 # --- the demo (sldemo_suspn.json) ------------------------------------------------------------------------------------
 
-
-@pytest.mark.source(
+OF_THE_DEMO = pytest.mark.source(
     kind="computed",
     of="half car",
     key="sldemo-suspn",
     where="parameters and equations as documented; solved beside jounce",
     tolerance="half a unit of the last printed digit",
 )
+
+
+@OF_THE_DEMO
 def test_demo_rest():
     rest = jn.equilibrium(DEMO)
     assert rest["body.z"] == pytest.approx(-0.12012244897959184, abs=1e-14)
     assert abs(rest["body.pitch"]) < 1e-15  # 28000 * 0.9 = 21000 * 1.2
 
 
-@pytest.mark.source(
-    kind="computed",
-    of="half car",
-    key="sldemo-suspn",
-    where="parameters and equations as documented; solved beside jounce",
-    tolerance="half a unit of the last printed digit",
-)
+@OF_THE_DEMO
 def test_demo_road_counts_downwards():
     trial = jn.Trial(road=jn.Step(height="10 mm", start="70 m"), speed="10 m/s", duration="30 s")
     run = jn.simulate(DEMO, trial)
@@ -73,13 +69,7 @@ def test_demo_road_counts_downwards():
     assert float(up["body.z"][-1]) + 0.12012244897959184 == pytest.approx(0.01, abs=1e-7)
 
 
-@pytest.mark.source(
-    kind="computed",
-    of="half car",
-    key="sldemo-suspn",
-    where="parameters and equations as documented; solved beside jounce",
-    tolerance="half a unit of the last printed digit",
-)
+@OF_THE_DEMO
 def test_demo_eigenvalues():
     pitch, bounce = eigenvalues(jn.linearise(DEMO))
     printed(bounce.real, "-3.74994"), printed(bounce.imag, "8.21646")
