@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -11,12 +11,11 @@ from typing import Any
 import numpy as np
 
 from jounce.campaign.characterise import Knowledge
-from jounce.campaign.description import UpdateEntry
 from jounce.campaign.result import StrategyResult
 from jounce.campaign.run import Runner, prepared_campaign
 from jounce.core.errors import FitError, JounceError, unknown
+from jounce.core.findings import Finding
 from jounce.core.units import positive_si, to_si
-from jounce.identify.fit_problem import FitTrial
 from jounce.identify.next_trial import Candidate, NextTrials, next_trials
 from jounce.identify.posterior import Posterior, posterior, rested
 from jounce.roads import Trial, read_roads
@@ -73,11 +72,9 @@ def campaign_posterior(
     ('noise only', ['trial 1', 'trial 2', 'trial 4'])
     """
     runner, _, start = prepared_campaign(path, progress)
-    entry, knowledge, trials, asked = _asked(runner, start, strategy, path)
-    doubt = None if noise_only else asked.pop("doubt")
-    asked.pop("doubt", None)
+    knowledge, asked = _asked(runner, start, strategy, path, noise_only=noise_only)
     every = [runner.fit_trial(item, knowledge) for item in runner.loaded.values()]
-    return posterior(trials, entry.free, doubt=doubt, draws=draws, seed=seed, predict=every, progress=progress, **asked)
+    return posterior(**asked, draws=draws, seed=seed, predict=every, progress=progress)
 
 
 def campaign_next_trials(
@@ -133,19 +130,18 @@ def campaign_next_trials(
     (12, True)
     """
     runner, _, start = prepared_campaign(path, progress)
-    entry, knowledge, trials, asked = _asked(runner, start, strategy, path)
-    doubt = None if noise_only else asked.pop("doubt")
-    asked.pop("doubt", None)
-    candidates = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
-    basis = rested(trials, entry.free, doubt=doubt, progress=progress, **asked).basis
-    progress(f"{entry.name}: {len(candidates)} trials that could be run")
-    return next_trials(basis, candidates, count=count)
+    knowledge, asked = _asked(runner, start, strategy, path, noise_only=noise_only)
+    candidates, lost = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
+    basis = rested(**asked, progress=progress).basis
+    progress(f"{asked['name']}: {len(candidates)} trials that could be run")
+    found = next_trials(basis, candidates, count=count)
+    return replace(found, findings=(*found.findings, *lost))
 
 
 def _asked(
-    runner: Runner, start: Knowledge, strategy: str, path: Path | str
-) -> tuple[UpdateEntry, Knowledge, list[FitTrial], dict[str, Any]]:
-    """The update that is meant, with all before it run."""
+    runner: Runner, start: Knowledge, strategy: str, path: Path | str, *, noise_only: bool
+) -> tuple[Knowledge, dict[str, Any]]:
+    """What is known before the update that is meant, all before it run, and how :func:`rested` is asked for it."""
     entries = {entry.name: entry for entry in runner.campaign.update}
     if not entries:
         raise FitError("the campaign has no update", where=str(path), hint="Write an [[update]] with free parameters.")
@@ -163,15 +159,19 @@ def _asked(
     knowledge, _, trials, asked = runner.set_up(entry, start, done)
     if not trials:
         raise FitError("no trial to fit", where=entry.name, hint='Mark trials with use = "fit" or name their numbers.')
-    return entry, knowledge, trials, asked
+    free: dict[str, Any] = dict(entry.free)
+    if noise_only:  # a prior counts beside doubts only
+        asked["doubt"] = None
+        free = {path: given["bounds"] if isinstance(given, Mapping) else given for path, given in free.items()}
+    return knowledge, {"trials": trials, "free": free, **asked}
 
 
 def _candidates(
     runner: Runner, knowledge: Knowledge, path: Path, speeds: Sequence[float | str] | None,
     roads: Sequence[str] | None, strut_angles: Sequence[float | str] | None,
     tyre_pressures: Sequence[float | str] | None,
-) -> list[Candidate]:  # fmt: skip
-    """All combinations that can be set up and driven."""
+) -> tuple[list[Candidate], list[Finding]]:  # fmt: skip
+    """All combinations that can be set up and driven, and why others cannot."""
     known = read_roads(runner.campaign.roads, where=str(path), folder=path.parent)
     for name in roads or ():
         if name not in known:
@@ -198,16 +198,28 @@ def _candidates(
         raise FitError("too many trials to compare", found=count, allowed=f"up to {_MOST}", where="candidates")
     duration = max(float(item.measured["time"][-1]) for item in runner.loaded.values())
     sensors = next(iter(runner.sensors.values()), runner.campaign.sensors)
-    found = []
+    found: list[Candidate] = []
+    lost: dict[str, list[str]] = {}
     for road, speed, angle, pressure in product(names, chosen, angles, pressures):
         words = [f"{road} at {speed:.4g} m/s"]
         words += [] if len(angles) == 1 or angle is None else [f"strut {np.degrees(angle):.4g} deg"]
         words += [] if len(pressures) == 1 or pressure is None else [f"tyre {pressure / 1e6:.4g} MPa"]
-        with suppress(JounceError):  # what cannot be set up is no trial
+        name = ", ".join(words)
+        try:
             trial = Trial(road=known[road], speed=speed, duration=duration)
-            if trial.obstacle_end() < duration:
-                found.append(Candidate(", ".join(words), knowledge.rig_for(angle, pressure, {}), trial, sensors))
+            rig = knowledge.rig_for(angle, pressure, {})
+        except JounceError as error:
+            lost.setdefault(str(error), []).append(name)
+            continue
+        if trial.obstacle_end() < duration:
+            found.append(Candidate(name, rig, trial, sensors))
+        else:
+            late = f"obstacles end after the {duration:.4g} s that were recorded: drive faster, or record longer."
+            lost.setdefault(late, []).append(name)
+    left_out = [
+        Finding(each[0], "note", f"left out{f', as are {len(each) - 1} more' if each[1:] else ''}: {why}")
+        for why, each in lost.items()
+    ]
     if not found:
-        hint = "Obstacles must end within the length of the recordings: are the speeds too low?"
-        raise FitError("none of the trials can be run", where="candidates", hint=hint)
-    return found
+        raise FitError("none of the trials can be run", where="candidates", found=str(left_out[0]))
+    return found, left_out

@@ -93,7 +93,7 @@ class DoubtDensity:
         one, state = calibration.one, calibration.state
         self.size = len(one.free)
         self.best = state.theta
-        information, _ = self._linear(calibration.blocks, state)
+        information, _, _ = self._linear(calibration.blocks, state)
         p = self.size
         self.information = information
         self.follow = -np.linalg.solve(information[p:, p:], information[p:, :p])  # doubts by parameters
@@ -106,18 +106,18 @@ class DoubtDensity:
         self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
         self.seen: list[tuple[Array, Array]] = []
 
-    def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array]:
-        """Information and score of all unknowns, with the variances of the calibration kept."""
+    def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
+        """Information and score of all unknowns, and the sum of squares, with the calibration's variances kept."""
         found = self.found
         system = found.one.system(blocks, state)
         information, score = np.diag(system.prior), -system.prior * system.away
-        self.square = float(system.prior @ system.away**2)
+        square = float(system.prior @ system.away**2)
         for name, variance in found.variance.items():
             information = information + system.normal[name][0] / variance
             score = score + system.normal[name][1] / variance
         for name, _, residual, _ in system.rows:
-            self.square += float(residual @ residual) / found.variance[name]
-        return information, score
+            square += float(residual @ residual) / found.variance[name]
+        return information, score, square
 
     def __call__(self, x: Array) -> tuple[float, Array, float] | None:
         """Log density and slopes; None where the richer model does not run."""
@@ -130,14 +130,14 @@ class DoubtDensity:
                 blocks, _ = found.one.blocks(state)
             except SimulationError:
                 return None
-            information, score = self._linear(blocks, state)
+            information, score, square = self._linear(blocks, state)
             inner = information[p:, p:]
             more = np.linalg.solve(inner, score[p:])
             gain = float(score[p:] @ more)
             step[p:] += more
             if gain < _LITTLE_GAIN:
                 break
-        value = -0.5 * (self.square - gain)
+        value = -0.5 * (square - gain)
         self.seen.append((x, step[p:]))
         return value, score[:p] - information[:p, p:] @ more, -0.5 * float(np.linalg.slogdet(inner)[1])
 

@@ -633,6 +633,16 @@ class Calibrated:
         """Variance with which the residuals of each channel count: noise, and the rest as few observations (SI)."""
         return {name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS for name in self.one.names}
 
+    @property
+    def rest(self) -> dict[str, float]:
+        """What nothing explains of each channel, as a share (1) of the energy of the simulated signal."""
+        power: dict[str, list[float]] = {name: [] for name in self.one.names}
+        for block in self.blocks:
+            channel = next(one for one in self.one.runs[block.trial].channels if one.name == block.channel)
+            simulated = channel.measured - block.residual
+            power[block.channel].append(float(np.sum((simulated - simulated[0]) ** 2)))
+        return {name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
+
 
 def calibrated(
     trials: Sequence[FitTrial],
@@ -1085,13 +1095,8 @@ class DrawnRun:
         self.channels, self.rate = self.run.channels, self.run.prepared.rate
         self.units = {output.name: output.unit for output in self.run.compiled.facts.outputs}
         state = self._state(found.state.theta, np.zeros(len(found.step.step) - len(found.one.free)), None)
-        inputs = self._inputs(state)
-        solution = self.run.simulate(self.run.compiled, self.run.numbers(state), inputs)
+        solution = self.run.simulate(self.run.compiled, self.run.numbers(state), one.inputs(state, 0))
         self.run.beside = self.run.forces(States.of(self.run.compiled, solution))
-
-    def _inputs(self, state: _State) -> dict[str, float]:
-        found = {name: self.one.value(name, state.xi) for name in _INPUTS}
-        return found | {name: d * float(state.own[0, j]) for j, (name, d) in enumerate(self.one.own)}
 
     def _state(self, theta: Array, step: Array, rng: np.random.Generator | None) -> _State:
         """Unknowns of this trial; those that no fitted trial knows are drawn from their priors, or are as meant."""
@@ -1115,7 +1120,7 @@ class DrawnRun:
         """Reading of each channel without lag, for scaled parameters and a step of the doubts."""
         state = self._state(theta, step, rng)
         plain = self.run.compiled.plain
-        solution = self.run.simulate(plain, self.run.numbers(state), self._inputs(state))
+        solution = self.run.simulate(plain, self.run.numbers(state), self.one.inputs(state, 0))
         prepared, readings = replace(self.run.prepared, compiled=plain), {}
         for channel in self.channels:
             sensed = self.one._sensed(channel, state.xi)

@@ -250,14 +250,8 @@ class _WithDoubt:
         self.read = readings_of(self.found)
         size = self.read.slopes.shape[-1]
         self.start: Array = np.asarray(np.linalg.inv(self.found.step.covariance[:size, :size]), dtype=float)
-        power = dict[str, list[float]]()
-        for block in self.found.blocks:
-            channels = {channel.name: channel for channel in self.found.one.runs[block.trial].channels}
-            moved = channels[block.channel].measured - block.residual
-            power.setdefault(block.channel, []).append(float(np.sum((moved - moved[0]) ** 2)))
-        step = self.found.step
-        self.noise = step.noise
-        self.rest = {n: step.energy[n] / max(float(np.mean(power[n])), 1e-300) / OBSERVATIONS for n in power}
+        self.noise = self.found.step.noise
+        self.rest = {name: share / OBSERVATIONS for name, share in self.found.rest.items()}
 
     def covariance(self, information: Array) -> Array:
         """Covariance of what a test machine would give of the parts, SI."""

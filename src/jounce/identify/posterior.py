@@ -41,8 +41,6 @@ _FEWEST, _MOST = 1000, 10_000_000
 _HALF_DROP = 1.920729410347062  # of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two
 _R_HAT, _FEW_DRAWS = 1.01, 400.0  # [vehtari2021]
 _ERROR = 0.5  # of the log density, from which on it is told
-_CLIMBS, _LITTLE_GAIN = 2, 0.5  # steps of the doubts, and twice the log density that a further one may bring
-_WIDE = 10.0  # scaled units that nothing is wider than
 
 Progress = Callable[[str], None]
 

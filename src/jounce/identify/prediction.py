@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
-from jounce.identify.discrepancy import Calibrated, richer_runs
+from jounce.identify.discrepancy import richer_runs
 from jounce.identify.fit_problem import FitTrial, Free, prepare_trial
 from jounce.recordings import estimate_lag
 from jounce.recordings.signals import shift_signals
@@ -154,14 +154,8 @@ def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping
     """Noise of each channel (SI), and what nothing explains as a share (1) of the power of the signal."""
     if not isinstance(density, DoubtDensity):
         return basis.noise, {}
-    found: Calibrated = density.found
-    power: dict[str, list[float]] = {}
-    for block in found.blocks:
-        channels = {channel.name: channel for channel in found.one.runs[block.trial].channels}
-        simulated = channels[block.channel].measured - block.residual
-        power.setdefault(block.channel, []).append(float(np.sum((simulated - simulated[0]) ** 2)))
-    rest = {name: found.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
-    return {name: float(np.sqrt(value)) for name, value in found.step.noise.items()}, rest
+    found = density.found
+    return {name: float(np.sqrt(value)) for name, value in found.step.noise.items()}, found.rest
 
 
 def _moving(signal: Array, time: Array) -> Array:
