@@ -84,6 +84,47 @@ def test_bounds_mean_in_python_what_they_mean_on_the_command_line(tmp_path, text
     assert f"{{'tyre.stiffness': {meant!r}}}" in doing_of(task_of(task), Project(tmp_path)).python
 
 
+def _by_python_and_command(folder: Path, task: dict[str, Any], cli: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    doing = doing_of(task_of(task), Project(folder))
+    names: dict[str, Any] = {}
+    exec(doing.python, names)  # noqa: S102 - that is what it is for
+    return names, cli(*doing.words, "--json").json
+
+
+def test_python_of_a_fit_gives_what_its_command_gives(tmp_path, cli, spring_files, decay_file):
+    """Signs, windows and units are those of the form; what Python printed is read by nobody."""
+    for file in spring_files:  # a machine that counts pulling and extension as positive
+        head, *rows = file.read_text().splitlines()
+        turned = [",".join(str(-float(one)) for one in row.split(",")) for row in rows]
+        file.write_text("\n".join([head.replace("displacement", "way"), *turned, ""]))
+    stiffness = {"kind": "stiffness", "files": [one.name for one in spring_files], "columns": {"displacement": "way"},
+                 "stroke_positive": "extension", "force_positive": "tension", "discard_below": "2 mm"}  # fmt: skip
+    names, told = _by_python_and_command(tmp_path, stiffness, cli)
+    assert told["stiffness"]["value"] == pytest.approx(22730.0, rel=1e-3)
+    assert told["stiffness"]["value"] == pytest.approx(names["result"].stiffness.value, rel=1e-12)
+    decay = {"kind": "decay", "files": [decay_file.name], "mass": "16 kg", "begin": "0.21 s", "end": "1.5 s"}
+    names, told = _by_python_and_command(tmp_path, decay, cli)
+    assert told["damping_ratio"]["value"] == pytest.approx(names["result"].damping_ratio.value, rel=1e-12)
+    assert told["coulomb_force"]["value"] == pytest.approx(names["result"].coulomb_force.value, rel=1e-12)
+
+
+@pytest.mark.pages
+def test_python_of_a_test_and_its_evaluation_gives_what_the_command_gives(tmp_path, cli):
+    """With the plate of the tester, which a force is compensated for, the vehicle and the limits."""
+    tested = {"kind": "test", "vehicle": "audi-a6-half-car-4dof", "tester": "egea-specsus2018", "out": "axle.csv"}
+    names, told = _by_python_and_command(tmp_path, tested | {"wear": "0.3"}, cli)
+    assert told["wheels"][0]["phase_angle_min_deg"] == pytest.approx(
+        names["graded"].to_dict()["wheels"][0]["phase_angle_min_deg"]
+    )
+    names, told = _by_python_and_command(tmp_path, tested | {"wheel": "left", "out": "left.csv"}, cli)
+    assert told["phase_angle_min_deg"] == pytest.approx(names["found"].wheel.to_dict()["phase_angle_min_deg"])
+    asked = {"kind": "evaluate", "records": ["axle.csv"], "tester": "egea-specsus2018", "methods": ["eusama"],
+             "vehicle": "audi-a6-half-car-4dof"}  # fmt: skip
+    names, told = _by_python_and_command(tmp_path, asked, cli)
+    assert told["deciding"] == ["eusama"] == list(names["found"].graded.deciding)
+    assert told["wheels"] == json.loads(json.dumps(names["found"].graded.to_dict()["wheels"]))
+
+
 @pytest.mark.parametrize("path", ["../study.toml", "/etc/hostname", "link.toml", "", "."])
 def test_jobs_keep_to_the_folder(tmp_path, path):
     folder = tmp_path / "project"

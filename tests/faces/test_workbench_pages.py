@@ -198,7 +198,7 @@ def test_a_study_is_written_swept_brushed_and_its_variant_driven(server, browser
         page.get_by_role("link", name="as a trial").first.click()
         page.wait_for_selector("html[data-ready=trial]")
         page.wait_for_selector(".player .u-over")
-        assert "--set strut.spring.rate=" in page.get_by_label("The same on the command line").inner_text()
+        assert "--set=strut.spring.rate=" in page.get_by_label("The same on the command line").inner_text()
         one.go("jobs")
         page.get_by_role("heading", name="Sweep study").wait_for()
 

@@ -232,7 +232,7 @@ def changed_by(changes: Changes) -> str:
 
 def set_by(changes: Changes) -> list[str]:
     """Options that change a rig."""
-    return [part for path, value in changes.items() for part in ("--set", f"{path}={value}")]
+    return [f"--set={path}={value}" for path, value in changes.items()]
 
 
 def arguments(given: Mapping[str, Any], before: str = "") -> str:

@@ -15,8 +15,12 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from jounce.core.errors import DescriptionError
+from jounce.web.answers import arguments, changed_by, set_by
 from jounce.web.project import Project
 
+_TO_SI = "from jounce.core.units import to_si\n"
+_SIGNS = "from jounce.identify.signs import compression_positive\n"
+_WANTED = '{"displacement": "m", "force": "N"}'
 _LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
 
 
@@ -156,17 +160,18 @@ class CompareTask(_Task):
         words = ["compare", vehicle, f"--road={self.road}", f"--speed={self.speed}"]
         words += [f"--duration={self.duration}"] if self.duration else []
         words += [f"--seed={self.seed}"] if self.seed else []
-        words += [f"--control={one}" for one in self.control] + _set(self.changes)
+        words += [f"--control={one}" for one in self.control] + set_by(self.changes)
         lasting = f", duration={self.duration!r}" if self.duration else ""
+        name, _, seed = self.road[4:].partition(":")
         iso = self.road.lower().startswith("iso:")
         trial = (
-            f"iso_trial(rig, {self.road[4:5].upper()!r}, {self.speed!r}, seed={self.seed}{lasting})"
+            f"iso_trial(rig, {name.upper()!r}, {self.speed!r}, seed={seed or self.seed}{lasting})"
             if iso
             else f"road_trial(rig, jn.load_road({self.road!r}), {self.speed!r}{lasting})"
         )
         python = (
             f"import jounce as jn\nfrom jounce.ride.study import {'iso_trial' if iso else 'road_trial'}\n\n"
-            f"rig = jn.load({vehicle!r}){_with(self.changes)}\n"
+            f"rig = jn.load({vehicle!r}){changed_by(self.changes)}\n"
             f"study = jn.compare_rides(rig, {trial}, {self.control!r})\nprint(study)\n"
         )
         return Doing(f"{Path(vehicle).stem} on {self.road} at {self.speed}", words, _REPORT, python)
@@ -229,11 +234,13 @@ class EvaluateTask(_Task):
         for name in ("plate", "date", "place", "inspector"):
             words += [f"--{name}={getattr(self, name)}"] if getattr(self, name) else []
         words += ["--language=de"] if self.language == "de" else []
-        methods = f", methods={self.methods!r}" if self.methods else ""
+        vehicle = f"jn.load({self.vehicle!r})" if self.vehicle else "None"
+        limits = f"jn.load_limits({self.limits!r})" if self.limits else "None"
         python = (
-            "import jounce as jn\nfrom jounce.parts.testers import load_tester\n\n"
-            f"record, findings = jn.read_record({records[0]!r}, load_tester({tester!r}))\n"
-            f"graded = jn.grade(jn.evaluate(record{methods}))\nprint(graded)\n"
+            "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n\n"
+            f"tester = jn.load_tester({tester!r})\nfor file in {records!r}:\n"
+            f"    found = inspect_record(file, tester, {vehicle}, {self.methods or None!r}, {limits})\n"
+            "    print(found.graded)\n"
         )
         title = f"Inspection of {', '.join(Path(one).name for one in records)}"
         return Doing(title, words, _REPORT, python, limits=_LIMITS)
@@ -311,12 +318,14 @@ class TestTask(_Task):
         )
         words = ["inspect", "simulate", rig, f"--tester={tester}", f"--wheel={self.wheel}", f"--out={out}"]
         words += [f"--wear={self.wear}"] if self.wear else []
-        worn = f"worn(jn.load({rig!r}), {self.wear!r})" if self.wear else f"jn.load({rig!r})"
-        python = (
-            "import jounce as jn\nfrom jounce.parts.testers import load_tester\n"
-            + ("from jounce.parts.variants import worn\n" if self.wear else "")
-            + f"\ngraded, record = jn.simulate_axle({worn}, load_tester({tester!r}))\n"
+        worn = f"worn(jn.load({rig!r}), sweep_wear({self.wear!r})[0])" if self.wear else f"jn.load({rig!r})"
+        more = "from jounce.inspection.simulated import sweep_wear\nfrom jounce.parts.variants import worn\n"
+        test = (
+            f"graded, record = jn.simulate_axle({worn}, tester)"
+            if self.wheel == "both"
+            else f"found = jn.simulate_inspection({worn}, tester, wheel={self.wheel!r})"
         )
+        python = f"import jounce as jn\n{more if self.wear else ''}\ntester = jn.load_tester({tester!r})\n{test}\n"
         return Doing(f"Test of {Path(rig).stem}", words, python=python)
 
 
@@ -336,6 +345,9 @@ class _Reading(_Task):
             words += [f"--{name.replace('_', '-')}={getattr(self, name)}"] if getattr(self, name) else []
         return words
 
+    def _read(self, *names: str) -> str:
+        return arguments({name: getattr(self, name) for name in names if getattr(self, name)}, ", ")
+
 
 class StiffnessTask(_Reading):
     """Fit the stiffness of a spring or a tyre: the discarded zone, the line, and its intervals."""
@@ -349,13 +361,15 @@ class StiffnessTask(_Reading):
     def _doing(self, project: Project) -> Doing:
         words = self._words(project, "force_positive", "discard_below")
         words += [f"--law={self.law}", f"--intercept={self.intercept}", f"--branch={self.branch}"]
-        columns = f", columns={self.columns!r}" if self.columns else ""
-        discard = f", discard_below={self.discard_below!r}" if self.discard_below else ""
+        signs = f"{self.stroke_positive or None!r}, {self.force_positive or None!r}"
+        discard = f', discard_below=to_si({self.discard_below!r}, "m")' if self.discard_below else ""
         python = (
-            "import jounce as jn\n\ntrials = [jn.read_columns(file, "
-            f'{{"displacement": "m", "force": "N"}}{columns})[0] for file in {self.files!r}]\n'
-            f'result = jn.fit_stiffness([(one["displacement"], one["force"]) for one in trials], law={self.law!r},\n'
-            f"                          intercept={self.intercept!r}, branch={self.branch!r}{discard})\nprint(result)\n"
+            f"import jounce as jn\n{_TO_SI if self.discard_below else ''}\ntrials = []\nfor file in {self.files!r}:\n"
+            f"    one, findings = jn.read_columns(file, {_WANTED}{self._read('columns', 'variable')})\n"
+            f'    trials.append(jn.ForceDeflectionTrial(one["displacement"], one["force"], file, {signs}))\n'
+            f"result = jn.fit_stiffness(trials, law={self.law!r}, intercept={self.intercept!r}, "
+            f"branch={self.branch!r}{discard})\n"
+            "print(result)\n"
         )
         return Doing("Stiffness", ["fit", "stiffness", *words], _REPORT, python, limits=_LIMITS)
 
@@ -374,10 +388,19 @@ class DecayTask(_Reading):
         words = [*self._words(project, "sample_time"), f"--channel={self.channel}", f"--mass={self.mass}"]
         words += [f"--from={self.begin}"] if self.begin else []
         words += [f"--to={self.end}"] if self.end else []
-        columns = f", columns={self.columns!r}" if self.columns else ""
+        window = f', begin=to_si({self.begin!r}, "s")' if self.begin else ""
+        window += f', end=to_si({self.end!r}, "s")' if self.end else ""
+        turned = f"compression_positive(record, {self.stroke_positive!r}, None)" if self.stroke_positive else "record"
         python = (
-            f"import jounce as jn\n\nrecord, findings = jn.read_recording({self.files[0]!r}{columns})\n"
-            f'result = jn.fit_decay(record["time"], record[{self.channel!r}], mass={self.mass!r})\nprint(result)\n'
+            f"import jounce as jn\n{_TO_SI}from jounce.identify.decay import combine_decays\n"
+            f"{_SIGNS if self.stroke_positive else ''}\n"
+            'kinds = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}\n'
+            f"found = []\nfor file in {self.files!r}:\n"
+            f"    record, findings = jn.read_recording(file{self._read('columns', 'variable', 'sample_time')})\n"
+            f"    height = {turned}[{self.channel!r}]\n"
+            f'    found.append(jn.fit_decay(record["time"], height, mass=to_si({self.mass!r}, "kg"), '
+            f'quantity=kinds[height.attrs["units"]]{window}))\n'
+            "result = found[0] if len(found) == 1 else combine_decays(found)\nprint(result)\n"
         )
         return Doing("Free decay", ["fit", "decay", *words], _REPORT, python, limits=_LIMITS)
 
@@ -392,15 +415,19 @@ class PreviewTask(_Reading):
 
     def _doing(self, project: Project) -> Doing:
         words = self._words(project, "sample_time", "resample")
-        asked = ("columns", "variable", "sample_time", "resample")
-        said = "".join(f", {name}={getattr(self, name)!r}" for name in asked if getattr(self, name))
         if self.form == "recording":
-            read = f"record, findings = jn.read_recording({self.files[0]!r}{said})\nprint(record, findings)\n"
+            said = self._read("columns", "variable", "sample_time", "resample")
+            signs = f"{self.stroke_positive or None!r}, {self.force_positive or None!r}"
+            is_turned = bool(self.stroke_positive or self.force_positive)
+            turned = f"compression_positive(record, {signs})" if is_turned else "record"
+            read = f"record, findings = jn.read_recording({self.files[0]!r}{said})\nprint({turned}, findings)\n"
+            read = f"{_SIGNS if is_turned else ''}\n{read}"
         else:
-            wanted = '{"displacement": "m", "force": "N"}'
-            read = f"columns, findings = jn.read_columns({self.files[0]!r}, {wanted}{said})\nprint(columns, findings)\n"
+            said = self._read("columns", "variable")
+            read = f"\ncolumns, findings = jn.read_columns({self.files[0]!r}, {_WANTED}{said})\n"
+            read += "print(columns, findings)\n"
         command = shlex.join(["jounce", "plot", *words, "--figure=record.png"]) if self.form == "recording" else ""
-        return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n\n{read}", limits=_LIMITS,
+        return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=_LIMITS,
                      patience=60.0, question=self.model_dump(), command=command)  # fmt: skip
 
 
@@ -465,14 +492,6 @@ def _store(project: Project, path: str) -> str:
     if not path.endswith((".sqlite", ".db")):
         raise DescriptionError("not the name of a store", where="store", found=path, allowed="one that ends in .sqlite")
     return _plain(path)
-
-
-def _set(changes: Mapping[str, float | str]) -> list[str]:
-    return [f"--set={path}={value}" for path, value in changes.items()]
-
-
-def _with(changes: Mapping[str, float | str]) -> str:
-    return f".with_changes({dict(changes)!r})" if changes else ""
 
 
 def _pair(text: str) -> str | tuple[str, str]:
