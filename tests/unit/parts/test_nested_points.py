@@ -82,6 +82,37 @@ def test_a_file_of_suspension_explorer(tmp_path, form: str) -> None:
     assert "arb_t_bar_pivot" in said
 
 
+AXES = {  # a file's axes in ours
+    "-x,-y,z": "Adams Car's", "y,-x,z": "x to the right, y forward", "x,-y,-z": "SAE's", "x,-z,y": "y up",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("axes", [None, *AXES])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_axes_of_a_file_turn_the_wheel_too(tmp_path, axes: str | None, side: str) -> None:
+    """Camber and toe are those of the wheel, whatever the file's axes; without a word x to the rear is noticed."""
+    words = ["-x", "y", "z"] if axes is None else axes.split(",")
+    turn = np.zeros((3, 3))
+    for row, word in enumerate(words):
+        turn[row, "xyz".index(word[-1])] = -1.0 if word[0] == "-" else 1.0
+    keys: dict = {"units": "millimeters", "wheel": {"offset": 10}, "hardpoints": {"left": {}, "right": {}}}
+    keys["wheel"] |= {"rim_diameter": 10, "section_width": 190, "aspect_ratio": 0.542105}
+    for name, point in points().items():
+        for where, sign in (("left", 1.0), ("right", -1.0)):
+            keys["hardpoints"][where][name] = (turn.T @ (point * [1.0, sign, 1.0])).tolist()
+    file = tmp_path / "turned.json"
+    file.write_text(json.dumps(keys))
+    rig, _, _ = import_hardpoints(file, axes=axes, side=side)
+    assert (rig.wheel.camber, rig.wheel.toe) == pytest.approx(tuple(np.radians([-1.0, 0.5])), abs=1e-9)
+    radius = 0.5 * 10 * 0.0254 + 0.542105 * 0.190
+    assert rig.wheel.radius == pytest.approx(radius, abs=1e-9)
+    up = radius * np.cos(np.radians(1.0)) - RIG.hardpoints.wheel_centre[2]
+    for name in (*EXPLORER, "wheel_centre"):
+        assert getattr(rig.hardpoints, name) == pytest.approx(
+            np.add(getattr(RIG.hardpoints, name), (0.0, 0.0, up)), abs=1e-8
+        ), name
+
+
 def test_json_of_points(tmp_path) -> None:
     file = tmp_path / "points.json"
     named = {name: [1e3 * value for value in point] for name, point in RIG.hardpoints.given().items()}
@@ -161,9 +192,34 @@ def test_a_front_view_of_vsusp(tmp_path) -> None:
     assert any("front view" in finding.message for finding in findings)
 
 
+def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
+    front, rear = vsusp(), vsusp(**{"tires.diameter_expl": 600000, "knuckles.hub_to_upper_x": 60000})
+    found = {}
+    for name, text in (("both", front + "&rear" + rear.rpartition("front")[2]), ("front", front), ("rear", rear)):
+        file = tmp_path / f"{name}.txt"
+        file.write_text(text)
+        for axle in ("front", "rear") if name == "both" else (None,):
+            rig, _, _ = import_hardpoints(file, axle=axle)
+            found[f"{name} {axle}"] = rig.wheel.radius, rig.wheel.camber
+    assert found["both front"] == pytest.approx(found["front None"])
+    assert found["both rear"] == pytest.approx(found["rear None"])
+    assert found["both front"][0] != pytest.approx(found["both rear"][0], abs=0.01)
+    assert found["both front"][1] != pytest.approx(found["both rear"][1], abs=0.01)
+
+
 @pytest.mark.parametrize(
     ("text", "name", "message"),
     [
+        (
+            explorer()
+            .replace("axle_inboard", "axle_in")
+            .replace(
+                "axle_outboard: {",
+                "axle_inboard: {x: 1, y: 2, z: 3}\n    axle_outboard: {x: 1, y: 2, z: 3}\n    end: {",
+            ),
+            "a.yaml",
+            "axle's two points are the same",
+        ),
         (vsusp(**{"tires.diameter_expl": None}), "a.txt", "tires.diameter_expl: the number is missing"),
         (vsusp(**{"tires.diameter_expl": "wide"}), "a.txt", "not a number; found 'wide'"),
         (vsusp(**{"control_arms.upper_length": 60000}), "a.txt", "do not meet"),

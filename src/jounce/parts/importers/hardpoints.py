@@ -21,7 +21,7 @@ from jounce.core.units import conversion_factor
 from jounce.parts.bodies import distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
-from jounce.parts.importers.points import PointRow, PointTable, from_nested, from_vsusp
+from jounce.parts.importers.points import AXLE_END, PointRow, PointTable, from_nested, from_vsusp
 
 Side = Literal["left", "right"]
 _NAMES = {
@@ -355,6 +355,9 @@ class PointReading:
         self.findings: list[Finding] = []
         self.estimated: list[str] = []
         self.contact: Array | None = None
+        self.axle_end: Array | None = None
+        self._both: Mapping[str, Mapping[str, PointRow]] = {}
+        self.radius = table.radius.get(axle or "", next(iter(table.radius.values()), None))
         self.points = self._chosen(side, axle, names)
 
     def note(self, message: str, value: float | None = None, severity: Literal["note", "warning"] = "note") -> None:
@@ -383,13 +386,14 @@ class PointReading:
                 continue
             ours = own.get(_plain(row.name), own.get(plain, known.get(plain, "")))
             ours = "contact" if plain in _CONTACT and not ours else ours
+            ours = AXLE_END if plain == AXLE_END and not ours else ours
             if not ours:
                 unused.append(row.name)
                 continue
             for name in (of_side,) if of_side and has_both else ("left", "right"):
                 self._keep(corners[name], ours, row)
         if has_both:
-            self._refuse_one_side(corners)
+            self._both = corners
         if unused:
             self.note(f"names that say nothing here, whose points are left out: {', '.join(unused[:30])}. {_ADVICE}")
         for text in self.table.notes:
@@ -398,7 +402,7 @@ class PointReading:
         if self.table.unread:
             self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {self.table.unread[0]}.")
         chosen = {name: row.place for name, row in corners[side].items()}
-        self.contact = chosen.pop("contact", None)
+        self.contact, self.axle_end = chosen.pop("contact", None), chosen.pop(AXLE_END, None)
         return chosen
 
     @staticmethod
@@ -413,14 +417,18 @@ class PointReading:
                 allowed="every point once",
             )
 
-    def _refuse_one_side(self, corners: Mapping[str, Mapping[str, PointRow]]) -> None:
-        for name, row in corners["left"].items():
-            other = corners["right"].get(name)
-            if other is not None and row is not other and row.place[1] * other.place[1] > 0.0:
+    def _refuse_one_side(self, across: Array) -> None:
+        """Refuse left and right points on one side of the car; ``across`` is our y in the table's axes."""
+        for name, row in self._both.get("left", {}).items():
+            other = self._both["right"].get(name)
+            if other is None or row is other:
+                continue
+            y, other_y = across @ row.place, across @ other.place
+            if y * other_y > 0.0:
                 raise DescriptionError(
                     "left and right points lie on the same side",
                     where=other.where,
-                    found=f"{row.name} with y = {row.place[1]:g}, {other.name} with y = {other.place[1]:g}",
+                    found=f"{row.name} with y = {y:g}, {other.name} with y = {other_y:g}",
                     allowed="signs of y that differ",
                 )
 
@@ -434,6 +442,7 @@ class PointReading:
         self.complete(name)
         self.turn(axes)
         self.scale(unit)
+        angles = self._wheel_angles()
         radius = self._stand(wheel_radius)
         table: dict[str, Any] = {
             "schema": "jounce.rig/1",
@@ -443,7 +452,7 @@ class PointReading:
             "side": "left",
             "guide": "fixed",
             "hardpoints": {key: np.round(point, 9).tolist() for key, point in self.points.items()},
-            "wheel": {"radius": radius, **self.table.wheel},
+            "wheel": {"radius": radius, **angles},
         }
         strut = self.strut(name)
         if strut:
@@ -508,8 +517,9 @@ class PointReading:
 
     def turn(self, axes: str | None) -> None:
         """Our axes from those of the table."""
+        turn = np.eye(3) if axes is None else _rotation(axes)
+        self._refuse_one_side(turn[1])
         if axes is not None:
-            turn = _rotation(axes)
             self._map(turn)
         elif self._is_backward():
             self.note("x runs to the rear in the table (the arm's front lies behind its rear): it is turned round.")
@@ -534,6 +544,21 @@ class PointReading:
     def _map(self, matrix: Array) -> None:
         self.points = {name: matrix @ point + 0.0 for name, point in self.points.items()}
         self.contact = None if self.contact is None else matrix @ self.contact
+        self.axle_end = None if self.axle_end is None else matrix @ self.axle_end
+
+    def _outboard(self) -> Array:
+        """Direction of the left wheel's axis, of length 1; across the car where the table has none."""
+        if self.axle_end is None:
+            return np.array([0.0, 1.0, 0.0])
+        along = self.axle_end - self.points["wheel_centre"]
+        if not np.any(along):
+            raise DescriptionError("the wheel's axis has no direction", where=str(self.file))
+        return along / (np.linalg.norm(along) * (-1.0 if along[1] < 0.0 else 1.0))
+
+    def _wheel_angles(self) -> dict[str, float]:
+        """Camber and toe (rad), where the table has the wheel's axis."""
+        x, y, z = self._outboard()
+        return {} if self.axle_end is None else {"camber": float(-np.arcsin(z)), "toe": float(np.arctan2(x, y))}
 
     def scale(self, unit: str | None) -> None:
         """Metres from the table's unit."""
@@ -571,7 +596,11 @@ class PointReading:
     def _stand(self, wheel_radius: float | None) -> float:
         """Put the wheel on the road, z = 0; give its radius in m."""
         height = float(self.points["wheel_centre"][2])
-        wheel_radius = self.table.radius if wheel_radius is None else wheel_radius
+        if self.contact is None and self.radius is not None:
+            axle = self._outboard()
+            down = axle * axle[2] - np.array([0.0, 0.0, 1.0])
+            self.contact = self.points["wheel_centre"] + self.radius * down / np.linalg.norm(down)
+        wheel_radius = self.radius if wheel_radius is None else wheel_radius
         if self.contact is not None:
             height -= float(self.contact[2])
             radius = height if wheel_radius is None else wheel_radius

@@ -19,7 +19,7 @@ from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
 from jounce.parts.importers.drafts import SPRUNG_MASS, TYRE_STIFFNESS, Draft, as_table, rig_of, tensor_of
 from jounce.parts.importers.hardpoints import PointReading, known_names
-from jounce.parts.importers.points import PointRow, PointTable, angles_of
+from jounce.parts.importers.points import AXLE_END, PointRow, PointTable
 
 _LARGEST = 20_000_000  # bytes
 _DEEPEST = 200  # bodies
@@ -123,7 +123,7 @@ class _Tree:
             if (joint := one.find("joint")) is not None
         }
         self.sites: dict[str, tuple[Array, str]] = {}
-        self.wheel: dict[str, float] = {}
+        self.axle_end: Array | None = None
         self._known = known_names()
         self.bodies = {"world": _Body("world", "", np.zeros(3), np.eye(3))}
         world = self.root.find("worldbody")
@@ -146,8 +146,7 @@ class _Tree:
             if child.tag == "site" and child.get("name"):
                 self._keep_site(child.get("name", ""), here.place + here.axes @ self._three(child, "pos"), name)
                 if "zaxis" in child.attrib and self._ours(child.get("name", "")) == "wheel_centre":
-                    along = here.axes @ self._three(child, "zaxis")
-                    self.wheel = angles_of(along / max(float(np.linalg.norm(along)), 1e-12))
+                    self.axle_end = here.place + here.axes @ (self._three(child, "pos") + self._three(child, "zaxis"))
             elif child.tag in ("joint", "freejoint"):
                 self._add_joint(child, here, inherited)
             elif child.tag == "inertial":
@@ -276,7 +275,8 @@ class _Tree:
         table.rows = [PointRow(name, place, f"{self.file}: {name}") for name, place in named.items()]
         carriers = [self.sites[name][1] for name in ("pushrod_outer", "strut_bottom") if name in self.sites]
         table.carrier = carriers[0] if carriers and carriers[0] in _CARRIERS else ""
-        table.wheel = self.wheel
+        if self.axle_end is not None:
+            table.rows.append(PointRow(AXLE_END, self.axle_end, f"{self.file}: zaxis of the wheel centre"))
         own = {self._ours(name) for name in named}
         for name, place in self._by_structure():
             if name not in own:
@@ -358,7 +358,8 @@ class _Tree:
             raise self._refused("no points are in it", None, "sites named like hardpoints, or two arms with an upright")
         tyre = self._tyre()
         if tyre is not None:
-            table.radius = tyre.pop("radius")
+            radius = tyre.pop("radius")
+            wheel_radius = radius if wheel_radius is None else wheel_radius
         reading = PointReading(table, "left", None, self.names)
         before = {name: np.array(point) for name, point in reading.points.items()}
         rig, findings, text = reading.rig(None, None, model, wheel_radius, source)

@@ -14,7 +14,6 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
-from jounce.core.units import conversion_factor
 
 _DEEPEST = 20  # levels of keys
 _KEY = re.compile(r"""(\s*)(-\s+)?(?:"([^"]*)"|'([^']*)'|([^:#{}\[\]]+?))\s*:(?:\s+(.*))?$""")
@@ -24,6 +23,8 @@ _FLOW = re.compile(r"\{(.*)\}|\[(.*)\]")
 _VSUSP = re.compile(r"\b(front|rear)\{([^}]*)\}")
 _MICRONS = 1e-6  # m: all numbers of VSUSP
 _ARM_SPAN = 0.3  # of the lower arm's length: from the middle of an arm to its pivots, which a front view does not show
+AXLE_END = "axle end"
+"""Name of rows for a point on the wheel's axis beside its centre, from which camber and toe follow."""
 _MOUNTS = {"lower_wishbone": "lower_arm", "upper_wishbone": "upper_arm", "upright": "upright"}
 
 
@@ -40,16 +41,16 @@ class PointRow:
 class PointTable:
     """What a file holds: rows, the unit that it names, and lines with numbers that are no points.
 
-    ``wheel`` holds camber and toe (rad) where the file has the axle, ``radius`` that of the tyre (m), ``carrier`` the
-    body that carries strut or push rod; ``estimated`` are hardpoints that were made up, and ``notes`` says so.
+    A row named `AXLE_END` lies on the wheel's axis; ``radius`` is that of a tyre that ends at the road (m), by axle
+    where the file has two; ``carrier`` the body that carries strut or push rod; ``estimated`` are hardpoints that were
+    made up, and ``notes`` says so.
     """
 
     file: Path
     rows: list[PointRow] = field(default_factory=list)
     unit: str = ""
     unread: list[str] = field(default_factory=list)
-    wheel: dict[str, float] = field(default_factory=dict)
-    radius: float | None = None
+    radius: dict[str, float] = field(default_factory=dict)
     carrier: str = ""
     notes: list[str] = field(default_factory=list)
     estimated: list[str] = field(default_factory=list)
@@ -185,35 +186,25 @@ def _deep(keys: dict[str, Any], name: str) -> Any:
     )
 
 
-def angles_of(axle: Array) -> dict[str, float]:
-    """Camber and toe (rad) of a wheel whose axis, outboard, has a direction of length 1."""
-    return {"camber": float(-np.arcsin(axle[2])), "toe": float(np.arctan2(axle[0], abs(axle[1])))}
-
-
 def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None:
-    """Wheel centre, contact point, camber and toe from the axle's two points and the tyre's size."""
+    """Wheel centre and axle from two points, and the tyre's size."""
     begin = outer.name.removesuffix("axle_outboard")
     inner = next((row for row in table.rows if row.name == f"{begin}axle_inboard"), None)
     if inner is None:
         return
     table.rows = [row for row in table.rows if row not in (inner, outer)]
     along = outer.place - inner.place
+    if not np.any(along):
+        raise DescriptionError("the axle's two points are the same", where=outer.where, found=outer.place.tolist())
     along = along / np.linalg.norm(along)
     offset = _deep(keys, "offset")
     centre = outer.place - (float(offset) if _is_number(offset) else 0.0) * along
     table.rows.append(PointRow(f"{begin}wheel_centre", centre, outer.where))
-    table.wheel = angles_of(along)
+    table.rows.append(PointRow(f"{begin}{AXLE_END}", centre + along, outer.where))
     sizes = [_deep(keys, word) for word in ("rim_diameter", "aspect_ratio", "section_width")]
-    if not all(map(_is_number, sizes)):
-        return
-    rim, aspect, width = map(float, sizes)
-    unit = conversion_factor(
-        {"millimeters": "mm", "meters": "m"}.get(table.unit, table.unit or "mm"), "m", where=f"{table.file}: units"
-    )
-    table.radius = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
-    radius = table.radius / unit
-    down = np.array([0.0, 0.0, -1.0]) + along * along[2]
-    table.rows.append(PointRow(f"{begin}contact point", centre + radius * down / np.linalg.norm(down), outer.where))
+    if all(map(_is_number, sizes)):
+        rim, aspect, width = map(float, sizes)
+        table.radius[""] = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
 
 
 # --- VSUSP
@@ -304,7 +295,7 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
     centre = hub[:, 0] + hub[:, 1]
     span = _ARM_SPAN * length["lower"]
     places = {"lower_ball_joint": (0.0, low), "upper_ball_joint": (0.0, high), "wheel_centre": (0.0, centre)}
-    places["contact point"] = (0.0, hub.sum(axis=1))
+    places[AXLE_END] = (0.0, centre + np.array([-hub[1, 2], hub[0, 2]]))
     for arm in ("lower", "upper"):
         places |= {f"{arm}_arm_{end}": (s * span, inner[arm]) for end, s in (("front", 1.0), ("rear", -1.0))}
     places |= {"tie_rod_inner": (-0.5 * span, inner["lower"]), "tie_rod_outer": (-0.5 * span, low)}
@@ -315,6 +306,5 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
         PointRow(f"{axle} {name}", np.array([x, *place]), f"{table.file}: {axle}")
         for name, (x, place) in places.items()
     ]
-    table.wheel = {"camber": float(np.arctan2(-hub[0, 2], -hub[1, 2])), "toe": 0.0}
-    table.radius = radius
+    table.radius[axle] = radius
     table.estimated = ["hardpoints"]
