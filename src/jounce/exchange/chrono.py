@@ -103,6 +103,8 @@ def _left(rig: Rig) -> Corner:
             allowed="3-D corners: double-wishbone, mcpherson, five-link",
         )
     rig.require("bodies", "spring", "damper", what="a suspension of Chrono")
+    if "spring" in rig.without:
+        raise OutputError("a torsion bar in place of the strut's spring is not written", where="torsion_bar")
     return rig if rig.side == "left" else rig.mirrored()
 
 
@@ -378,6 +380,7 @@ class _Writing:
         parts = ("anti_roll_bar", "torsion_bar", "third_spring", "guide_friction")
         left = [name for name in parts if getattr(rig, name, None) is not None]
         left += ["strut.friction"] if rig.strut.friction is not None else []
+        left += ["steering.rack_travel"] if rig.parameters().get("steering.rack_travel") else []
         left += [
             f"bushings.{name}" for name in type(rig.bushings).model_fields if getattr(rig.bushings, name) is not None
         ]

@@ -18,7 +18,7 @@ from jounce.mechanics import Mechanism
 from jounce.models.corner import suspension
 from jounce.parts import Rig
 from jounce.parts.corners import Corner
-from jounce.parts.elements import BilinearDamper, BumpStop, LinearDamper, MapDamper, VelocityTable
+from jounce.parts.elements import BilinearDamper, BumpStop, Curve, LinearDamper, MapDamper, VelocityTable
 from jounce.parts.leverage import force_at
 
 STEP = 1e-4  # s
@@ -75,7 +75,8 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
     Raises
     ------
     OutputError
-        For a rig without hardpoints, a damper with hysteresis, and an existing file.
+        For a rig without hardpoints, a torsion bar in place of the spring, a rack that is moved, a curve that does not
+        rise at design, a damper with hysteresis, and an existing file.
 
     Examples
     --------
@@ -94,6 +95,14 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
             allowed="3-D corners such as kart-double-wishbone",
         )
     rig.require("bodies", "spring", "damper", "tyre", what="a model of MuJoCo")
+    if "spring" in rig.without:
+        raise OutputError("a torsion bar in place of the strut's spring is not written", where="torsion_bar")
+    rack = rig.parameters().get("steering.rack_travel", 0.0)
+    if rack:
+        raise OutputError(
+            "a rack that is moved at design", where="steering.rack_travel", found=f"{rack:g} m",
+            allowed="0 m: MuJoCo takes lengths and joints as they are at design",
+        )  # fmt: skip
     writing = _Writing(rig)
     root = writing.root()
     ET.indent(root)
@@ -180,8 +189,6 @@ class _Writing:
             name = joint["carries"]
             parent = joint["first"] if joint["second"] == name else joint["second"]
             body = ET.SubElement(bodies[parent], "body", name=name)
-            if joint["kind"] == "driven":
-                body.set("pos", _text(joint["travel"] * np.array(joint["axis"])))
             self._joint(body, joint)
             if masses[name].get("mass") is not None:
                 self._inertial(body, masses[name])
@@ -286,10 +293,19 @@ class _Writing:
         if spring.rate is not None:
             return spring.rate, spring.rate * compressed + (spring.preload or 0.0)
         assert spring.curve is not None
-        curve = spring.curve
-        ends = [force_at(curve, compressed + side * _SMALL) for side in (-1.0, 1.0)]
-        self._say("strut.spring", "its curve is a straight line about design.", "warning")
-        return (ends[1] - ends[0]) / (2.0 * _SMALL), force_at(curve, compressed) + (spring.preload or 0.0)
+        rate, force = self._straightened(spring.curve, compressed, "strut.spring")
+        return rate, force + (spring.preload or 0.0)
+
+    def _straightened(self, curve: Curve, x: float, where: str) -> tuple[float, float]:
+        """Rate and force of a curve at a deflection (m), N/m and N; one that does not rise there is refused."""
+        low, force, high = (force_at(curve, x + side * _SMALL) for side in (-1.0, 0.0, 1.0))
+        rate = (high - low) / (2.0 * _SMALL)
+        if not rate > 0.0:
+            raise OutputError(
+                "a curve without a rate at design", where=where, found=f"{rate + 0.0:g} N/m", allowed="above 0"
+            )
+        self._say(where, "its curve is a straight line about design.", "warning")
+        return rate, force
 
     def _coefficient(self) -> float:
         """Of the damper, N s/m."""
@@ -322,11 +338,9 @@ class _Writing:
             stiffness = tyre.stiffness
         else:
             assert tyre.curve is not None
-            low = radius - self.rig.hardpoints.wheel_centre[2]
-            ends = [force_at(tyre.curve, low + side * _SMALL) for side in (-1.0, 1.0)]
-            stiffness = (ends[1] - ends[0]) / (2.0 * _SMALL)
-            radius = self.rig.hardpoints.wheel_centre[2] + force_at(tyre.curve, low) / stiffness
-            self._say("tyre.curve", "it is a straight line about design.", "warning")
+            height = self.rig.hardpoints.wheel_centre[2]
+            stiffness, force = self._straightened(tyre.curve, radius - height, "tyre")
+            radius = height + force / stiffness
         if getattr(tyre, "law", "vertical") == "radial":
             self._say("tyre.law", "its force is vertical.")
         limits = {"forcerange": f"0 {_text(1e9)}"} if tyre.lift_off else {}

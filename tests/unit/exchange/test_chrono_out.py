@@ -88,6 +88,10 @@ def test_a_damper_with_hysteresis_is_refused(tmp_path: Path) -> None:
 
 
 def test_what_is_left_out_is_said(tmp_path: Path) -> None:
-    rig = jn.load("sedan-double-wishbone").with_changes({"strut.friction": {"force": "30 N"}})
+    rig = jn.load("sedan-double-wishbone").with_changes(
+        {"strut.friction": {"force": "30 N"}, "steering.rack_travel": "5 mm"}
+    )
     made = write_chrono(rig, tmp_path / "out.json")
-    assert any(finding.severity == "warning" and "strut.friction" in finding.message for finding in made.findings)
+    warned = " ".join(finding.message for finding in made.findings if finding.severity == "warning")
+    assert "strut.friction" in warned
+    assert "steering.rack_travel" in warned
