@@ -198,6 +198,15 @@ def test_the_mechanism_runs_where_one_coordinate_does_not_do(options):
     assert run.attrs["method"] == "explicit"
 
 
+def test_a_wheel_that_leaves_the_table_between_samples_is_run_by_the_mechanism():
+    """It travels 140 mm, and is at rest again when the next sample is taken."""
+    stiff, trial = KART.with_changes({"strut.damper.coefficient": 300.0}), bump(height=0.1, speed=4.0, duration=2.0)
+    fine, coarse = (jn.simulate(stiff, trial, output_step=step) for step in (1e-3, 1.0))
+    assert np.ptp((fine["unsprung.z"] - fine["sprung.z"]).values) > 0.13
+    assert np.ptp((coarse["unsprung.z"] - coarse["sprung.z"]).values) < 0.01
+    assert fine.attrs["method"] == coarse.attrs["method"] == "explicit"
+
+
 def test_what_no_road_allows_is_said_by_the_mechanism():
     with pytest.raises(jn.JounceError, match="equilibrium"):
         jn.simulate(KART.with_changes({"strut.spring.rate": 1.0}), bump())

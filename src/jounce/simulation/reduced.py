@@ -41,6 +41,7 @@ DEGREES = (10, 18)
 _SHARE = 1e-3  # of the tolerance, that a lever or a mass may be wrong by: the static load counts a hundred motions
 _SHOWN = 0.1  # the same for a channel that nothing feels
 _TIGHTEST = 1e-7
+_COARSEST = 5e-3  # s: between samples farther apart a wheel may leave the range and come back unseen
 STEPS_SHARE = 0.9
 """Of the tolerance, that is left for the integration."""
 _NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: the range of travel on either side to begin with
@@ -211,7 +212,9 @@ _reductions: dict[str, Reduction | None] = {}
 def reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> Reduction | None:
     """Give the reduction of a rig where runs on a trial may be reduced; None where the mechanism has to run."""
     # Below this tolerance rounding alone is more than a table may be wrong by.
-    if settings.method != "auto" or settings.tolerance < _TIGHTEST or trial.actuator_force is not None:
+    if settings.method != "auto" or settings.tolerance < _TIGHTEST or settings.output_step > _COARSEST:
+        return None
+    if trial.actuator_force is not None:
         return None
     return reduction_of(rig)
 
