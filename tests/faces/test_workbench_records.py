@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from time import sleep
 from typing import Any
 
 import h5netcdf
@@ -88,6 +90,21 @@ def test_what_was_read_stays_until_the_file_changes(here: Any, tmp_path: Path) -
         stream.write(b"\0")
     assert records.open("long.nc").folder != folder
     assert asked == 2 * ["Reading long.nc"]
+
+
+def test_two_who_ask_at_once_have_a_record_read_once(here: Any) -> None:
+    """Else the second would write what the first looks at."""
+    records, asked = here
+    read = records.jobs.ask
+
+    def slowly(doing: Any) -> None:
+        sleep(0.2)
+        read(doing)
+
+    records.jobs.ask = slowly
+    with ThreadPoolExecutor(2) as both:
+        list(both.map(records.open, 2 * ["long.nc"]))
+    assert asked == ["Reading long.nc"]
 
 
 def test_a_damaged_record_is_refused_and_nothing_stays(here: Any, tmp_path: Path) -> None:

@@ -198,7 +198,7 @@ class Jobs:
         if process is not None:
             if process.poll() is None:
                 return True
-            del self.processes[name]
+            self.processes.pop(name, None)  # another question may have done so just now
             return False
         if 0.0 <= time.time() - begun < _JUST_BEGUN:
             return True

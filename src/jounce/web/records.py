@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import threading
 from hashlib import sha256
 from pathlib import Path
 
@@ -22,6 +23,7 @@ class Records:
 
     def __init__(self, project: Project, jobs: Jobs) -> None:
         self.project, self.jobs = project, jobs
+        self.lock = threading.Lock()
 
     def open(self, path: str) -> Levels:
         """Read a record, in a process of its own, unless that was done."""
@@ -31,19 +33,20 @@ class Records:
         state = file.stat()
         key = sha256(f"{path}\0{state.st_size}\0{state.st_mtime_ns}".encode()).hexdigest()[:24]
         folder = self.project.inside("/".join((*_PLACE, key)))
-        if not (folder / ABOUT).is_file():
-            question = {"kind": "levels", "file": str(file), "folder": str(folder)}
-            try:
-                self.jobs.ask(
-                    Doing(
-                        f"Reading {path}", [], limits=(_MEMORY, _SECONDS), patience=90.0, question=question, light=True
-                    )
-                )
-            except Exception:
-                shutil.rmtree(folder, ignore_errors=True)
-                raise
-            self._forget(folder)
+        with self.lock:  # a page that is loaded anew asks again: what is being read is not written twice
+            if not (folder / ABOUT).is_file():
+                self._read(path, file, folder)
         return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+
+    def _read(self, path: str, file: Path, folder: Path) -> None:
+        question = {"kind": "levels", "file": str(file), "folder": str(folder)}
+        limits = (_MEMORY, _SECONDS)
+        try:
+            self.jobs.ask(Doing(f"Reading {path}", [], limits=limits, patience=90.0, question=question, light=True))
+        except Exception:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
+        self._forget(folder)
 
     def _forget(self, new: Path) -> None:
         """Take away what was read longest ago."""
