@@ -402,6 +402,30 @@ def test_forms_are_of_the_project(ask, path):
     assert "secret" not in str(answer).replace("secret.toml", "")
 
 
+def test_poses_that_nobody_waits_for_are_counted_before_they_are_computed(ask, monkeypatch):
+    for name in ("sweep_travel", "sweep_rack", "sweep_roll"):
+        monkeypatch.setattr(jn, name, lambda *_, **__: pytest.fail("computed"))
+    for over, text in (
+        ("travel", "-20 mm:20 mm:0.05 mm"),
+        ("rack", "-4 mm:4 mm:1 um"),
+        ("roll", "-4 deg:4 deg:1 mdeg"),
+    ):
+        status, answer = ask("POST", "/api/kinematics", {"rig": "kart-double-wishbone", "over": over, over: text})
+        assert (status, answer["error"]["where"]) == (422, over)
+        assert "400" in answer["error"]["allowed"]
+
+
+def test_a_road_whose_file_was_changed_is_driven_anew(ask):
+    road = {"kind": "table", "file": str(ask.folder / "course.csv")}
+    asked = RUN | {"road": {"kind": "train", "of": road, "count": 2, "pitch": "1 m"}, "channels": ["sprung.az"]}
+    tops = []
+    for height in (10, 20):
+        (ask.folder / "course.csv").write_text(f"x [m],z [mm]\n0,0\n0.1,0\n0.2,{height}\n0.3,0\n0.4,0\n")
+        content, arrays = ask.straight("/api/simulate", asked)
+        tops.append(float(np.nanmax(arrays[content["viewers"][0]["scenes"][0]["panes"][0]["curves"][0]["y"]])))
+    assert tops[1] > 1.5 * tops[0]
+
+
 def test_what_is_not_saved_yet_is_swept_beside_what_is(ask):
     (ask.folder / "swept.toml").write_text(KART)
     moved = KART.replace('upper_ball_joint = ["-9.8 mm", "303.25 mm", "270.83 mm"]',
@@ -484,6 +508,7 @@ def test_centres_are_those_of_the_catalogue(ask):
         ("kinematics", {"rig": "kart-quarter-car", "travel": "-20 mm:20 mm:2 mm"}, "no kinematics"),
         ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20:20:2"}, "20 m"),
         ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20 mm:20 mm:2 mm", "more": 1}, "more"),
+        ("kinematics", {"rig": "kart-double-wishbone", "travel": "-20 mm:20 mm:0.1 um"}, "too many poses"),
     ],
     ids=str,
 )  # fmt: skip
@@ -514,6 +539,17 @@ def test_no_folder_no_port(tmp_path):
             serve(tmp_path, port=taken.getsockname()[1])
     finally:
         taken.close()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a port is free at once")
+def test_a_port_can_be_had_again_at_once():
+    """What ends a connection first keeps its port for a minute: a server that was ended, with a page open."""
+    first = _listening(0)
+    port = first.getsockname()[1]
+    with socket.create_connection(("127.0.0.1", port)):
+        first.accept()[0].close()
+        first.close()
+    _listening(port).close()
 
 
 def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):

@@ -139,6 +139,7 @@ def _run(rig: Rig, on: Trial) -> xr.Dataset:
     import jounce as jn
 
     key = f"{type(rig).__name__} {rig.model_dump_json()} {type(on.road).__name__} {on.model_dump_json()}"
+    key += f" {_file_of(on.road)}"
     with ONE:
         if key not in _DONE:
             _DONE[key] = jn.simulate(rig, on, detail=_is_spatial(rig))
@@ -146,6 +147,16 @@ def _run(rig: Rig, on: Trial) -> xr.Dataset:
                 _DONE.popitem(last=False)
         _DONE.move_to_end(key)
         return _DONE[key].copy()
+
+
+def _file_of(road: Any) -> Any:
+    """The state of the file of a road that has one, as often as it is repeated: it may be another one by now."""
+    from jounce.core.files import state_of
+
+    while hasattr(road, "of"):
+        road = road.of
+    file = getattr(road, "file", None)
+    return None if file is None else state_of(file)
 
 
 def _measured(project: Project, path: str, begins: str, on: Trial) -> xr.Dataset:

@@ -49,8 +49,12 @@ class Question:
 
 def swept(project: Project, asked: Question) -> Shown:
     """Sweep a 3-D corner as it is changed, as it is saved, and as another one: curves, and how to get the same."""
+    from jounce.kinematics.sweeps import sweep_values
     from jounce.report.recordings import curve_viewer
 
+    count = len(sweep_values(getattr(asked, asked.over), asked.over, "rad" if asked.over == "roll" else "m"))
+    if count > _MOST:
+        raise DescriptionError("too many poses to be waited for", where=asked.over, found=count, allowed=f"{_MOST}")
     rigs = variants(project, asked.rig, asked.changes, asked.text)
     if asked.against:
         rigs[asked.against] = rig_of(project, asked.against)
@@ -70,21 +74,13 @@ def swept(project: Project, asked: Question) -> Shown:
 def _run(rig: Rig, asked: Question) -> xr.Dataset:
     import jounce as jn
 
-    rack: Any = asked.rack or None
     if asked.over == "rack":
-        found = jn.sweep_rack(rig, asked.rack, asked.travel or 0.0, points=True)
-    elif asked.over == "roll":
-        found = _rolled(rig, asked.roll, asked.rack or 0.0)
-    else:
-        found = jn.sweep_travel(rig, asked.travel, None if rack is None else _single(rack), points=True)
-    count = max(found.sizes.values(), default=0)
-    if len(found.dims) != 1 or count > _MOST:
-        raise DescriptionError("too many poses to be waited for", where=asked.over, found=count, allowed=f"{_MOST}")
-    return found
-
-
-def _single(text: str) -> float:
-    return to_si(text, "m", where="rack travel")
+        return jn.sweep_rack(rig, asked.rack, asked.travel or 0.0, points=True)
+    if asked.over == "roll":
+        return _rolled(rig, asked.roll, asked.rack or 0.0)
+    return jn.sweep_travel(
+        rig, asked.travel, to_si(asked.rack, "m", where="rack travel") if asked.rack else None, points=True
+    )
 
 
 def _rolled(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
