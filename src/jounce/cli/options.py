@@ -29,6 +29,12 @@ Changes = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="PATH=VALUE", help='Change a parameter of the rig: strut.spring.rate="25 N/mm".'),
 ]
+Trust = Annotated[
+    bool,
+    typer.Option(
+        "--trust", help="Run FMUs of controllers in the process of the run: faster, and a crash ends all of it."
+    ),
+]
 Columns = Annotated[
     list[str] | None,
     typer.Option(

@@ -16,6 +16,7 @@ from jounce.cli.options import (
     Force,
     NumbersFile,
     ReportFile,
+    Trust,
     VehicleName,
     changes,
     check_numbers,
@@ -58,9 +59,6 @@ RideDuration = Annotated[
     typer.Option(help=f"Time over the road; by default 60 s on ISO roads, {_TO_THE_END}"),
 ]
 Seed = Annotated[int, typer.Option(min=0, help="Seed of the random road.")]
-Trust = Annotated[
-    bool, typer.Option("--trust", help="Run FMUs of controllers in this process: faster, and a crash ends all of it.")
-]
 
 
 def ride(

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force
+from jounce.cli.options import AsJson, Force, Trust
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table, tell
+from jounce.core.trust import trusting
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -41,6 +42,7 @@ def sweep(
         str | None,
         typer.Option(metavar="URL", help='A Dask scheduler that does the work instead, e.g. "tcp://10.0.0.5:8786".'),
     ] = None,
+    trust: Trust = False,
     resume: Annotated[bool, typer.Option("--resume", help="Go on where the sweep in the folder was stopped.")] = False,
     force: Force = False,
     as_json: AsJson = False,
@@ -60,7 +62,7 @@ def sweep(
         raise DescriptionError("two places to work in", where="--workers, --cluster", allowed=allowed)
     command = shlex.join(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == ["sweep"] else ""
     missing: Sequence[Finding] = ()
-    with progress() as say:
+    with trusting(trust), progress() as say:
         say("reading the study")
         from jounce.variants.study import read_sweep, run_sweep
         from jounce.variants.workers import cluster_at

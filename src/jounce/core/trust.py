@@ -21,8 +21,11 @@ def trust_said() -> bool | None:
 
 
 @contextmanager
-def trusting(whether: bool) -> Iterator[None]:
-    """Let what happens within trust programs of others, or not, whatever their descriptions say."""
+def trusting(whether: bool | None) -> Iterator[None]:
+    """Let what happens within trust programs of others, or not, whatever their descriptions say; None: as they say.
+
+    Processes that are begun within do not know of it: who begins them tells them (`trust_said`).
+    """
     token = _SAID.set(whether)
     try:
         yield

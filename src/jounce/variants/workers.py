@@ -22,6 +22,7 @@ from typing import Any
 
 from jounce.core.errors import JounceError
 from jounce.core.optional import require
+from jounce.core.trust import trust_said, trusting
 from jounce.core.types import Array
 from jounce.recordings.writers import netcdf_of
 from jounce.variants.many import Work
@@ -75,7 +76,7 @@ def here(work: Work, tasks: Sequence[Task], threads: int | None) -> Results:
 
 def on_processes(workers: int, work: Work, tasks: Sequence[Task]) -> Results:
     """Give number and content of shards as processes finish them; one that is ended from outside is replaced."""
-    packed, left, ends = pickle.dumps(work), {task.number: task for task in tasks}, 0
+    packed, left, ends = _packed(work), {task.number: task for task in tasks}, 0
     while left:
         try:
             for number, content in _pooled(workers, packed, list(left.values())):
@@ -139,13 +140,19 @@ def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
     own = metadata.version("jounce")
     if own != task.version:
         raise JounceError("a worker has another version of jounce", found=own, allowed=task.version)
-    with _ONE_AT_A_TIME:
-        return task.number, shard_of(_unpacked(packed), task, 1)
+    trust, work = _unpacked(packed)
+    with _ONE_AT_A_TIME, trusting(trust):
+        return task.number, shard_of(work, task, 1)
+
+
+def _packed(work: Work) -> bytes:
+    """What all tasks work on; whether FMUs may run in the worker's own process is what the user said here."""
+    return pickle.dumps((trust_said(), work))
 
 
 @lru_cache(maxsize=2)
-def _unpacked(packed: bytes) -> Work:
-    found: Work = pickle.loads(packed)
+def _unpacked(packed: bytes) -> tuple[bool | None, Work]:
+    found: tuple[bool | None, Work] = pickle.loads(packed)
     return found
 
 
@@ -202,7 +209,7 @@ def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
     """Give number and content of shards as the workers of a Dask cluster finish them; who vanishes is replaced."""
     distributed = require("distributed", "cluster")
     check_cluster(client)
-    packed, pending = pickle.dumps(work), iter(tasks)
+    packed, pending = _packed(work), iter(tasks)
     following = distributed.as_completed(loop=client.loop, with_results=True)
     waiting: set[Any] = set()
 

@@ -283,5 +283,16 @@ def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, 
     assert main([*command, "--trust"]) == 0, capsys.readouterr().err
     assert asked
     asked.clear()
+    study = tmp_path / "study.toml"
+    study.write_text(
+        "schema = 'jounce.sweep/1'\nrig = 'kart-quarter-car'\nmetrics = ['max tyre.force']\ncontrol = 'law.toml'\n"
+        "[trial]\nspeed = '2 m/s'\nduration = '0.1 s'\nroad = { kind = 'flat' }\n"
+        "[vary]\n'sprung.mass' = ['30 kg', '40 kg']\n[design]\nkind = 'latin-hypercube'\ncount = 2\nseed = 1\n"
+    )
+    monkeypatch.setattr("jounce.cli.sweep._write", lambda *_: ())  # no pictures
+    for words, runs_here in (([], False), (["--trust"], True)):
+        assert main(["sweep", str(study), "--out", str(tmp_path / f"swept{len(words)}"), *words]) == 0
+        assert bool(asked) == runs_here
+    asked.clear()
     assert not any("--trust" in finding for finding in jn.simulate(RIG, TRIAL, control=file).attrs["findings"])
     assert asked  # in Python the description decides

@@ -12,6 +12,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.trust import trust_said, trusting
 from jounce.variants import shards, workers
 from jounce.variants.summary import summarise
 
@@ -48,6 +49,17 @@ def test_shards_hold_what_one_call_gives(tmp_path: Path, small) -> None:
         assert found[name].attrs == whole[name].attrs
     assert set(found["reason"].values) == {""}
     assert jn.load_sweep(tmp_path / "out").identical(found)
+
+
+@pytest.mark.parametrize("said", [None, False, True])
+def test_workers_are_told_what_may_run_in_their_process(monkeypatch, said: bool | None) -> None:
+    """They are processes, or machines, of their own: what the user said of FMUs goes with the work."""
+    seen = []
+    monkeypatch.setattr(workers, "shard_of", lambda *_: seen.append(trust_said()) or b"")
+    with trusting(said):
+        packed = workers._packed("work")
+    workers.work_on(packed, workers.Task(0, 0, {}, workers.metadata.version("jounce")))
+    assert seen == [said]
 
 
 def test_a_reason_of_a_later_shard_is_whole(tmp_path: Path, small) -> None:
