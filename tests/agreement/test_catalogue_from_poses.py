@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from pathlib import Path
 
@@ -65,11 +64,8 @@ def test_poses_are_distinct_enough_to_see_a_mistake() -> None:
 
 
 def test_the_page_tells_what_is_compared(found, axle) -> None:
-    spec = importlib.util.spec_from_file_location("make_validation", ROOT / "docs" / "make_validation.py")
-    assert spec is not None
-    assert spec.loader is not None
-    script = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(script)
+    import make_validation as script
+
     told = {
         match[1]: float(match[2])
         for match in re.finditer(r"^\| `(\w+)` \|.*\| (\S+) \|$", PAGE.read_text(encoding="utf-8"), re.M)

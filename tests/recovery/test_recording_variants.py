@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.util
-from pathlib import Path
 from types import ModuleType
 
 import pytest
 
-SCRIPT = Path(__file__).parents[2] / "docs" / "make_variants.py"
-
 
 @pytest.fixture(scope="module")
 def variants() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("make_variants", SCRIPT)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    import sys
+    import make_variants
 
-    sys.modules["make_variants"] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
+    return make_variants
 
 
 def test_no_text_file_is_silently_wrong(variants: ModuleType) -> None:
