@@ -858,9 +858,13 @@ def _summary(record: StoredRecord) -> dict[str, Any]:
 
 def _draw_history(out: Console, plain: dict[str, Any], visits: list[WheelVisit], trends: list[Trend]) -> None:
     title = ", ".join(filter(None, (plain["plate"], plain["vehicle"])))
-    header = ("date", "axle", "wheel", "adhesion", "phase [deg]", "theta", "verdict", "record")
+    names = ("adhesion", "phase [deg]", "theta")
     rows = [(one.date, one.axle, one.wheel, *one.values.values(), one.verdict, one.record) for one in visits]
-    out.print(table(title, header, rows, text=(0, 1, 2, 6)))
+    out.print(table(title, ("date", "axle", "wheel", *names, "verdict", "record"), rows, text=(0, 1, 2, 6)))
+    for one in visits:
+        if one.unreliable:
+            place = f"{one.date} {one.axle} {one.wheel}, record {one.record}"
+            out.print(f" unreliable: {', '.join(one.unreliable)} ({place})")
     if trends:
         rows_ = [(one.axle, one.wheel, one.quantity, one.change_per_year, one.visits) for one in trends]
         out.print(table("change per year", ("axle", "wheel", "value", "per year", "visits"), rows_, text=(0, 1, 2)))

@@ -240,6 +240,7 @@ _TITLES = {
     "phase_angle_min_deg": ("Least phase angle [°]", 1.0),
     "theta_road": ("Damping ratio on the road", 1.0),
 }
+_HOLLOW = " (hollow: unreliable, as after lift-off)"
 _MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
 
 
@@ -247,7 +248,7 @@ _MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
 def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Figure:
     """Draw adhesion (%), phase angle (degrees) and damping ratio of every wheel against the date.
 
-    Visits without a date are left out.
+    Visits without a date are left out. The mark of an unreliable value is hollow.
 
     Examples
     --------
@@ -265,13 +266,17 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
     panels = figure.subplots(len(_TITLES), 1, sharex=True)
     for axes, (name, (title, scale)) in zip(panels, _TITLES.items(), strict=True):
         for axle, wheel in wheels:
-            points = [(day, one.values.get(name)) for day, one in dated if (one.axle, one.wheel) == (axle, wheel)]
-            known = [(day, scale * value) for day, value in points if value is not None]
+            own = [(day, one) for day, one in dated if (one.axle, one.wheel) == (axle, wheel)]
+            known = [(day, scale * value) for day, one in own if (value := one.values.get(name)) is not None]
             mark, line = _MARKS.get(wheel, ("o", "-"))
             colour = PALETTE[axles.index(axle) % len(PALETTE)]
             days, values = [day for day, _ in known], [value for _, value in known]
             axes.plot(days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip())
-        axes.set_title(title)
+            doubted = {day for day, one in own if name in one.unreliable}
+            hollow = [point for point in known if point[0] in doubted]
+            if hollow:
+                axes.plot(*zip(*hollow, strict=True), marker=mark, ls="none", color=colour, markerfacecolor="white")
+        axes.set_title(title + (_HOLLOW if any(name in one.unreliable for _, one in dated) else ""))
         shown = [scale * value for _, one in dated if (value := one.values.get(name)) is not None] or [1.0]
         axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:

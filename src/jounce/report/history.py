@@ -56,7 +56,7 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
         (
             one.date or "–",
             f"{one.axle} {one.wheel}".strip(),
-            *(QUANTITIES[name].text(one.values.get(name)) for name in names),
+            *(_value(one, name) for name in names),
             Cell(verdict_words(one.verdict), _TONES.get(one.verdict, "fair")) if one.verdict else "–",
             str(one.record),
         )
@@ -67,6 +67,10 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
     return Page(
         title, (Section("Answer", tuple(answer)), Section("Visits", (table,))), "History of the shock absorbers"
     )
+
+
+def _value(one: WheelVisit, name: str) -> str:
+    return QUANTITIES[name].text(one.values.get(name)) + (" (unreliable)" if name in one.unreliable else "")
 
 
 def _change(one: Trend) -> tuple[str, str]:

@@ -154,6 +154,31 @@ def test_values_below_zero_are_within_the_picture() -> None:
     assert all(axes.get_ylim()[0] == 0.0 for axes in (figure.axes[0], figure.axes[2]))
 
 
+def test_an_unreliable_value_is_told_from_the_others_wherever_a_history_is_shown() -> None:
+    from rich.console import Console
+
+    from jounce.cli.inspection import _draw_history
+    from jounce.plots.inspection import vehicle_history
+    from jounce.report.history import history_page
+
+    def visit(record: int, angle: float, unreliable: tuple[str, ...] = ()) -> WheelVisit:
+        values = {"adhesion": 0.4, "phase_angle_min_deg": angle, "theta_road": 0.1}
+        return WheelVisit(record, f"{2022 + record}-06-01", "B-AB 1", "rear", "left", values, "fail", "", unreliable)
+
+    sound = [visit(1, 41.0), visit(2, 42.0)]
+    visits = [*sound, visit(3, -11.0, ("phase_angle_min_deg",))]
+    adhesion, phase, _ = vehicle_history(visits).axes
+    assert [len(axes.lines) for axes in (adhesion, phase)] == [1, 2]
+    assert (list(phase.lines[1].get_ydata()), phase.lines[1].get_markerfacecolor()) == ([-11.0], "white")
+    assert ["hollow" in axes.get_title("left") for axes in (adhesion, phase)] == [False, True]
+    (table,) = history_page(visits, [], title="B-AB 1").sections[1].blocks
+    assert [["unreliable" in str(cell) for cell in row].index(True) for row in table.rows[2:]] == [3]
+    assert not any("unreliable" in str(row) for row in table.rows[:2])
+    with (console := Console(width=120)).capture() as shown:
+        _draw_history(console, {"plate": "B-AB 1", "vehicle": ""}, visits, [])
+    assert shown.get().count("unreliable: phase_angle_min_deg (2025-06-01 rear left, record 3)") == 1
+
+
 def test_records_are_evaluated_again_by_the_tester_they_came_with(tmp_path: Path, twin, eusama, monkeypatch) -> None:
     """One whose tester nobody knew, one that came with its tester, one that cannot be read; all on one process."""
     car = twin.Car()
