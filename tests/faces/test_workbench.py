@@ -670,6 +670,12 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     page.get_by_label("Tolerance", exact=True).fill("20 deg")
     page.get_by_label("Tolerance", exact=True).press("Enter")
     page.locator("figure.wanted .verdict.good").wait_for()
+    reach = page.get_by_label("Wheel travel, bump positive: first:last:step")
+    whole = reach.input_value()
+    for text, mark in (("-10 mm:10 mm:5 mm", "?"), (whole, "✓")):  # what is not swept is not judged
+        reach.fill(text)
+        reach.press("Tab")
+        page.locator("figure.wanted .verdict", has_text=mark).wait_for()
     page.get_by_label("Curves over").select_option("roll")
     page.locator("figure", has_text="roll centre height").first.wait_for()
     for label in ("tie rod inner", "tie rod outer", "strut top"):

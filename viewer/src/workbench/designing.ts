@@ -29,6 +29,7 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
   async function search(free: string[]): Promise<void> {
     const stem = name.replace(/\.toml$/, "").replaceAll("/", "-"), mark = new Date().toISOString().replace(/\D/g, "").slice(2, 14), study = `designs/${stem}-${mark}.toml`;
     const quoted = (text: string) => JSON.stringify(text), file = await api.file(name), now = await api.form(name, file.text, [], sliders.changes);
+    if (now.problems.length) throw new Error(now.problems.map((one) => `${one.path ? `${one.path}: ` : ""}${one.text}`).join(" ")); // its text is that of the file then
     const start = `designs/${stem}-${mark}-start.toml`;
     await api.save(start, now.text, ""); // the rig as it stands on the page
     const text = [`schema = "jounce.design/1"`, `rig = ${quoted(`${stem}-${mark}-start.toml`)}`, `starts = ${Number(starts.value) || 4}`, "",

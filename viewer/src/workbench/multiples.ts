@@ -2,7 +2,7 @@
 
 import { at, type Model, type Numbers, type Store } from "../data";
 import { colour, make, whenColoursChange, written } from "../page";
-import { localised } from "../words";
+import { localised, tr } from "../words";
 
 export interface Band { quantity: string; at: number[]; low: (number | null)[]; high: (number | null)[] }
 interface One { name: string; lines: { role: string; y: Numbers }[]; band: Band | null; canvas: HTMLCanvasElement; value: HTMLElement; mark: HTMLElement; box: HTMLElement; verdict: HTMLElement }
@@ -152,11 +152,17 @@ export class Multiples {
     if (wide) context.rect(path[0]![0]! - wide, path[0]![1]!, 2 * wide, path[1]![1]! - path[0]![1]!);
     else { path.forEach(([a, b], i) => { if (i) context.lineTo(a!, b!); else context.moveTo(a!, b!); }); context.closePath(); }
     context.fill(); context.stroke();
-    const y = one.lines[0]?.y;
+    const y = one.lines[0]?.y, [first, last] = this.ends(), step = 1e-9 * (last - first);
+    if (band.at.some((place) => place < first - step || place > last + step)) {
+      one.verdict.textContent = " ?";
+      one.verdict.className = "verdict";
+      one.verdict.title = tr("not swept as far as this is wanted");
+      return;
+    }
     const isMet = !!y && band.at.every((place, i) => { const value = at(this.x, y, place); return value >= (band.low[i] ?? -Infinity) - 1e-9 && value <= (band.high[i] ?? Infinity) + 1e-9; });
     one.verdict.textContent = isMet ? " ✓" : " ✗";
     one.verdict.className = `verdict ${isMet ? "good" : "missed"}`;
-    one.verdict.title = isMet ? "within the tolerance" : "outside of the tolerance";
+    one.verdict.title = tr(isMet ? "within the tolerance" : "outside of the tolerance");
   }
 }
 

@@ -72,7 +72,7 @@ function graded(found: Graded): HTMLElement[] {
 
 function simulated(rigs: string[], choices: Choices): HTMLElement {
   const rig = select(rigs, rigs.find((one) => one === "audi-a6-half-car-4dof")), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea")));
-  const wear = make("input", { type: "text", value: "", placeholder: "40 %" }), wheel = select(["both", "left", "right"], "both"), out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
+  const wear = make("input", { type: "text", value: "", placeholder: "0.4" }), wheel = select(["both", "left", "right"], "both"), out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
   const question = new Question("Simulate the test", () => ({ kind: "test", vehicle: rig.value, tester: tester.value, wear: wear.value, wheel: wheel.value, out: out.value }),
     (told) => [make("p", { class: "good" }, `${out.value} was written. `, make("a", { href: address("inspection", { record: out.value }) }, "Evaluate it")), ways(told)]);
   return make("section", {}, make("div", { class: "form" }, field("Rig or vehicle", rig), field("Tester", tester), field("Loss of damping", wear), field("Wheel", wheel), field("Record", out), question.button), question.place);
