@@ -40,7 +40,10 @@ def test_a_push_rod_comes_back_with_its_stop(tmp_path: Path) -> None:
 
 ARMS = """<mujoco>
   <compiler angle="{angle}"/>
-  <default><default class="arm"><joint type="hinge" axis="1 0 0"/></default></default>
+  <default><joint axis="0 0 1"/><tendon stiffness="30000"/>
+    <default class="turning"><joint axis="1 0 0"/><default class="arm"><joint pos="0 0 0"/></default></default>
+    <default class="rod"><tendon stiffness="0"/></default>
+  </default>
   <worldbody>
     <body name="chassis" pos="0 0 0.2">
       <site name="a" pos="0 0.3 0.5"/> <site name="rack end" pos="-0.1 0.25 0.05"/>
@@ -55,8 +58,8 @@ ARMS = """<mujoco>
     </body>
   </worldbody>
   <tendon>
-    <spatial name="coil" stiffness="30000"><site site="a"/><site site="b"/></spatial>
-    <spatial name="rod"><site site="rack end"/><site site="arm of the rack"/></spatial>
+    <spatial name="coil"><site site="a"/><site site="b"/></spatial>
+    <spatial name="rod" class="rod"><site site="rack end"/><site site="arm of the rack"/></spatial>
   </tendon>
   <equality><connect body1="knuckle" body2="top" anchor="0 -0.03 0.24"/><tendon tendon1="rod"/></equality>
 </mujoco>
@@ -84,9 +87,22 @@ def test_names_of_nobody_follow_from_the_structure(tmp_path: Path, frames: dict[
     for name, place in wanted.items():
         assert points[name] == pytest.approx(place, abs=1e-9), name
     said = " ".join(finding.message for finding in findings)
+    assert "the rig is for kinematics alone: lower_arm, " in said
     assert "lower_ball_joint follows from the structure" in said
     assert set(rig.lacks) == {"bodies", "spring", "damper", "tyre"}
     assert np.isfinite(jn.sweep_travel(rig, [0.0])["camber"].values).all()
+
+
+def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -> None:
+    file = tmp_path / "corner.xml"
+    file.write_text(
+        ARMS.format(**PLAIN).replace('<joint class="arm"/> <site', '<joint class="arm" damping="5"/> <site')
+    )
+    warned = [finding.message for finding in import_mjcf(file)[1] if finding.severity == "warning"]
+    assert warned == ["left out: damping."]
+    rig = jn.load("kart-double-wishbone").with_changes({"guide_friction": {"force": "12 N"}})
+    found = import_mjcf(write_mjcf(rig, tmp_path / "rig.xml").path)[1]
+    assert [finding.message for finding in found if finding.severity == "warning"] == ["left out: frictionloss."]
 
 
 @pytest.mark.parametrize(
@@ -106,6 +122,15 @@ def test_names_of_nobody_follow_from_the_structure(tmp_path: Path, frames: dict[
         (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'zaxis="0 0 1"'), "zaxis is not read"),
         (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'quat="0 0 0 0"'), "quaternion of zeros"),
         (ARMS.format(**PLAIN).replace("0.7", "nan").replace('pos="0 0 0.2"', 'pos="0 0 nan"'), "3 numbers"),
+        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'axisangle="0 0 0 1"'), "axis without direction"),
+        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'xyaxes="1 0 0 2 0 0"'), "axis without direction"),
+        (ARMS.format(**PLAIN).replace("<compiler", '<compiler eulerseq="xYz"'), "order of angles"),
+        (ARMS.format(**PLAIN).replace('"rod" class="rod"', '"rod" class="road"'), "unknown class.*allowed: arm, "),
+        (
+            ARMS.format(**PLAIN).replace("<worldbody>", "<worldbody><frame>").replace("</worldb", "</frame></worldb"),
+            "frame is not read",
+        ),
+        ("<mujoco>" + "<default>" * 300 + "</default>" * 300 + "<worldbody/></mujoco>", "nested too deeply"),
         ("<mujoco><worldbody>" + "<body>" * 300 + "</body>" * 300 + "</worldbody></mujoco>", "nested too deeply"),
     ],
 )

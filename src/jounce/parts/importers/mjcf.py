@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -27,6 +28,8 @@ _ARM = 0.1  # m: from a hinge to the points of its axis, where the file names no
 _FAR = 100.0  # m: a tendon's length that means none
 _LENGTHS = 2
 _CARRIERS = {body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)} - {"rocker"}
+_UNREAD = ("frame", "replicate", "attach", "composite")
+"""Elements that hold bodies and sites at places of their own; MuJoCo writes them as bodies when it saves a model."""
 _Ball = tuple[str, str, Array]
 
 
@@ -113,15 +116,16 @@ class _Tree:
         given = {} if compiler is None else compiler.attrib
         self._turn = 1.0 if given.get("angle", "degree") == "radian" else np.pi / 180.0
         self._order = given.get("eulerseq", "xyz")
+        if not re.fullmatch(r"[xyz]{3}|[XYZ]{3}", self._order):
+            raise self._refused("an order of angles that is not read", self._order, "xyz, XYZ and the like", "eulerseq")
         if given.get("coordinate", "local") != "local":
             raise self._refused(
                 "places in global coordinates", given["coordinate"], "local ones, as MuJoCo has since 2.3"
             )
-        self._defaults = {
-            one.get("class", "main"): dict(joint.attrib)
-            for one in self.root.iter("default")
-            if (joint := one.find("joint")) is not None
-        }
+        self._defaults: dict[str, dict[str, dict[str, str]]] = {"": {}}
+        for one in self.root.findall("default"):
+            self._keep_defaults(one, "", 0)
+            self._defaults[""] = self._defaults[one.get("class", "main")]  # the outermost class is everybody's
         self.sites: dict[str, tuple[Array, str]] = {}
         self.axle_end: Array | None = None
         self._known = known_names()
@@ -137,6 +141,26 @@ class _Tree:
         )
 
     # --- the tree
+
+    def _keep_defaults(self, element: ET.Element, above: str, depth: int) -> None:
+        """Attributes of elements by class and tag; classes within a class begin with what it says."""
+        if depth > _DEEPEST:
+            raise self._refused("classes nested too deeply", depth, f"up to {_DEEPEST}")
+        own = {tag: dict(given) for tag, given in self._defaults[above].items()}
+        for child in element:
+            if child.tag != "default":
+                own[child.tag] = own.get(child.tag, {}) | child.attrib
+        name = element.get("class", "main" if depth == 0 else f"class {len(self._defaults)}")
+        self._defaults[name] = own
+        for child in element.findall("default"):
+            self._keep_defaults(child, name, depth + 1)
+
+    def _given(self, element: ET.Element, tag: str, inherited: str = "") -> dict[str, str]:
+        """Attributes of an element with those of its class."""
+        name = element.get("class", inherited)
+        if name not in self._defaults:
+            raise self._refused("an unknown class", name, ", ".join(sorted(self._defaults)[1:]) or "none", element.tag)
+        return self._defaults[name].get(tag, {}) | element.attrib
 
     def _walk(self, element: ET.Element, name: str, inherited: str, depth: int) -> None:
         if depth > _DEEPEST:
@@ -158,6 +182,10 @@ class _Tree:
                 axes = here.axes @ self._axes(child)
                 self.bodies[own] = _Body(own, name, here.place + here.axes @ self._three(child, "pos"), axes)
                 self._walk(child, own, child.get("childclass", inherited), depth + 1)
+            elif child.tag in _UNREAD:
+                raise self._refused(
+                    f"{child.tag} is not read", child.get("name"), "bodies, joints and sites", f"body {name}"
+                )
 
     def _ours(self, name: str) -> str:
         """Our name of a point, or nothing."""
@@ -169,20 +197,21 @@ class _Tree:
         self.sites[name] = place, body
 
     def _add_joint(self, child: ET.Element, here: _Body, inherited: str) -> None:
-        given = {
-            **self._defaults.get("main", {}),
-            **self._defaults.get(child.get("class", inherited), {}),
-            **child.attrib,
-        }
+        given = self._given(child, "joint", inherited)
         kind = "free" if child.tag == "freejoint" else given.get("type", "hinge")
         place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, "joint: pos")
-        axis = here.axes @ self._numbers(given.get("axis", "0 0 1"), 3, "joint: axis")
-        size = float(np.linalg.norm(axis))
+        where = f"joint {child.get('name', '')}"
+        axis = self._direction(here.axes @ self._numbers(given.get("axis", "0 0 1"), 3, f"{where}: axis"), where)
+        here.joints.append((child.get("name", ""), kind, place, axis))
+        left = [key for key in ("stiffness", "damping", "frictionloss") if given.get(key, "0").strip("0. ")]
+        if left:
+            self.draft.findings.append(Finding(self.draft.at(where), "warning", f"left out: {', '.join(left)}."))
+
+    def _direction(self, vector: Array, where: str) -> Array:
+        size = float(np.linalg.norm(vector))
         if size < 1e-9:
-            raise self._refused(
-                "an axis without direction", given.get("axis"), "not all zero", f"joint {child.get('name')}"
-            )
-        here.joints.append((child.get("name", ""), kind, place, axis / size))
+            raise self._refused("an axis without direction", vector.tolist(), "not all zero", where)
+        return np.asarray(vector / size)
 
     def _numbers(self, text: str, count: int, where: str) -> Array:
         try:
@@ -213,13 +242,12 @@ class _Tree:
         if "axisangle" in element.attrib:
             *axis, angle = self._numbers(element.attrib["axisangle"], 4, f"{where}: axisangle")
             return np.asarray(
-                Rotation.from_rotvec(np.array(axis) / np.linalg.norm(axis) * angle * self._turn).as_matrix()
+                Rotation.from_rotvec(self._direction(np.array(axis), where) * angle * self._turn).as_matrix()
             )
         if "xyaxes" in element.attrib:
             six = self._numbers(element.attrib["xyaxes"], 6, f"{where}: xyaxes")
-            x = six[:3] / np.linalg.norm(six[:3])
-            y = six[3:] - (six[3:] @ x) * x
-            y = y / np.linalg.norm(y)
+            x = self._direction(six[:3], where)
+            y = self._direction(six[3:] - (six[3:] @ x) * x, where)
             return np.column_stack([x, y, np.cross(x, y)])
         if "zaxis" in element.attrib:
             raise self._refused("zaxis is not read", element.attrib["zaxis"], "quat, euler, axisangle, xyaxes", where)
@@ -259,7 +287,7 @@ class _Tree:
         for one in self.root.iter("spatial"):
             sites = [site.get("site", "") for site in one if site.tag == "site"]
             if len(sites) == _LENGTHS and all(site in self.sites for site in sites):
-                found[one.get("name", f"tendon {len(found)}")] = dict(one.attrib), sites
+                found[one.get("name", f"tendon {len(found)}")] = self._given(one, "tendon"), sites
         return found
 
     def table(self) -> PointTable:
@@ -364,9 +392,9 @@ class _Tree:
         before = {name: np.array(point) for name, point in reading.points.items()}
         rig, findings, text = reading.rig(None, None, model, wheel_radius, source)
         whole = self._whole(rig, before, reading.points, tyre, sprung_mass)
-        if whole is None:
-            return rig, findings, text
         self.draft.findings = findings + self.draft.findings
+        if whole is None:
+            return rig, self.draft.findings, text
         made = rig.model_dump(
             by_alias=True, exclude_none=True, include={"schema_", "model", "source", "side", "hardpoints", "wheel"}
         )
@@ -454,7 +482,7 @@ class _Tree:
     def _tyre(self) -> dict[str, Any] | None:
         """A tyre as an actuator between the road and the wheel that pushes along z; None where there is none."""
         for one in self.root.iter("general"):
-            given = one.attrib
+            given = self._given(one, "general")
             if (
                 given.get("biastype") == "affine"
                 and given.get("refsite")
