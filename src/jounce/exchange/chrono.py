@@ -345,7 +345,6 @@ class _Writing:
             found = {"Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]), "Free Length": free}
         gaps = {name: getattr(strut, name) for name in ("bump_stop", "rebound_stop")}
         if all(gaps.values()):
-            design = self.rig.hardpoints.length("strut")
             found["Minimum Length"] = design - gaps["bump_stop"].gap
             found["Maximum Length"] = design + gaps["rebound_stop"].gap
         for name, stop in gaps.items():

@@ -39,6 +39,22 @@ def test_rigs_come_back(tmp_path: Path, name: str) -> None:
     assert found.strut.damper.kind == rig.strut.damper.kind
 
 
+def test_stops_count_along_the_spring(tmp_path: Path) -> None:
+    """Which may stand apart from the strut: there Chrono's shortest and longest lengths are the spring's, as ours."""
+    stops = {f"strut.{name}_stop": {"gap": f"{gap} mm", "rate": "100 N/mm", "progression": "6e7 N/m^3"}
+             for name, gap in (("bump", 30), ("rebound", 20))}  # fmt: skip
+    rig = jn.load("sedan-double-wishbone")
+    top = (rig.hardpoints.strut_top[0], rig.hardpoints.strut_top[1], rig.hardpoints.strut_top[2] - 0.05)
+    tables = rig.with_changes(stops).model_dump(by_alias=True, exclude_none=True)
+    tables["hardpoints"]["spring_top"] = top
+    apart = type(rig).model_validate(tables)
+    assert apart.hardpoints.length("spring") < apart.hardpoints.length("strut") - 0.04
+    found = back(apart, write_chrono(apart, tmp_path / "out.json").path, 1e-9)
+    assert found.strut.bump_stop.gap == pytest.approx(0.03, abs=1e-9)
+    assert found.strut.rebound_stop.gap == pytest.approx(0.02, abs=1e-9)
+    assert found.hardpoints.damper_top[2] - found.hardpoints.strut_top[2] == pytest.approx(0.05, abs=1e-9)
+
+
 def test_the_right_side_is_written_as_the_left(tmp_path: Path) -> None:
     rig = jn.load("sedan-double-wishbone")
     one = write_chrono(rig, tmp_path / "left.json").path.read_text()
