@@ -272,3 +272,36 @@ def test_the_mechanism_runs_each_variant_where_it_is_asked_for():
     many = [jn.simulate_many(*given, metrics=WORDS[0], method=method) for method in ("auto", "explicit")]
     assert [runs.attrs["side_by_side"] for runs in many] == [16, 0]
     assert many[0][WORDS[0]].values == pytest.approx(many[1][WORDS[0]].values, rel=1e-6)
+
+
+def test_mechanisms_step_side_by_side_as_they_run_alone():
+    """Each lane is held on its own loops; what finds no rest or is too fast for the others runs by itself."""
+    changes, trial = spread(np.random.default_rng(SEED + 2), 66), bump(duration=0.3)
+    changes["strut.spring.rate"][3] = 1.0
+    changes["strut.spring.rate"][5] = 4e6
+    changes["hardpoints.upper_ball_joint[2]"][12] += 0.05
+    many = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z", method="explicit")
+    assert many.attrs["side_by_side"] == 64
+    reduced = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS)
+    kept = [i for i in range(66) if i not in (3, 5, 12)]
+    for word in WORDS:
+        assert many[word].values[kept] == pytest.approx(reduced[word].values[kept], rel=1e-5)
+    for i in (0, 3, 5, 12, 65):
+        alone = {path: values[i : i + 1] for path, values in changes.items()}
+        one = jn.simulate_many(STOPPED, trial, alone, metrics=WORDS, outputs="sprung.z", method="explicit")
+        assert one.attrs["side_by_side"] == 0
+        assert str(one["reason"].values[0]) == str(many["reason"].values[i])
+        for word in WORDS:
+            assert many[word].values[i] == pytest.approx(one[word].values[0], rel=1e-6, nan_ok=True)
+        assert many["sprung.z"].values[i] == pytest.approx(one["sprung.z"].values[0], abs=1e-9, nan_ok=True)
+
+
+def test_one_lane_whose_wheel_flips_over_leaves_the_others_there():
+    dampers = np.full(64, 3000.0)
+    dampers[10] = 100.0
+    high = bump(height=0.15, speed=4.0, duration=0.1)
+    many = jn.simulate_many(KART, high, {"strut.damper.coefficient": dampers}, metrics=WORDS[:2], method="explicit")
+    assert many.attrs["side_by_side"] == 63
+    assert "flipped" in str(many["reason"].values[10])
+    assert np.flatnonzero(many["reason"].values != "").tolist() == [10]
+    assert np.ptp(np.delete(many[WORDS[1]].values, 10)) < 1e-6 * float(many[WORDS[1]].values[0])

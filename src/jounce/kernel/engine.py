@@ -164,7 +164,8 @@ _NONE = np.zeros((0, 0))
 class Samples(NamedTuple):
     """Where the run is sampled and the arrays it fills: one row an element, one column a sample.
 
-    ``projected`` has two rows more than ``states`` where the model projects, and none elsewhere. With sensitivities,
+    Where the model projects, ``projected`` has what a projection tells of each system (residual, conditioning) above
+    its states, and is empty elsewhere. With sensitivities,
     ``tangents`` has one row a sample of those of the states, and ``carried`` one of the outputs and their
     sensitivities; both run through the parameters fastest.
     """
@@ -317,9 +318,10 @@ class Work(NamedTuple):
     marks: Integers
 
 
-def scratch(problem: Problem, control: Control, nodes: Array) -> Work:
-    """Make the arrays that steps with some nodes need (fractions of a step, the probes last)."""
+def scratch(problem: Problem, control: Control, nodes: Array, systems: int = 1) -> Work:
+    """Make the arrays that steps of so many systems need, with some nodes (fractions of a step, the probes last)."""
     n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
+    told = 2 * systems
     rows = np.zeros((ROWS, size))
     rows[STATE] = problem.x0
     return Work(
@@ -334,7 +336,7 @@ def scratch(problem: Problem, control: Control, nodes: Array) -> Work:
         np.zeros((1, 2)),
         np.zeros((1, switches * (n + size // n))),
         control.scale.copy(),
-        np.zeros((1, size + 2)),
+        np.zeros((1, size + told)),
         np.zeros((problem.inputs, 1)),
         np.zeros(2, dtype=np.int64),
     )

@@ -6,7 +6,7 @@ see the same operations. What no lane feeds stays one number, and is made a vect
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -14,6 +14,7 @@ import casadi as ca
 from llvmlite import binding as llvm
 from llvmlite import ir
 
+from jounce.kernel.elementary import angle_of, sine_and_cosine
 from jounce.kernel.packing import Emission, Packed
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
@@ -55,7 +56,8 @@ if llvm.llvm_version_info[0] >= 20:  # as intrinsics they do not keep loops from
         _INTRINSICS[f"OP_{_name}"] = _LIBRARY.pop(f"OP_{_name}")
 _COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
 _SIDE_BY_SIDE = {"ASSIGN", "ADD", "SUB", "MUL", "DIV", "SQ", "TWICE", "NEG"}
-_WIDE = {"SQRT", "SIN", "COS", "FABS", "FMIN", "FMAX"}
+_WIDE = {"SQRT", "FABS", "FMIN", "FMAX"}
+_ANGULAR = {"SIN", "COS", "ASIN", "ACOS", "ATAN", "ATAN2"}
 _LINEAR = {"OP_ASSIGN", "OP_ADD", "OP_SUB", "OP_MUL", "OP_DIV", "OP_NEG", "OP_TWICE", "OP_IF_ELSE_ZERO"}
 _DIRECT: dict[str, Callable[..., ir.Value]] = {
     "OP_ASSIGN": lambda _, x: x,
@@ -124,7 +126,7 @@ class Lowering:
     def __init__(self) -> None:
         self.module = ir.Module(name="jounce")
         self._externals: dict[str, ir.Function] = {}
-        self._made: dict[tuple[int, str], tuple[ir.Value, ir.Value]] = {}
+        self._made: dict[tuple[int, str], tuple[ir.Value, Any]] = {}
 
     def add(self, name: str, function: AnyFunction, *, seldom: bool = False) -> None:
         """Append ``void name(double* x, double* u, double* p, double* m, double* out)``; arrays must not overlap.
@@ -165,8 +167,8 @@ class Lowering:
 
         ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
         loop over the samples; ``p`` and ``m`` are the same for all of them. Of a wide function one system is sampled
-        after the other. An internal function is inlined where it
-        is called.
+        after the other, and a vector takes as many samples as there are systems: LLVM makes vectors of large functions
+        not by itself. An internal function is inlined where it is called.
 
         Raises
         ------
@@ -179,7 +181,7 @@ class Lowering:
         if internal:
             native.linkage = "internal"
             native.attributes.add("alwaysinline")
-        total, first, count = native.args[5:]
+        first, count = native.args[6:]
         parts = ("entry", "systems", "loop", "next", "leave")
         entry, systems, loop, another, leave = (native.append_basic_block(part) for part in parts)
         builder = ir.IRBuilder(entry)
@@ -188,17 +190,17 @@ class Lowering:
         builder.position_at_end(systems)
         system, wide = builder.phi(_INDEX), _count_of(function)
         system.add_incoming(_INDEX(0), entry)
-        builder.branch(loop)
+        if isinstance(function, Wide):
+            self._many_in_vectors(builder, native, function, system, loop, another)
+        else:
+            builder.branch(loop)
+        head = builder.block
         builder.position_at_end(loop)
         sample = builder.phi(_INDEX)
-        sample.add_incoming(first, systems)
+        sample.add_incoming(first, head)
 
         def place(argument: int, element: int) -> ir.Value:
-            alone = argument == 1 or wide == 1
-            own = _INDEX(element) if alone else builder.add(_INDEX(element * wide), system)
-            if argument in (0, 1, 4):
-                own = builder.add(builder.mul(own, total), sample)
-            return builder.gep(native.args[argument], [own])
+            return self._sample(builder, native, (argument, element), wide, system, sample)
 
         if isinstance(function, Packed):
             self._side_by_side(builder, function, native.args[2], place)
@@ -217,6 +219,60 @@ class Lowering:
         system.add_incoming(further, another)
         builder.cbranch(builder.icmp_signed("<", further, _INDEX(wide)), systems, leave)
         ir.IRBuilder(leave).ret_void()
+
+    def _sample(
+        self,
+        builder: ir.IRBuilder,
+        native: ir.Function,
+        leaf: tuple[int, int],
+        wide: int,
+        system: ir.Value,
+        sample: ir.Value,
+    ) -> ir.Value:
+        """Where an element of an argument of a function of many samples is."""
+        argument, element = leaf
+        alone = argument == 1 or wide == 1
+        own = _INDEX(element) if alone else builder.add(_INDEX(element * wide), system)
+        if argument in (0, 1, 4):
+            own = builder.add(builder.mul(own, native.args[5]), sample)
+        return builder.gep(native.args[argument], [own])
+
+    def _many_in_vectors(
+        self,
+        builder: ir.IRBuilder,
+        native: ir.Function,
+        function: Wide,
+        system: ir.Value,
+        few: ir.Block,
+        done: ir.Block,
+    ) -> None:
+        """All samples of one system, a vector at a time, the last one ending with the last sample; then on to ``done``.
+
+        Where there are not enough for a single vector, on to ``few``.
+        """
+        wide, (first, count) = function.count, native.args[6:]
+        last = builder.sub(builder.add(first, count), _INDEX(wide))
+        loop = native.append_basic_block("vectors")
+        head = builder.block
+        builder.cbranch(builder.icmp_signed("<", count, _INDEX(wide)), few, loop)
+        inside = ir.IRBuilder(loop)
+        sample = inside.phi(_INDEX)
+        sample.add_incoming(first, head)
+        vector = ir.VectorType(_DOUBLE, wide).as_pointer()
+
+        def load(argument: int, element: int) -> ir.Value:
+            pointer = self._sample(inside, native, (argument, element), wide, system, sample)
+            return inside.load(inside.bitcast(pointer, vector), align=8) if argument < 2 else inside.load(pointer)
+
+        def store(value: ir.Value, element: int) -> None:
+            pointer = self._sample(inside, native, (4, element), wide, system, sample)
+            self._store(inside, value, inside.bitcast(pointer, vector))
+
+        self._body(inside, function.function, load, store, self._each)
+        following = inside.add(sample, _INDEX(wide))
+        beyond = inside.icmp_signed(">", following, last)
+        sample.add_incoming(inside.select(beyond, last, following), inside.block)
+        inside.cbranch(inside.icmp_signed("<", sample, last), loop, done)
 
     def add_wide(self, name: str, function: ca.Function, count: int) -> None:
         """Append ``void name(x, u, p, m, out)`` for ``count`` samples, a multiple of ``WIDTH``: a vector takes so many.
@@ -322,11 +378,34 @@ class Lowering:
             zero = ir.Constant(kind, None)
             return b.select(b.fcmp_unordered("!=", x[0], zero), x[1], zero)
         if name in _WIDE:
-            full = f"llvm.{_INTRINSICS[operation]}.v{kind.count}f64"
-            if full not in self._externals:
-                self._externals[full] = ir.Function(self.module, ir.FunctionType(kind, [kind] * len(x)), full)
-            return b.call(self._externals[full], x)
+            return self._intrinsic(b, _INTRINSICS[operation], x)
+        if name in _ANGULAR:
+            return self._angular(b, name, x)
         return None
+
+    def _intrinsic(self, b: ir.IRBuilder, name: str, x: Sequence[ir.Value]) -> ir.Value:
+        kind = x[0].type
+        full = f"llvm.{name}.v{kind.count}f64"
+        if full not in self._externals:
+            self._externals[full] = ir.Function(self.module, ir.FunctionType(kind, [kind] * len(x)), full)
+        return b.call(self._externals[full], x)
+
+    def _angular(self, b: ir.IRBuilder, name: str, x: list[ir.Value]) -> ir.Value:
+        """Sine, cosine and their inverses, which LLVM would ask a library for, number by number."""
+
+        def call(intrinsic: str, values: Sequence[ir.Value]) -> ir.Value:
+            return self._intrinsic(b, intrinsic, values)
+
+        if name in ("SIN", "COS"):
+            both = self._once("sine and cosine", x[0], lambda: sine_and_cosine(b, call, x[0]))
+            return both[0 if name == "SIN" else 1]
+        if name == "ATAN2":
+            return angle_of(b, call, *x)
+        one = ir.Constant(x[0].type, [1.0] * x[0].type.count)
+        if name == "ATAN":
+            return angle_of(b, call, x[0], one)
+        other = call("sqrt", [b.fmul(b.fsub(one, x[0]), b.fadd(one, x[0]))])
+        return angle_of(b, call, *((x[0], other) if name == "ASIN" else (other, x[0])))
 
     def declare(self, name: str, arguments: list[Any]) -> ir.Function:
         """Append an empty function; its pointers must not overlap."""
@@ -409,7 +488,7 @@ class Lowering:
         """Make a number a vector of equal lanes where ``kind`` is a vector."""
         return x if x.type == kind else self._once("spread", x, lambda: _spread(b, x, kind))
 
-    def _once(self, what: str, x: ir.Value, make: Callable[[], ir.Value]) -> ir.Value:
+    def _once(self, what: str, x: ir.Value, make: Callable[[], Any]) -> Any:
         """What was made of a value before in this function, else made now; the value is kept, so that its id stays."""
         key = (id(x), what)
         if key not in self._made:

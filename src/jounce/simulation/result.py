@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
@@ -100,6 +101,21 @@ def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
             here = int(np.argmax(turned))
             first = here if first is None else min(first, here)
     return first
+
+
+def angles_of(names: tuple[str, ...]) -> list[str]:
+    """Channels that tell whether a wheel has flipped over."""
+    return [name for name in names if name.endswith(_ANGLES)]
+
+
+def may_turn(courses: Array) -> NDArray[np.bool_]:
+    """Tell which courses of such a channel (rad, one a row) turn so little that no wheel has flipped over.
+
+    :func:`flipped_at` says of the others whether it has: an angle may also have passed half a turn.
+    """
+    first = courses[:, 0]
+    turned = np.maximum(courses.max(axis=1) - first, first - courses.min(axis=1))
+    return np.asarray((turned <= _TURNED) & (np.abs(first) <= _STEERED))
 
 
 def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:

@@ -23,7 +23,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
 from jounce.simulation.reduced import STEPS_SHARE, ReducedCorner, Reduction, reduction_for
-from jounce.simulation.result import branch_limits, held_to_its_branch, samples_reached
+from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, may_turn, samples_reached
 from jounce.simulation.settings import RunSettings
 from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
@@ -408,14 +408,15 @@ class _Group:
         """Fill in what can be stepped side by side; tell which variants are left."""
         study, careful = self.study, np.ones(len(rows), dtype=bool)
         laid_out = (
-            self._laid_out(parameters) if study.settings.method == "auto" and len(rows) >= stepped.LEAST else None
+            self._laid_out(parameters) if study.settings.method != "implicit" and len(rows) >= stepped.LEAST else None
         )
         if laid_out is None:
             return careful
         base, numbers, sound, holds, tolerance = laid_out
         outputs = study.compiled.output_names
         limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
-        wanted = [*(metric.channel for metric in results.metrics), *results.channels, *limits]
+        angles = angles_of(outputs) if base.compiled.facts.projects else []  # one coordinate cannot flip
+        wanted = [*(metric.channel for metric in results.metrics), *results.channels, *limits, *angles]
         channels = [outputs.index(name) for name in dict.fromkeys(wanted)]
         row_of = {outputs[number]: i for i, number in enumerate(channels)}
         extended = stepped.in_blocks(base.compiled, numbers)
@@ -431,6 +432,8 @@ class _Group:
             for name, limit in limits.items():  # what runs away is said where it runs alone
                 course = found[row_of[name]]
                 kept = kept & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
+            for name in angles:
+                kept = kept & may_turn(found[row_of[name]])
             lanes = np.flatnonzero(sound[first : first + count] & kept[:count])
             still = blocks.outputs_at_rest(rest, block)
             for i, metric in enumerate(results.metrics):
@@ -454,10 +457,11 @@ class _Group:
         study = self.study
         times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
         if study.reduction is None:
-            if not stepped.can_step(study.compiled):
+            if not stepped.can_step(study.compiled, len(parameters)):
                 return None
             try:
-                base = prepare(study.compiled, study.base, self._signals, times, tolerance=tolerance)
+                method = study.settings.method
+                base = prepare(study.compiled, study.base, self._signals, times, tolerance=tolerance, method=method)
             except SimulationError:
                 return None
             every = np.ones(len(parameters), dtype=bool)
@@ -472,7 +476,8 @@ class _Group:
             whole = np.concatenate([study.base[None, :], parameters])
             numbers, sound = study.reduction.alike(one.table, one.degree, names, whole, corner.limit)
             found = _LaidOut(one.prepared, numbers[1:], sound[1:], one.holds, STEPS_SHARE * tolerance)
-        steps = found.base.exact is None and found.base.method == "explicit" and stepped.can_step(found.base.compiled)
+        base = found.base
+        steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
         return found if steps else None
 
     def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array]]) -> None:

@@ -1,4 +1,4 @@
-"""Variants of a model without loops side by side in steps of one length: each state is a vector, a lane for each.
+"""Variants of a model side by side in steps of one length: each state is a vector, a lane for each.
 
 The laws of all variants are the same, and so are the edges of their road; how long a step may be hardly differs. A
 block of variants therefore runs as one system, whose step is as short as the most demanding of them asks, and which
@@ -28,13 +28,17 @@ from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import Prepared, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
 
-LEAST = 16
-"""Variants below which code for blocks is not worth its making, half a second once for each choice of channels."""
+LEAST, LEAST_WITH_LOOPS = 16, 64
+"""Variants below which code for blocks is not worth its making: half a second, of a mechanism with loops two."""
+_MOST_STATES = 40  # of a mechanism: what cars on four corners compute alike fills the vectors by itself
 WIDTH = 8
 """Variants in a block: two registers of AVX2, one of AVX-512."""
 _ITERATIONS = 30
 _UNBALANCED = 1e-6  # m/s^2
 _SETTLED = 1e-11
+_PROJECTIONS = 3
+_KEPT = 5  # iterations for which slopes are kept: they change little about rest
+_MOVE = 1e-6  # m or rad, or that a second, by which slopes are taken
 _SPARE = 2.0  # by which the motions of a variant may be faster than those of the base
 
 Take = Callable[[int, Array, Array], None]
@@ -62,40 +66,47 @@ class Rest:
     limit: Array
 
 
-def can_step(compiled: Compiled) -> bool:
-    """Tell whether a model is for this: no loops to close, nothing but coordinates and their speeds."""
+def can_step(compiled: Compiled, count: int) -> bool:
+    """Tell whether so many variants of a model are for this, which must have nothing but coordinates and speeds."""
     facts = compiled.facts
-    plain = not facts.internal and len(facts.coordinates) == len(facts.speeds)
-    return plain and not facts.projects and bool(compiled.identity)
+    if facts.projects:
+        worth = count >= LEAST_WITH_LOOPS and len(facts.states) <= _MOST_STATES
+    else:
+        worth = count >= LEAST and len(facts.coordinates) == len(facts.speeds)
+    return worth and not facts.internal and bool(compiled.identity)
 
 
-def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> Native:
-    """Native code of a block: rate, switch, steps and some outputs, and ``rest``: accelerations and their slopes."""
+def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> tuple[Native, Native]:
+    """Native code of a block: rate, switch, projection and steps; and some outputs."""
 
-    def source() -> Source:
-        import casadi as ca
-
+    def steps() -> Source:
         from jounce.kernel.lowering import Wide
         from jounce.kernel.methods.runge_kutta import Step
 
         graphs, facts = compiled.functions, compiled.facts
-        n, places = len(facts.states), len(facts.coordinates)
-        made = {name: graphs[name] for name in ("rate", "switch")}
-        arguments = [ca.SX.sym(name, graphs["rate"].size1_in(i)) for i, name in enumerate("xupm")]
-        shown = ca.cse(ca.densify(graphs["output"](*arguments)[list(channels)]))
-        made["output"] = ca.Function("output", arguments, [shown])
-        falling = graphs["rate"](*arguments)[places:]
-        slopes = ca.densify(ca.jacobian(falling, arguments[0]))
-        found = ca.cse(ca.densify(ca.vertcat(falling, ca.vec(slopes.T))))
-        made["rest"] = ca.Function("rest", arguments, [found])
-        inputs, switches = len(facts.tracks) * facts.track_order, len(facts.switches)
-        step = Step("rate", n * width, n * width, inputs, switches * width)
-        return Source({name: Wide(function, width) for name, function in made.items()}, step)
+        made = {name: Wide(graphs[name], width) for name in ("rate", "switch")}
+        if facts.projects:
+            made |= {name: Wide(graphs["project_many"], width) for name in ("project", "project_many")}
+        inputs, n = len(facts.tracks) * facts.track_order, len(facts.states)
+        return Source(made, Step("rate", n * width, n * width, inputs, len(facts.switches) * width))
 
-    key = f"{compiled.identity} stepped {width} {[*channels]}"
-    if key not in _codes:
-        _codes[key] = kept_code(key, source)[0]
-    return _codes[key]
+    def outputs() -> Source:
+        import casadi as ca
+
+        from jounce.kernel.lowering import Wide
+
+        graph = compiled.functions["output"]
+        arguments = [ca.SX.sym(name, graph.size1_in(i)) for i, name in enumerate("xupm")]
+        shown = ca.cse(ca.densify(graph(*arguments)[list(channels)]))
+        return Source({"output": Wide(ca.Function("output", arguments, [shown]), width)})
+
+    found = []
+    for key, source in ((f"stepped {width}", steps), (f"outputs {width} {[*channels]}", outputs)):
+        whole = f"{compiled.identity} {key}"
+        if whole not in _codes:
+            _codes[whole] = kept_code(whole, source)[0]
+        found.append(_codes[whole])
+    return found[0], found[1]
 
 
 _codes: dict[str, Native] = {}
@@ -117,13 +128,13 @@ class Blocks:
     tolerance: float
 
     @property
-    def native(self) -> Native:
-        """Code of a block."""
+    def native(self) -> tuple[Native, Native]:
+        """Code of a block (see :func:`code_of`)."""
         return code_of(self.compiled, self.channels, self.numbers.shape[2])
 
     def _evaluate(self, name: str, rows: int, x: Array, modes: Array) -> Array:
         """A function of all blocks: (blocks, rows, lanes)."""
-        wide, still, native = self.numbers.shape[2], self.base.still, self.native
+        wide, still, native = self.numbers.shape[2], self.base.still, self.native[0]
         blocks = zip(x, self.numbers, modes, strict=True)
         found = [native.evaluate(name, (rows * wide,), a.ravel(), still, p.ravel(), m.ravel()) for a, p, m in blocks]
         return np.array(found).reshape(len(x), rows, wide)
@@ -131,51 +142,74 @@ class Blocks:
     def rest(self) -> Rest:
         """Find where all variants rest, beginning with the base: Newton's method, modes following their switches.
 
-        Variants that do not, or move more than twice as fast as the base, are lost: the base stands in for them.
+        Only the motions that are free at the base are looked for; a mechanism is put on its loops after each step.
+        Variants that do not rest, or move more than twice as fast as the base, are lost: the base stands in for them.
         """
         facts, at = self.compiled.facts, self.base.equilibrium
         assert at is not None
         blocks, _, wide = self.numbers.shape
-        places, switches = len(facts.coordinates), len(facts.switches)
-        x = np.tile(at.x[None, :, None], (blocks, 1, wide))
-        modes = np.tile(at.modes[None, :, None], (blocks, 1, wide))
-        falling, slopes = self._falling(x, modes)
-        for _ in range(_ITERATIONS):
-            step = -np.linalg.solve(slopes[..., :places], falling[..., None])[..., 0].transpose(0, 2, 1)
-            x[:, :places] += step
+        free, switches = len(at.free), len(facts.switches)
+        rows = len(facts.coordinates) + at.free
+        x, modes = (np.tile(part[None, :, None], (blocks, 1, wide)) for part in (at.x, at.modes))
+        x, opened = self._closed(x, modes)
+        slopes = self._slopes(x, modes)
+        for turn in range(_ITERATIONS):
+            falling = self._evaluate("rate", len(at.x), x, modes)[:, rows].transpose(0, 2, 1)
+            step = -np.linalg.solve(slopes[..., free:, :free], np.where(np.isfinite(falling), falling, 0.0)[..., None])
+            x, opened = self._closed(x + np.einsum("sf,blf->bsl", at.lift[:, :free], step[..., 0]), modes, 1)
             sides = modes
             if switches:
                 sides = (self._evaluate("switch", switches, x, np.ones_like(modes)) > 0.0).astype(float)
-            size = 1e-13 + _SETTLED * np.abs(x[:, :places]).max(axis=1)
-            settled = (np.abs(step).max(axis=1) <= size) & (sides == modes).all(axis=1)
-            modes = sides
-            falling, slopes = self._falling(x, modes)
+            size = 1e-13 + _SETTLED * np.abs(x[:, : len(facts.coordinates)]).max(axis=1)
+            settled = (np.abs(step[..., 0]).max(axis=2) <= size) & (sides == modes).all(axis=1)
+            changed, modes = not np.array_equal(sides, modes), sides
             if settled.all():
                 break
-        whole = np.zeros((blocks, wide, 2 * places, 2 * places))
-        whole[..., range(places), range(places, 2 * places)] = 1.0
-        whole[..., places:, :] = slopes
-        oscillation = np.sqrt(np.abs(np.linalg.eigvals(slopes[..., :places])).max(axis=2))
+            if changed or turn % _KEPT == 0:
+                slopes = self._slopes(x, modes)
+        slopes = self._slopes(x, modes)
+        falling = self._evaluate("rate", len(at.x), x, modes)[:, rows]
+        oscillation = np.sqrt(np.abs(np.linalg.eigvals(slopes[..., free:, :free])).max(axis=2))
         waves = max((signal.fastest_wave for signal in self.signals), default=0.0)
-        limit = explicit_limit(oscillation, np.abs(np.linalg.eigvals(whole)).max(axis=2), waves)
+        limit = explicit_limit(oscillation, np.abs(np.linalg.eigvals(slopes)).max(axis=2), waves)
         usual = explicit_limit(at.fastest_oscillation, at.fastest_decay, waves)
-        lost = ~(settled & (np.abs(falling).max(axis=2) <= _UNBALANCED) & (limit <= _SPARE * usual))
+        balanced = (np.abs(falling).max(axis=1) <= _UNBALANCED) & (opened <= _UNBALANCED)
+        lost = ~(settled & balanced & (limit <= _SPARE * usual))
         x[:] = np.where(lost[:, None], at.x[:, None], x)
         modes = np.where(lost[:, None], at.modes[:, None], modes)
         self.numbers[:] = np.where(lost[:, None], self.base.problem.p[:, None], self.numbers)
         return Rest(x, modes, lost, np.where(lost, usual, limit))
 
-    def _falling(self, x: Array, modes: Array) -> tuple[Array, Array]:
-        """Accelerations (blocks, lanes, speeds) and their slopes by the states; zero and one where they are no use."""
-        places, wide = len(self.compiled.facts.coordinates), self.numbers.shape[2]
-        found = self._evaluate("rest", places * (1 + 2 * places), x, modes)
-        slopes = found[:, places:].reshape(len(x), places, 2 * places, wide).transpose(0, 3, 1, 2)
-        falling = found[:, :places].transpose(0, 2, 1)
-        usable = np.asarray(np.isfinite(slopes).all(axis=(2, 3)) & np.isfinite(falling).all(axis=2))
-        slopes = np.where(usable[..., None, None], slopes, np.eye(places, 2 * places))
-        usable &= np.linalg.det(slopes[..., :places]) != 0.0
-        slopes = np.where(usable[..., None, None], slopes, np.eye(places, 2 * places))
-        return np.where(usable[..., None], falling, np.inf), slopes
+    def _closed(self, x: Array, modes: Array, times: int = _PROJECTIONS) -> tuple[Array, Array]:
+        """States moved onto the loops some times, and how far open these were the last time: (blocks, lanes)."""
+        told = np.zeros((len(x), 2, x.shape[2]))
+        for _ in range(times if self.compiled.facts.projects else 0):
+            found = self._evaluate("project", 2 + x.shape[1], x, modes)
+            told, x = found[:, :2], found[:, 2:]
+        return x, told[:, 0]
+
+    def _slopes(self, x: Array, modes: Array) -> Array:
+        """Slopes of speeds and accelerations of the free motions by these motions: (blocks, lanes, rows, columns).
+
+        They are taken from small motions to both sides, on the loops of each variant. Where they are no use, they are
+        ones on the diagonal.
+        """
+        at = self.base.equilibrium
+        assert at is not None
+        moved, rates = [], []
+        for motion in at.lift.T:
+            there = [self._closed(x + side * motion[None, :, None], modes, 1)[0] for side in (_MOVE, -_MOVE)]
+            rate = [self._evaluate("rate", len(at.x), place, modes) for place in there]
+            moved.append(np.einsum("rn,bnl->blr", at.pick, there[0] - there[1]))
+            rates.append(np.einsum("rn,bnl->blr", at.pick, rate[0] - rate[1]))
+        by, found = np.stack(moved, axis=-1), np.stack(rates, axis=-1)
+        one = np.eye(at.lift.shape[1])
+        usable = np.isfinite(by).all(axis=(2, 3)) & np.isfinite(found).all(axis=(2, 3))
+        by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
+        slopes = np.linalg.solve(by.swapaxes(2, 3), found.swapaxes(2, 3)).swapaxes(2, 3)
+        free = len(at.free)
+        usable &= np.linalg.det(slopes[..., free:, :free]) != 0.0
+        return np.where(usable[..., None, None], slopes, np.roll(one, free, axis=0))
 
     def outputs_at_rest(self, rest: Rest, block: int) -> Array:
         """The outputs wanted, (rows, lanes)."""
@@ -212,8 +246,9 @@ class Blocks:
         short = base.problem.engine.first != 1
         if short:
             steps |= SHORT_NAMES
-        address = self.native.address
-        engine = Engine(address["rate"], address["output"], 0, 0, 0, *(address[steps[name]] for name in STEP_NAMES))
+        address, output = self.native[0].address, self.native[1].address["output"]
+        loops = (address.get(name, 0) for name in ("project", "project_many"))
+        engine = Engine(address["rate"], output, 0, *loops, *(address[steps[name]] for name in STEP_NAMES))
         if short:
             engine = shortened(engine, engine.step, engine.dense, engine.error)
         problem = base.problem._replace(
@@ -230,9 +265,10 @@ class Blocks:
             MAX_STEPS,
             longest_step(float(rest.limit[block].max()), self.tolerance),
         )
-        return Status.of(explicit.integrate(problem, control, out, np.zeros(3, dtype=np.int64)))
+        return Status.of(explicit.integrate(problem, control, out, np.zeros(3, dtype=np.int64), systems=wide))
 
     def _room(self) -> Samples:
         wide, one = self.numbers.shape[2], self.base.out
         states, outputs = (np.empty((rows * wide, len(one.times))) for rows in (len(one.states), len(self.channels)))
-        return Samples(one.times, states, np.empty_like(one.inputs), outputs, np.empty((0, len(one.times))))
+        projected = np.empty((len(one.projected) * wide, len(one.times)))
+        return Samples(one.times, states, np.empty_like(one.inputs), outputs, projected)

@@ -82,15 +82,19 @@ def _close(problem: Any, work: Any, t: float) -> int:
     squared and is taken out after every step, while it is still so small that one projection is enough.
     """
     size = work.rows.shape[1]
+    systems = (work.projected.shape[1] - size) // 2
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     for _ in range(_PROJECTIONS):
         call_native(problem.engine.project, work.rows, STATE, work.u, problem.p, problem.m, work.projected, 0)
-        residual, conditioning = work.projected[0, 0], work.projected[0, 1]
+        closed = sound = True  # comparisons that a residual without a number fails
+        for k in range(systems):
+            closed = closed and work.projected[0, k] < _CLOSED
+            sound = sound and work.projected[0, systems + k] > _SINGULAR
         for d in range(size):
-            work.rows[STATE, d] = work.projected[0, 2 + d]
-        if residual < _CLOSED:
-            return COMPLETED if conditioning > _SINGULAR else LOCKED_UP
+            work.rows[STATE, d] = work.projected[0, 2 * systems + d]
+        if closed:
+            return COMPLETED if sound else LOCKED_UP
     return LOOP_OPENED
 
 

@@ -115,10 +115,11 @@ def _interpolate(problem: Any, work: Any, t: float, h: float, first: int, last: 
 def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
     """Move the samples ``first`` to ``last`` onto the constraints."""
     address, count = problem.engine.project_many, last - first
+    told = out.projected.shape[0] - out.states.shape[0]  # rows above those of the states
     call_many(address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count)
     for d in range(out.states.shape[0]):
         for i in range(first, last):
-            out.states[d, i] = out.projected[2 + d, i]
+            out.states[d, i] = out.projected[told + d, i]
 
 
 @part()

@@ -31,13 +31,18 @@ class Pair(NamedTuple):
 
 
 def integrate(
-    problem: Problem, control: Control, out: Samples, counts: Integers, feedback: Feedback = NO_FEEDBACK
+    problem: Problem,
+    control: Control,
+    out: Samples,
+    counts: Integers,
+    feedback: Feedback = NO_FEEDBACK,
+    systems: int = 1,
 ) -> int:
     """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. ``feedback``
-    is a controller around the model.
+    is a controller around the model; of several ``systems`` side by side each is held on its own constraints.
     """
     problem = problem._replace(x0=np.ascontiguousarray(problem.x0))  # of one type, whatever it is a part of
-    work = scratch(problem, control, NODES if problem.engine.first == 1 else SHORT_NODES)
+    work = scratch(problem, control, NODES if problem.engine.first == 1 else SHORT_NODES, systems)
     return _integrate(problem, feedback, Pair(), control, work, out, counts)
