@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import shutil
 import sys
@@ -47,13 +48,23 @@ napoleon_use_ivar = True
 suppress_warnings = ["bibtex.missing_field", "ref.python"]  # attributes of one name in two classes
 
 
+def what_runs(source: str) -> bytes:
+    """Give a module without comments and without docstrings of functions: what a lesson shows does not hang on them."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):  # docstrings of classes stay: a notebook shows what they say of a value
+        if isinstance(node, ast.Module | ast.FunctionDef | ast.AsyncFunctionDef) and ast.get_docstring(node):
+            del node.body[0]
+    return ast.dump(tree).encode()
+
+
 def cache_of_notebooks(folder: Path) -> str:
     """Give the cache of what notebooks showed with these sources of jounce; those of earlier sources are removed."""
     digest = hashlib.sha256()
     sources = Path(jounce.__file__).parent
     for file in sorted(sources.rglob("*")):
         if file.suffix in {".py", ".toml", ".csv"}:
-            digest.update(str(file.relative_to(sources)).encode() + b"\0" + file.read_bytes())
+            content = what_runs(file.read_text(encoding="utf-8")) if file.suffix == ".py" else file.read_bytes()
+            digest.update(str(file.relative_to(sources)).encode() + b"\0" + content)
     cache = folder / digest.hexdigest()[:12]
     for other in folder.glob("*"):
         if other != cache:

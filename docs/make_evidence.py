@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import importlib.util
 import json
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -122,8 +123,36 @@ def apart() -> str:
                 continue
             first = (ast.get_docstring(tree) or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
             lines.append(f"| `{file.name}` | {first} | {count} |")
+        lines += golden_elsewhere() if folder == "golden" else []
         parts += [f"### {label}", "", *lines, ""]
-    return "\n".join(parts) + "\n"
+    parts += ["### Parts by themselves", "", "Worked out by hand, by brute force, or refused with a reason:", ""]
+    return "\n".join([*parts, *units(outside)]) + "\n"
+
+
+def golden_elsewhere() -> list[str]:
+    """Rows for what other folders pin: the text or comment that begins with *Golden*."""
+    rows = []
+    for file in sorted((ROOT / "tests").rglob("test_*.py")):
+        found = _GOLDEN.findall(file.read_text(encoding="utf-8")) if file.parent.name != "golden" else []
+        path = file.relative_to(ROOT / "tests").as_posix()
+        rows += [f"| `{path}` | {text[0].upper()}{text[1:]} | 1 |" for text in found]
+    return rows
+
+
+_GOLDEN = re.compile(r'^\s*(?:"""|# )Golden: ([^\n"]+?)(?:"""|$)', re.MULTILINE)
+
+
+def units(outside: set[str]) -> list[str]:
+    """A row for each package: how many of its unit tests name no outside source."""
+    lines = ["| package | tests |", "|---|---:|"]
+    for folder in sorted(one for one in (ROOT / "tests" / "unit").iterdir() if any(one.glob("test_*.py"))):
+        count = 0
+        for file in folder.glob("test_*.py"):
+            tree, path = ast.parse(file.read_text(encoding="utf-8")), file.relative_to(ROOT).as_posix()
+            tests = [one.name for one in tree.body if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")]
+            count += sum(f"{path}::{name}" not in outside for name in tests)
+        lines.append(f"| `{folder.name}` | {count} |")
+    return lines
 
 
 def shares(name: str) -> Any:

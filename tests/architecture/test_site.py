@@ -102,3 +102,12 @@ def test_pages_are_in_british_spelling(page: Path) -> None:
 )
 def test_other_spelling_is_noticed(text: str) -> None:
     assert AMERICAN.search(text) or MISSPELT.search(text)
+
+
+def test_the_changelog_has_every_heading_once_and_words_under_it() -> None:
+    """Merges doubled them."""
+    for version in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").split("\n## ")[1:]:
+        parts = version.split("\n### ")[1:]
+        headings = [part.partition("\n")[0] for part in parts]
+        assert sorted(set(headings)) == sorted(headings)
+        assert [part for part in parts if not part.partition("\n")[2].strip()] == []

@@ -189,6 +189,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
 MOVING = ("simulate", "kinematics", "models", "design", "sweep", "animation")
 """Pages whose mechanism moves with the curves."""
 PAGES = [name for name in COMMANDS if name not in ("faster", "record")] + ["study"]
+# Golden: small pictures of every kind of page in Chromium
 KEPT = Path(__file__).parent / "pages"
 SCALE, TALLEST, ALIKE = 20, 2400, 5.0
 """Pixels that become one in a picture that is kept, how much of a page it shows, and grey levels (of 255) by which one

@@ -1,3 +1,5 @@
+"""What holds for every recording: files, units, sensors, filters and ratings."""
+
 from __future__ import annotations
 
 import tempfile

@@ -35,6 +35,7 @@ CAPABILITIES = (
     "signals and identification",
     "many runs",
     "files of other makers",
+    "models for other programs",
 )
 ROUNDING = 0.02  # share of what is allowed below which machines may differ as they like
 SLACK = 1.25  # by how much more than kept an agreement may take elsewhere: other processors, other libraries

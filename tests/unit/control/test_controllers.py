@@ -110,6 +110,14 @@ def test_pid_of_an_even_acceleration_and_at_its_limit() -> None:
     assert after[0] - memory[0] == pytest.approx(period / 0.1 * 0.8 * (1000.0 - command), rel=1e-9)
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="control",
+    where="scipy.linalg: solve_discrete_are, expm",
+    tolerance="rounding, through ill-conditioned plans",
+    compares="first force of a plan without limits is that of the regulator",
+)
 @pytest.mark.parametrize(("lag", "price"), [(0.0, 0.0), (0.0, 2e-7), (0.006, 1e-3 / 400.0**2), (0.006, 2e-7)])
 def test_a_plan_without_limits_begins_with_the_regulator(lag: float, price: float) -> None:
     """Whatever the horizon, for its end costs what the regulator would; behind a lag a force has a price of its own."""

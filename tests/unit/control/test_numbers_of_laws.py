@@ -297,6 +297,14 @@ def test_a_program_keeps_the_order_of_corners_and_limits_rates() -> None:
     assert [found[4], found[7]] == pytest.approx([-0.9, -0.03])
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="control",
+    where="scipy.optimize.minimize (SLSQP)",
+    tolerance="what its search leaves, 0.1 %",
+    compares="first force of a plan beyond its limits",
+)
 def test_a_plan_beyond_its_limits_goes_over_by_what_it_costs() -> None:
     """Stroke and tyre load are soft: the first force is that of the problem with two slacks, solved by SciPy."""
     law = PreviewMPC(actuator=ActiveActuator(force_limit=1e6, lag=0.0), stroke=0.01, preview=0.02)

@@ -81,6 +81,14 @@ def test_whole_samples_of_lag_are_compared_by_weighted_sums_of_squares(offset):
     assert found - found.min() == pytest.approx(squares - squares.min(), abs=1e-9)
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="signals and identification",
+    where="scipy.optimize.least_squares over parameters and lags at once, slopes by differences",
+    tolerance="0.01 % of a parameter, 0.2 µs of a lag",
+    compares="parameters and lags found one within the other",
+)
 def test_eliminated_lags_give_what_the_joint_search_gives():
     """Truth of other structure, so that parameters and lags pull at each other."""
     trials = []

@@ -27,6 +27,13 @@ def first_scalar(turn: Rotation) -> np.ndarray:
     return np.array([w, x, y, z])
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="mechanisms in space",
+    where="scipy.spatial.transform.Rotation",
+    tolerance="rounding; rates by differences of its rotations",
+)
 @pytest.mark.parametrize("turn", TURNS)
 def test_quaternions_and_angles_of_a_rotation(turn: Rotation) -> None:
     matrix, e = ca.SX(turn.as_matrix()), first_scalar(turn)
@@ -40,6 +47,13 @@ def test_quaternions_and_angles_of_a_rotation(turn: Rotation) -> None:
     np.testing.assert_allclose(rate, (later - before) / (2.0 * h), rtol=0.0, atol=1e-9)
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="mechanisms in space",
+    where="scipy.spatial.transform.Rotation",
+    tolerance="rounding; rates by differences of its rotations",
+)
 @pytest.mark.parametrize("turn", TURNS)
 def test_a_turn_about_an_axis(turn: Rotation) -> None:
     vector = turn.as_rotvec()

@@ -23,6 +23,14 @@ def changed(tmp_path: Path, change: Callable[[dict[str, Any]], object]) -> Path:
     return file
 
 
+@pytest.mark.source(
+    kind="published",
+    of="files of other makers",
+    key="project-chrono",
+    where="what its file of the HMMWV's front suspension prints, read by eye",
+    tolerance="the digits of the file",
+    compares="points, masses and damper of a corner",
+)
 def test_values_are_those_of_the_file():
     corner = read_chrono_corner(SHIPPED)
     assert corner.name == "HMMWV DoubleWishbone Front"

@@ -22,6 +22,13 @@ def gain_and_phase(sensor: Sensor, frequency: float) -> complex:
     return complex(np.mean((out / wave)[2000:]))
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="signals and identification",
+    where="scipy.signal.butter",
+    tolerance="rounding",
+)
 def test_sections_are_the_bilinear_butterworth_filters() -> None:
     low = signal.butter(2, 100.0, fs=RATE, output="sos")
     high = signal.butter(1, 0.5, "highpass", fs=RATE, output="sos")

@@ -73,6 +73,14 @@ def test_recursion_in_blocks() -> None:
     np.testing.assert_allclose(first_order(drive, 0.93, 0.7), expected, rtol=1e-12, atol=1e-13)
 
 
+@pytest.mark.source(
+    kind="published",
+    of="ride and roughness",
+    key="iso-2631-1",
+    where="factors of axes for comfort and health, daily exposure",
+    tolerance="exact",
+    compares="totals of axes, and times to the action value",
+)
 def test_totals_and_exposure() -> None:
     # ISO 2631-1: k = 1 for comfort, 1.4 for the horizontal axes for health; directive 2002/44/EC: 0.5 and 1.15 m/s^2
     axes = {"x": 0.3, "y": 0.4, "z": 1.2}

@@ -36,6 +36,14 @@ NEAR = TURN @ np.diag([-1.0, -1.0028, -3.0]) @ np.linalg.inv(TURN)  # eigenvalue
 CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE, NEAR], ids=["plain", "defective", "near"])
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="ride and roughness",
+    where="scipy.linalg: expm, expm_frechet, solve_continuous_lyapunov",
+    tolerance="rounding",
+    compares="matrix exponential and its derivative",
+)
 @CASES
 def test_flow_and_its_slope(a):
     along = RNG.normal(size=a.shape)
@@ -45,6 +53,14 @@ def test_flow_and_its_slope(a):
         assert Flow(a).slope(time, along) == pytest.approx(exact, rel=1e-9, abs=1e-12)
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="ride and roughness",
+    where="scipy.linalg: expm, expm_frechet, solve_continuous_lyapunov",
+    tolerance="rounding",
+    compares="covariance of a stationary response",
+)
 @CASES
 def test_lyapunov_equation(a):
     q = RNG.normal(size=a.shape)  # need not be symmetric

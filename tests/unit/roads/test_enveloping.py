@@ -127,6 +127,14 @@ def test_how_far_a_tyre_feels() -> None:
     assert reaches == pytest.approx([0.06, 0.3, 0.3 * 1.471 + 0.5 * 0.8335 * 0.12])
 
 
+@pytest.mark.source(
+    kind="program",
+    key="scipy",
+    of="ride and roughness",
+    where="scipy.interpolate.CubicHermiteSpline",
+    tolerance="rounding; slopes by differences",
+    compares="curvatures and cubics of a road that a tyre feels",
+)
 def test_curvatures_and_cubics_are_those_of_their_definitions() -> None:
     edges = np.array([0.0, 1.0, 2.5])
     coefficients = np.array([[0.1, 0.02, 7.0, 0.4], [0.05, 0.3, -0.2, 0.07]])

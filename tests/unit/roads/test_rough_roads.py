@@ -86,7 +86,7 @@ def test_the_same_seed_is_the_same_road() -> None:
     np.testing.assert_array_equal(one, two)
     other = Iso8608(class_="C", length=200, seed=6).points()[1]
     assert abs(np.corrcoef(one, other)[0, 1]) < 0.7
-    # pinned 2026-11-21: a seed means the same road for good
+    # Golden: of 2026-11-21, a seed means the same road for good
     x, z = Iso8608(class_="C", length=200, seed=5, interpolation="cubic").points()
     np.testing.assert_allclose(np.interp([50.0, 100.0, 150.0], x, z), PINNED, rtol=0, atol=1e-12)
 

@@ -39,6 +39,13 @@ def plain_loop(height: np.ndarray, spacing: float) -> np.ndarray:
     return np.array(found)
 
 
+@pytest.mark.source(
+    kind="computed",
+    of="ride and roughness",
+    key="wtp-46",
+    where="the algorithm as printed, one step after the other",
+    tolerance="rounding",
+)
 @pytest.mark.parametrize("spacing", [0.05, 0.1, 0.25, 0.3])
 def test_blocks_give_what_the_loop_gives(spacing: float) -> None:
     np.testing.assert_allclose(rectified_slope(Z, spacing), plain_loop(Z, spacing), rtol=1e-9, atol=1e-13)
