@@ -286,6 +286,13 @@ def test_speeds_seeds_and_controllers_vary():
     assert float(held["rms sprung.az"][0]) != pytest.approx(expected, rel=1e-3)
 
 
+def test_a_spread_of_seeds_gives_whole_ones_that_all_run():
+    seeds = jn.sobol({"trial.road.seed": [1, 4]}, 8, seed=1)
+    found = jn.simulate_many(jn.load("audi-a6-quarter-car"), course(duration="0.2 s"), seeds, metrics="rms sprung.az")
+    assert sorted(found["trial.road.seed"].values) == [1, 1, 2, 2, 3, 3, 4, 4]
+    assert set(found["reason"].values) == {""}
+
+
 def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
     rig = jn.load("audi-a6-quarter-car")
     found = jn.simulate_many(
@@ -307,6 +314,7 @@ def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
     [
         ({"sprung.mas": [1.0]}, {}, "sprung.mass"),
         ({"trial.sped": [1.0]}, {}, "speed"),
+        ({"speed": [1.0]}, {}, "Did you mean 'trial.speed'"),
         ({"control.rate": [1.0]}, {}, "there is no controller"),
         ({"sprung.mass": [1.0, 2.0], "unsprung.mass": [1.0]}, {}, "different lengths"),
         ({"sprung.mass": "16 kg"}, {}, "not a list of values"),

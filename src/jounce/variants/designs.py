@@ -46,17 +46,27 @@ class Design(Shown):
     count: int
     seed: int = 0
 
-    def values(self, number: Callable[[str], tuple[float, str]]) -> dict[str, Array]:
-        """Give the values (SI) of every variant by path; ``number`` gives value and SI unit of the number at a path."""
+    def values(
+        self, number: Callable[[str], tuple[float, str]], whole: Callable[[str], bool] | None = None
+    ) -> dict[str, Array]:
+        """Give the values (SI) of every variant by path.
+
+        ``number`` gives value and SI unit of the number at a path, ``whole`` whether it is whole (without it none is).
+        """
         if self.kind == "grid":
             columns = [_list(given, number(path)[1], path) for path, given in self.spreads.items()]
             rows = np.array(list(itertools.product(*columns))).reshape(-1, len(columns))
             return {path: rows[:, i].copy() for i, path in enumerate(self.spreads)}
         shares = _points(self.kind, len(self.spreads), self.count, self.seed)
-        laws = self._laws(number)
+        laws = self._laws(number, whole)
         return {path: law(shares[:, i]) for i, (path, law) in enumerate(laws.items())}
 
-    def refuse_outside(self, number: Callable[[str], tuple[float, str]], limit: Callable[[str], Unit]) -> None:
+    def refuse_outside(
+        self,
+        number: Callable[[str], tuple[float, str]],
+        limit: Callable[[str], Unit],
+        whole: Callable[[str], bool] | None = None,
+    ) -> None:
         """Refuse a range that reaches beyond what a description allows, before anything runs.
 
         An end may lie on a limit that itself is forbidden (``above 0``): no point is drawn there. A normal distribution
@@ -64,7 +74,7 @@ class Design(Shown):
         """
         if self.kind == "grid":
             return
-        for path, law in self._laws(number).items():
+        for path, law in self._laws(number, whole).items():
             low, high = law(np.array([0.0, 1.0])).tolist()
             least, most = limit(path).limits
             if math.isfinite(low) and (low < least or high > most):
@@ -75,9 +85,13 @@ class Design(Shown):
                     allowed=limit(path).allowed,
                 )
 
-    def _laws(self, number: Callable[[str], tuple[float, str]]) -> dict[str, Callable[[Array], Array]]:
+    def _laws(
+        self, number: Callable[[str], tuple[float, str]], whole: Callable[[str], bool] | None
+    ) -> dict[str, Callable[[Array], Array]]:
         """What shares between 0 and 1 become of every number, SI."""
-        return {path: _law(spread, *number(path), path) for path, spread in self.spreads.items()}
+        laws = {path: _law(spread, *number(path), path) for path, spread in self.spreads.items()}
+        rounded = [path for path in laws if whole is not None and whole(path)]
+        return laws | {path: _in_whole(laws[path], self.spreads[path], path) for path in rounded}
 
 
 def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
@@ -121,7 +135,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
         Path of a number to what it is spread over: ``"20 %"`` is to either side of the rig's own value, two values
         (SI or texts with units) are the ends of a range, ``{"mean": ..., "sd": ...}`` is a normal distribution (``sd``
         may be in percent; without ``mean`` the rig's own value), ``{"low": ..., "mode": ..., "high": ...}`` a
-        triangular one.
+        triangular one. A whole number (the seed of a road) takes whole numbers alone.
     count : int
         Number of variants.
     seed : int
@@ -378,6 +392,18 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
         return np.asarray(np.where(share < bend, rising, falling))
 
     return triangular
+
+
+def _in_whole(law: Callable[[Array], Array], spread: object, path: str) -> Callable[[Array], Array]:
+    """Have whole numbers alone come out of a law, those at the ends of a range as likely as any between them."""
+    begin, end = law(np.array([0.0, 1.0])).tolist()
+    if not (math.isfinite(begin) and math.isfinite(end)):
+        return lambda share: np.rint(law(share))
+    low, high = math.ceil(begin), math.floor(end)
+    if low > high:
+        raise DescriptionError("no whole number lies within", where=path, found=spread, allowed="e.g. [1, 100]")
+    stretch = (high + 1 - low) / (end - begin)
+    return lambda share: np.asarray(np.clip(np.floor(low + stretch * (law(share) - begin)), low, high), dtype=float)
 
 
 def _percent(text: str, path: str) -> float:

@@ -230,10 +230,16 @@ class Study:
         of, rest = self.owner(path)
         known = of.parameters() if of is self.rig else _numbers_of(of)
         if rest not in known:
-            raise unknown_path(f"variants: {path}", known, name=rest)
+            others = [f"{_TRIAL}{name}" for name in _numbers_of(self.trial)] if of is self.rig else []
+            raise unknown_path(f"variants: {path}", [*known, *others], name=rest)
         if of is self.rig:
             return known[rest], unit_of(of, rest)
         return known[rest], quantity_at(of, rest).si
+
+    def whole(self, path: str) -> bool:
+        """Whether the number at a path is a whole one, such as the seed of a road."""
+        of, rest = self.owner(path)
+        return of is not self.rig and rest in _numbers_of(of, whole=True)
 
     def limit(self, path: str) -> Unit:
         """Unit and range of the number at a path."""
@@ -251,8 +257,8 @@ class Study:
     def columns(self, variants: Variants) -> dict[str, Array]:
         """Values of every variant, SI."""
         if isinstance(variants, Design):
-            variants.refuse_outside(self.number, self.limit)
-            found = variants.values(self.number)
+            variants.refuse_outside(self.number, self.limit, self.whole)
+            found = variants.values(self.number, self.whole)
         elif not variants or not hasattr(variants, "items") or not all(isinstance(path, str) for path in variants):
             allowed = "path of a number to its values, or a design such as jn.sobol(...)"
             raise DescriptionError("nothing to vary", where="variants", found=variants, allowed=allowed)

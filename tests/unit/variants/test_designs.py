@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError
@@ -19,6 +20,29 @@ def test_a_grid_has_every_combination_the_last_number_changing_fastest():
     found = values(grid({"mass": ["14 kg", 18.0], "rate": ["20 N/mm", "25 N/mm", "30 N/mm"]}))
     assert found["mass"].tolist() == [14.0, 14.0, 14.0, 18.0, 18.0, 18.0]
     assert found["rate"] == pytest.approx([20e3, 25e3, 30e3] * 2)
+
+
+def whole(spread, count=240):
+    return latin_hypercube({"mass": spread}, count, seed=1).values(NUMBERS.__getitem__, lambda path: path == "mass")
+
+
+@pytest.mark.parametrize("spread", [[1, 4], {"low": 1.0, "high": 4.0}, [0.2, 4.9]])
+def test_whole_numbers_are_drawn_whole_and_their_ends_as_often_as_the_others(spread):
+    drawn, times = np.unique(whole(spread)["mass"], return_counts=True)
+    assert drawn.tolist() == [1.0, 2.0, 3.0, 4.0]
+    assert times.tolist() == [60, 60, 60, 60]
+
+
+def test_whole_numbers_of_a_distribution_are_rounded_and_keep_its_mean():
+    drawn = whole({"mean": 10.0, "sd": 3.0})["mass"]
+    assert np.array_equal(drawn, np.rint(drawn))
+    assert drawn.mean() == pytest.approx(10.0, abs=0.1)
+    assert drawn.std() == pytest.approx(np.hypot(3.0, 12.0**-0.5), rel=0.03)  # and the rounding's own
+
+
+def test_a_range_without_a_whole_number_is_refused():
+    with pytest.raises(DescriptionError, match="no whole number lies within"):
+        whole([1.2, 1.8])
 
 
 @pytest.mark.parametrize("make", [sobol, latin_hypercube, monte_carlo])
