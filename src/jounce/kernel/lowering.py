@@ -15,6 +15,7 @@ from llvmlite import binding as llvm
 from llvmlite import ir
 
 from jounce.kernel.elementary import angle_of, sine_and_cosine
+from jounce.kernel.machine import vector_width
 from jounce.kernel.packing import Emission, Packed
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
@@ -115,8 +116,6 @@ class Wide:
         return f"wide {self.count}"
 
 
-WIDTH = 4
-"""Samples that one vector holds in functions that are written for vectors."""
 AnyFunction: TypeAlias = ca.Function | Lanes | Packed | Wide
 
 
@@ -275,13 +274,14 @@ class Lowering:
         inside.cbranch(inside.icmp_signed("<", sample, last), loop, done)
 
     def add_wide(self, name: str, function: ca.Function, count: int) -> None:
-        """Append ``void name(x, u, p, m, out)`` for ``count`` samples, a multiple of ``WIDTH``: a vector takes so many.
+        """Append ``void name(x, u, p, m, out)`` of ``count`` samples, whole vectors of them.
 
         ``x``, ``u`` and ``out`` hold one row of the samples for each element; ``p`` and ``m`` are the same for all of
         them. LLVM makes vectors of the loop of ``add_many`` by itself only where functions are small.
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        vector = ir.VectorType(_DOUBLE, WIDTH).as_pointer()
+        width = vector_width()
+        vector = ir.VectorType(_DOUBLE, width).as_pointer()
         entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
         ir.IRBuilder(entry).branch(loop)
         builder = ir.IRBuilder(loop)
@@ -301,7 +301,7 @@ class Lowering:
             store=lambda value, element: self._store(builder, value, place(4, element)),
             operation=self._each,
         )
-        following = builder.add(first, _INDEX(WIDTH))
+        following = builder.add(first, _INDEX(width))
         first.add_incoming(following, builder.block)
         builder.cbranch(builder.icmp_signed("<", following, _INDEX(count)), loop, leave)
         ir.IRBuilder(leave).ret_void()

@@ -61,6 +61,11 @@ def features() -> dict[str, bool]:
     return {}
 
 
+def vector_width() -> int:
+    """Numbers that the widest vectors of this processor hold: eight with AVX-512, else four (or two of two)."""
+    return 8 if features().get("avx512f", False) else 4
+
+
 def _features() -> str:
     return ",".join(f"{'+' if has else '-'}{name}" for name, has in sorted(features().items()))
 

@@ -21,6 +21,7 @@ from jounce.core.types import Array
 from jounce.kernel.arrays import Block, IntegerMatrix, Integers, Matrix, Vector
 from jounce.kernel.call import Loop
 from jounce.kernel.engine import Tracks
+from jounce.kernel.machine import vector_width
 from jounce.kernel.methods.exact import Run
 from jounce.kernel.native import Native, Source, kept_code
 
@@ -35,7 +36,6 @@ SUMS, NEARS = 4, 2
 _TOGETHER = 3  # combinations of signals that jump in one step, for each of which there is code of its own
 ALONE = -2
 """Number of a step that all variants take by themselves."""
-_FEWEST = 4  # variants side by side: one vector
 _CACHE = 24_000  # bytes that the arrays of a block should not exceed
 _MODES = 16  # combinations of modes whose matrices are kept of each variant of a block
 
@@ -86,7 +86,7 @@ class Sizes:
     def lanes(self) -> int:
         """Variants side by side."""
         fit = _CACHE // (8 * (2 * self.kept + self.places[-1]))
-        return int(np.clip(fit // 8 * 8, 8, 32)) if fit >= 8 else _FEWEST
+        return int(np.clip(fit // 8 * 8, 8, 32)) if fit >= 8 else vector_width()  # one vector at least
 
     @property
     def modes(self) -> int:
