@@ -9,6 +9,7 @@
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
+#   make check-docs  opens the built documentation on a phone's width and asks its search (needs Chromium)
 #   make links     do the addresses outside of the documentation answer? (needs a network)
 #   make viewer    bundle the viewer of reports from viewer/ (needs node and npm)
 #   make check-viewer  is the committed bundle what its sources make? (skipped without node and npm)
@@ -36,7 +37,7 @@ PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-all axe bench-web lint check-style check-imports format bench docs links mutants faces pins audit clean viewer check-viewer validation
+.PHONY: help setup loops demo quick test test-pages test-all axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation
 .DELETE_ON_ERROR:
 
 help:
@@ -92,6 +93,11 @@ docs: $(VENV)/.docs $(VENV)/.loops
 	$(BIN)/python -m sphinx -W --keep-going -b html -d docs/_build/doctrees docs docs/_build/html
 	$(BIN)/python docs/check_site.py docs/_build/html
 	@echo "docs/_build/html/index.html"
+
+# The built pages in a browser: on a phone, without a network, and asked what readers ask.
+check-docs: docs $(VENV)/.test
+	@command -v chromium >/dev/null && $(BIN)/python docs/check_site.py docs/_build/html --browser || \
+	  { ! command -v chromium >/dev/null && echo "Chromium is not installed: no page of the documentation was opened"; }
 
 # No gate: what others take from the web breaks no build of ours, and much refuses programs that ask.
 links: $(VENV)/.docs $(VENV)/.loops

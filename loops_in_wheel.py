@@ -18,6 +18,8 @@ class LoopsInWheel(BuildHookInterface[Any]):
         """Run before the files of the wheel are collected."""
         if version == "editable":
             return
-        environment = {**os.environ, "PYTHONPATH": str(Path(self.root) / "src")}
+        before = os.environ.get("PYTHONPATH")  # where pip puts what builds need
+        path = os.pathsep.join([str(Path(self.root) / "src"), *([before] if before else [])])
+        environment = {**os.environ, "PYTHONPATH": path}
         command = [sys.executable, "-m", "jounce.kernel.loops.make", "--all-platforms"]
         subprocess.run(command, check=True, cwd=self.root, env=environment)

