@@ -10,7 +10,8 @@ import { before, type Mechanism, type Motion } from "./data";
 import { colour, isFast, make, toggle, whenLeft } from "./page";
 import { say } from "./words";
 
-export interface Moment { body: number; travel: number; ground: number; load: number; time: number }
+/** `roll` in rad, the left side up positive, about the middle of the car at the height of the road at design. */
+export interface Moment { body: number; travel: number; ground: number; load: number; time: number; roll?: number }
 
 /** What a corner turns about at each pose, mm: (y, z) in front view, (x, z) beside, the roll centre (y, z). */
 export interface Centres { front: ([number, number] | null)[]; side: ([number, number] | null)[]; roll: ([number, number] | null)[] }
@@ -56,7 +57,8 @@ export class MechanismView {
   private readonly camera = new OrthographicCamera();
   private renderer: WebGLRenderer | null = null;
   private controls: OrbitControls | null = null;
-  private group = new Group();
+  private group = new Group(); // what rolls with the body
+  private level = new Group(); // what does not: the road
   private shown: Mechanism | null = null;
   private motion: Motion | null = null;
   private points: Vector3[] = [];
@@ -95,7 +97,7 @@ export class MechanismView {
     this.element.append(make("div", { class: "bar" }, views, make("div", { class: "group" }, wheel, paths, words)),
       make("div", { class: "stage" }, this.canvas, this.names, this.state));
     if (large) this.element.append(this.legend);
-    this.space.add(new AmbientLight(0xffffff, 1.9), this.group);
+    this.space.add(new AmbientLight(0xffffff, 1.9), this.group, this.level);
     const sun = new DirectionalLight(0xffffff, 1.9);
     sun.position.set(0.6, 0.3, 1);
     this.space.add(sun);
@@ -164,10 +166,25 @@ export class MechanismView {
     });
     const a = m.spin[k]!, b = m.spin[next]!;
     this.spin.set(a[0]! + share * (b[0]! - a[0]!), a[1]! + share * (b[1]! - a[1]!), a[2]! + share * (b[2]! - a[2]!)).normalize();
+    this.tilt(m, share < 0.5 ? k : next);
     for (const step of this.update) step();
     this.turnAbout(share < 0.5 ? k : next);
     if (!this.isLost) this.state.textContent = moment.load > 0 ? "" : say("noContact");
     this.isDirty = true;
+  }
+
+  /** Rolls all but the road, which stays level and under the wheel. */
+  private tilt(m: Mechanism, pose: number): void {
+    const roll = this.now.roll ?? 0, contact = m.contact[pose], design = m.contact[before(m.travel, 0)]?.[2] ?? 0;
+    this.group.rotation.x = roll;
+    this.group.position.set(0, design * Math.sin(roll), design * (1 - Math.cos(roll)));
+    this.group.updateMatrixWorld();
+    if (roll && contact) this.now = { ...this.now, ground: new Vector3(contact[0]!, contact[1]!, contact[2]!).applyMatrix4(this.group.matrixWorld).z };
+  }
+
+  /** A place in space of one that rolls with the body. */
+  private outside(point: Vector3, into = new Vector3()): Vector3 {
+    return into.copy(point).applyMatrix4(this.group.matrixWorld);
   }
 
   /** Draws, where something has changed. */
@@ -216,7 +233,7 @@ export class MechanismView {
     let best = NEAR, found = -1;
     m.names.forEach((_, i) => {
       if (m.feet.includes(i)) return;
-      one.copy(this.points[i]!).project(this.camera);
+      this.outside(this.points[i]!, one).project(this.camera);
       const away = Math.hypot(box.left + (0.5 + 0.5 * one.x) * box.width - event.clientX, box.top + (0.5 - 0.5 * one.y) * box.height - event.clientY);
       if (away < best) { best = away; found = i; }
     });
@@ -296,10 +313,13 @@ export class MechanismView {
   }
 
   private build(m: Mechanism): void {
-    this.space.remove(this.group);
-    this.group.traverse((one) => { if (one instanceof Mesh || one instanceof Line) one.geometry.dispose(); });
+    for (const one of [this.group, this.level]) {
+      this.space.remove(one);
+      one.traverse((shape) => { if (shape instanceof Mesh || shape instanceof Line) shape.geometry.dispose(); });
+    }
     this.group = new Group();
-    this.space.add(this.group);
+    this.level = new Group();
+    this.space.add(this.group, this.level);
     this.update = [];
     this.points = m.points.map((poses) => new Vector3(poses[0]![0], poses[0]![1], poses[0]![2]));
     const size = m.wheel.radius / 22;
@@ -487,9 +507,9 @@ export class MechanismView {
     edge.setAttribute("position", new BufferAttribute(rim, 3));
     const lines = new LineSegments(edge, new LineBasicMaterial({ color: new Color(colour("muted")) }));
     lines.frustumCulled = false;
-    this.group.add(mesh, lines);
+    this.level.add(mesh, lines);
     this.update.push(() => {
-      const centre = this.points[m.wheel.centre]!, road = this.motion?.road;
+      const centre = this.outside(this.points[m.wheel.centre]!), road = this.motion?.road;
       const way = road ? road.speed * this.now.time : 0;
       for (let i = 0; i < count; i++) {
         const x = -reach + 2 * reach * i / (count - 1);
@@ -508,7 +528,7 @@ export class MechanismView {
     const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!, one = new Vector3();
     const wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
     const found = this.labels.map((label, i) => {
-      one.copy(this.points[this.named[i]!]!).project(this.camera);
+      this.outside(this.points[this.named[i]!]!, one).project(this.camera);
       const x = (0.5 + 0.5 * one.x) * w, width = wide[i]!;
       return { label, width, x: x + width + 8 < w ? x + 7 : x - width - 7, y: (0.5 - 0.5 * one.y) * h - 8 };
     }).sort((a, b) => a.y - b.y);

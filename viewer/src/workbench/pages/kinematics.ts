@@ -87,7 +87,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const pose = () => {
     const drive = drives[over.value as Over];
     const x = Math.min(Math.max(drive.value, last.low), last.high);
-    view.set({ body: 0, travel: x * factor, ground: ground(x * factor), load: 1, time: 0 });
+    view.set({ body: 0, travel: x * factor, ground: ground(x * factor), load: 1, time: 0, roll: over.value === "roll" ? x * Math.PI / 180 : 0 });
     multiples.mark(x);
   };
   let ground = (_: number) => 0;
