@@ -236,9 +236,8 @@ def test_minutes_of_clicks_break_nothing_and_hold_no_memory(server, workbench, b
     opened.context.close()
     assert opened.troubles == []
     later = kept[len(kept) // 4 :]
-    print(
-        "\n".join(f"{at:6.0f} s  page {1e-6 * page:6.2f} MB  server {1e-6 * held:7.2f} MB" for at, page, held in kept)
-    )
+    for at, page, held in kept:
+        sys.stdout.write(f"{at:6.0f} s: page {1e-6 * page:.2f} MB, server {1e-6 * held:.2f} MB\n")
     if minutes < 60.0:
         assert later[-1, 1] - later[0, 1] < 3e6, kept[:, 1]
     else:
