@@ -146,12 +146,14 @@ def _prepared(
     nodes = times if parts == 1 else (times[:-1, None] + step / parts * np.arange(parts)).ravel()
     nodes = nodes if parts == 1 else np.append(nodes, times[-1])
     course, together = lanes.course(tracks, each, inputs, nodes, jumping, terms, frequency)
+    depends = lanes.dependence(compiled.identity, lambda: compiled.functions["output"])
+    rows = tuple(depends[channel] for channel in channels)
     made = lanes.Sizes(
         len(facts.states),
         count,
         len(course.felt),
         inputs,
-        len(channels),
+        rows,
         len(facts.switches),
         len(jumping),
         together,
@@ -184,6 +186,8 @@ def _prepared(
         np.full((variants, len(channels)), np.nan),
         np.zeros(variants, dtype=np.int64),
         np.zeros(variants, dtype=np.int64),
+        np.array([place for row in rows for place in row], dtype=np.int64),
+        np.cumsum([0, *map(len, rows)], dtype=np.int64),
     )
 
 

@@ -230,13 +230,14 @@ def _lay_outputs(work: Any, run: Any, variant: int, lane: int, column: Any, at: 
     for k in range(len(work.chosen)):
         constant = room.outputs[work.chosen[k], 0] - work.rest[variant, k]
         for i in range(n):
-            column[at + i] = room.rows[k, i]
             constant -= room.rows[k, i] * room.rest[lane, i]
         for q in range(inputs):
-            column[at + n + q] = room.rows[k, n + q]
             constant -= room.rows[k, n + q] * still[q]
-        column[at + n + inputs] = constant
-        at += n + inputs + 1
+        for place in range(work.begins[k], work.begins[k + 1]):
+            column[at] = room.rows[k, work.depends[place]]
+            at += 1
+        column[at] = constant
+        at += 1
     return at
 
 

@@ -48,23 +48,29 @@ LOOKS = ("look", "glance")
 class Sizes:
     """What the code of a step is made for.
 
-    Numbers of states, of tracks, of signals that do not vanish, of inputs, of outputs and switching functions that are
-    looked at, of signals that jump at edges inside steps; which of the latter do so in one step, each combination;
-    how many terms of a series a jump takes; whether there are steps without a sample at their end; and how many numbers
-    of the model the switching functions and their rates need.
+    Numbers of states, of tracks, of signals that do not vanish, of inputs; which states and, behind them, inputs each
+    output depends on that is looked at (``rows``); numbers of switching functions, and of signals that jump at edges
+    inside steps; which of the latter do so in one step, each combination; how many terms of a series a jump takes;
+    whether there are steps without a sample at their end; and how many numbers of the model the switching functions and
+    their rates need.
     """
 
     states: int
     tracks: int
     signals: int
     inputs: int
-    outputs: int
+    rows: tuple[tuple[int, ...], ...]
     switches: int
     jumping: int
     together: tuple[tuple[int, ...], ...]
     terms: int
     parted: bool
     numbers: int = 0
+
+    @property
+    def outputs(self) -> int:
+        """Number of outputs."""
+        return len(self.rows)
 
     @property
     def kept(self) -> int:
@@ -78,7 +84,7 @@ class Sizes:
         forcing = drift + self.states
         series = forcing + self.states * self.signals
         outputs = series + self.states * self.terms * self.jumping
-        numbers = outputs + self.outputs * (self.states + self.inputs + 1)
+        numbers = outputs + sum(len(row) + 1 for row in self.rows)
         modes = numbers + self.numbers
         return drift, forcing, series, outputs, numbers, modes, modes + self.switches
 
@@ -154,8 +160,11 @@ class Steps:
             own, place = series + jump * terms * n, inputs + jump * terms
             moved += ca.reshape(variant[own : own + terms * n], n, terms) @ at_edges[place : place + terms]
         if sampled and sizes.outputs:
-            table = ca.reshape(variant[outputs:numbers], n + inputs + 1, sizes.outputs).T
-            y = table @ ca.vertcat(moved, after[:inputs], 1.0)
+            signals, y, place = ca.vertcat(moved, after[:inputs]), ca.SX(sizes.outputs, 1), outputs
+            for k, row in enumerate(sizes.rows):
+                end_of_row = place + len(row)
+                y[k] = ca.dot(variant[place:end_of_row], signals[list(row)]) + variant[end_of_row]
+                place = end_of_row + 1
             total, squares, least, most = (sums[i::SUMS] for i in range(SUMS))
             found = ca.horzcat(total + y, squares + y * y, ca.fmin(least, y), ca.fmax(most, y))
             sums = ca.reshape(found.T, SUMS * sizes.outputs, 1)
@@ -258,6 +267,8 @@ class Work(NamedTuple):
     ``run`` is that of a variant which takes a step by itself; ``chosen`` are the outputs looked at, ``modes`` those at
     rest. ``length`` of a step (s) is an array of one number. ``sums`` has ``SUMS`` numbers of each output, about its
     value at ``rest``; ``events`` counts what happened to a variant; ``alone`` is 1 where it has to run by itself.
+    ``depends`` lists the states and inputs that the outputs depend on (``Sizes.rows``), one output after another, each
+    of which begins at a number of ``begins``.
     """
 
     run: Run
@@ -279,6 +290,32 @@ class Work(NamedTuple):
     rest: Matrix
     events: Integers
     alone: Integers
+    depends: Integers
+    begins: Integers
+
+
+def dependence(identity: str, output: Callable[[], ca.Function]) -> tuple[tuple[int, ...], ...]:
+    """States and, behind them, inputs that each output of a model may depend on, whatever its numbers and modes.
+
+    ``identity`` says everything that they follow from, a function of (states, inputs, extended parameters, modes).
+    """
+    if identity not in _ROWS:
+
+        def source() -> Source:
+            import casadi as ca
+
+            function = output()
+            arguments = [ca.SX.sym(name, function.size1_in(i)) for i, name in enumerate("xupm")]
+            found = ca.jacobian_sparsity(ca.densify(function(*arguments)), ca.vertcat(*arguments[:2]))
+            rows, columns = (np.array(part, dtype=int) for part in found.get_triplet())
+            of = [np.unique(columns[rows == row]).tolist() for row in range(function.size1_out(0))]
+            return Source({}, notes=json.dumps(of))
+
+        _ROWS[identity] = tuple(map(tuple, json.loads(kept_code(f"outputs depend on {identity}", source)[1])))
+    return _ROWS[identity]
+
+
+_ROWS: dict[str, tuple[tuple[int, ...], ...]] = {}
 
 
 def course(
