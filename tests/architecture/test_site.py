@@ -52,6 +52,48 @@ def test_a_site_that_is_too_large_is_told(check: ModuleType, site: Path, monkeyp
     assert any("MB, allowed are" in problem for problem in check.problems(site))
 
 
+ADDRESS = re.compile(r"https?://[^\s)>}\"'`\]]+")
+DOI = re.compile(r"10\.\d{4,9}/[-._;()/:A-Za-z0-9]*[A-Za-z0-9)]")
+
+
+def address_problems(text: str) -> list[str]:
+    """Addresses and DOIs that cannot be right, whatever answers there."""
+    found = [
+        f"DOI {doi!r}" for doi in re.findall(r"^ *doi *= *\{(.*?)\}", text, re.MULTILINE) if not DOI.fullmatch(doi)
+    ]
+    for address in ADDRESS.findall(text):
+        host = address.partition("://")[2].partition("/")[0]
+        is_own = host.partition(":")[0] in {"127.0.0.1", "localhost"}
+        if not is_own and (not address.startswith("https://") or not re.fullmatch(r"[\w-]+(\.[\w-]+)+", host)):
+            found.append(address)
+        if re.search(r"example\.|todo|xxx|your[-_]|placeholder|web\.archive", address, re.IGNORECASE):
+            found.append(address)
+    return found
+
+
+@pytest.mark.parametrize(
+    "name", ["references.bib", "README.md", "CONTRIBUTING.md", "SECURITY.md", "CITATION.cff", "docs"]
+)
+def test_addresses_have_their_form(name: str) -> None:
+    """Whether they answer is asked by `make links`, where there is a network."""
+    files = [ROOT / name] if (ROOT / name).is_file() else sorted((ROOT / name).glob("*/*.md"))
+    assert [(file.name, one) for file in files for one in address_problems(file.read_text(encoding="utf-8"))] == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "  doi = {https://doi.org/10.1/2}",
+        "  doi = {10.1038/}",
+        "http://github.com/a",
+        "https://example.org/x",
+        "https://host/x",
+    ],
+)
+def test_addresses_without_their_form_are_noticed(text: str) -> None:
+    assert len(address_problems(text)) >= 1
+
+
 AMERICAN = re.compile(
     r"\b((?:un)?(?:color\w*|center\w*|centering|fiber\w*|gray\w*|meter|meters|millimeters?|kilometers?|liters?"
     r"|tires?|behavior\w*|neighbor\w*|favor\w*|honor\w*|labor|rigor\b|catalog\b|dialog\b"

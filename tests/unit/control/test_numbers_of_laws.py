@@ -301,7 +301,7 @@ def test_a_program_keeps_the_order_of_corners_and_limits_rates() -> None:
     kind="program",
     key="scipy",
     of="control",
-    where="SLSQP of scipy.optimize",
+    where="its SLSQP",
     tolerance="what its search leaves, 0.1 %",
     compares="first force of a plan beyond its limits",
 )

@@ -85,7 +85,7 @@ def test_whole_samples_of_lag_are_compared_by_weighted_sums_of_squares(offset):
     kind="program",
     key="scipy",
     of="signals and identification",
-    where="scipy.optimize.least_squares over parameters and lags at once, slopes by differences",
+    where="its least_squares over parameters and lags at once, slopes by differences",
     tolerance="0.01 % of a parameter, 0.2 µs of a lag",
     compares="parameters and lags found one within the other",
 )
