@@ -144,6 +144,31 @@ def test_the_language_that_was_chosen_stays(workbench, browser):
     assert opened.troubles == []
 
 
+@pytest.mark.pages
+def test_what_the_server_refuses_is_said_in_the_language_of_the_page(workbench, browser):
+    opened = Opened(browser, workbench, locale="de-DE")
+    opened.go(f"kinematics?rig={RIG}")
+    state = opened.page.get_by_role("status").first
+    for typed, told in [
+        ("-20 mm:20 mm:0.01 um", "zu viele"),
+        ("-20 mm:20 parsnips:2 mm", "gefunden"),
+        ("-20 m:20 m:2 m", "zulässig"),
+    ]:
+        area = opened.page.get_by_label("Radhub, Einfedern positiv: ")
+        area.fill(typed)
+        area.press("Tab")
+        state.filter(has_text=told).wait_for(timeout=10_000)
+    opened.go(f"rig?name={RIG}")
+    mass = opened.page.locator("[data-path='sprung.mass'] input").first
+    mass.fill("-3 kg")
+    mass.press("Tab")
+    wrong = opened.page.get_by_role("alert").filter(has_text="über 0 kg").first
+    wrong.wait_for(timeout=10_000)
+    assert "außerhalb des Bereichs; gefunden -3 kg; zulässig: über 0 kg" in wrong.inner_text().replace("'", "")
+    opened.context.close()
+    assert opened.troubles == []
+
+
 BEGINS = "begin,run the campaign,search,fit,simulate,compare,evaluate,find,resume,again,start,test,check"
 """Words of buttons that begin long work, which two processors do not do beside a browser."""
 TYPED = [

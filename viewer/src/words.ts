@@ -30,7 +30,7 @@ const GERMAN: typeof ENGLISH = {
   strut: "Feder und Dämpfer", contactPoint: "Radaufstandspunkt",
 };
 
-const isGerman = document.documentElement.lang.startsWith("de");
+export const isGerman = document.documentElement.lang.startsWith("de");
 const words = isGerman ? GERMAN : ENGLISH;
 
 /** A text of the viewer; `#` in it is what is given. */

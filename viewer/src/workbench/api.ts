@@ -1,5 +1,8 @@
 /** Questions to the server; each answer is plain data, each refusal an error with the server's words. */
 
+import { tr } from "../words";
+import { told as refused } from "./refusals";
+
 export interface Entry { path: string; kind: string; size: number; modified: number }
 export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
@@ -20,12 +23,12 @@ export async function asked(method: string, path: string, body?: unknown, accept
   try {
     answer = await fetch(path, { method, ...given });
   } catch {
-    throw new Error("The server does not answer: start it again with jounce serve.");
+    throw new Error(tr("The server does not answer: start it again with jounce serve."));
   }
   if (answer.ok) return answer;
-  if (answer.status === 401) throw new Error("This page is not known here any more: open the address that jounce serve printed.");
+  if (answer.status === 401) throw new Error(tr("This page is not known here any more: open the address that jounce serve printed."));
   const told = await answer.json().catch(() => null) as { error?: { text: string }; detail?: { msg: string; loc: string[] }[] } | null;
-  throw new Error(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
+  throw new Error(refused(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText));
 }
 
 export const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
@@ -35,7 +38,10 @@ export const project = () => get<Project>("/api/project");
 export const library = () => get<{ name: string }[]>("/api/library");
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
-export const check = (path: string) => get<Checked>(`/api/check?${query({ path })}`);
+export const check = async (path: string): Promise<Checked> => {
+  const found = await get<Checked>(`/api/check?${query({ path })}`);
+  return { ...found, problems: found.problems.map(refused) };
+};
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
 export const save = async (path: string, text: string, was: string) => (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
@@ -46,6 +52,9 @@ export function schema(model: string): Promise<object> {
   if (!found) { found = get<object>(`/api/schema?${query({ model })}`); schemas.set(model, found); found.catch(() => schemas.delete(model)); }
   return found;
 }
-export const form = async (path: string, text: string, sets: unknown[], changes: Record<string, number>) => (await asked("POST", "/api/form", { path, text, sets, changes })).json() as Promise<Form>;
+export const form = async (path: string, text: string, sets: unknown[], changes: Record<string, number>): Promise<Form> => {
+  const found = await (await asked("POST", "/api/form", { path, text, sets, changes })).json() as Form;
+  return { ...found, problems: found.problems.map((one) => ({ ...one, text: refused(one.text) })) };
+};
 export const binary = async (path: string, body: unknown) => (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();
 export const curves = (question: "simulate" | "kinematics", body: unknown) => binary(`/api/${question}`, body);

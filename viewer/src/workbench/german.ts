@@ -1,4 +1,4 @@
-/** The workbench in German, by its English texts; what the server says of a file stays in English. */
+/** The workbench in German, by its English texts; what the server refuses is in `refusals`. */
 
 import { translate } from "../words";
 

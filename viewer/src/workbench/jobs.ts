@@ -3,6 +3,7 @@
 import { make, written } from "../page";
 import { asked, get } from "./api";
 import { copied, problem } from "./parts";
+import { told as refused } from "./refusals";
 
 export interface Step { evaluation: number; objective: number; parameters: Record<string, { value: number; initial: number; lower: number; upper: number }> }
 export interface Job {
@@ -91,7 +92,7 @@ export class JobCard {
     if (runs) this.timer = window.setInterval(() => { if (this.element.isConnected) this.tick(); else clearInterval(this.timer); }, 1000);
     if (this.shown === job.state) return;
     this.shown = job.state;
-    this.told.replaceChildren(...(job.error ? [problem(job.error)] : []));
+    this.told.replaceChildren(...(job.error ? [problem(refused(job.error))] : []));
     const act = (text: string, does: () => Promise<unknown>, main = false) => {
       const button = make("button", { type: "button", ...(main ? { class: "main" } : {}), "aria-label": `${text}: ${job.title}` }, text);
       button.addEventListener("click", () => { button.disabled = true; does().catch((error) => { this.told.replaceChildren(problem(error)); button.disabled = false; }); });
@@ -176,7 +177,7 @@ async function upload(path: string, file: File): Promise<void> {
   const answer = await fetch(`/api/upload?${new URLSearchParams({ path })}`, { method: "PUT", body: file });
   if (answer.ok) return;
   const told = await answer.json().catch(() => null) as { error?: { text: string } } | null;
-  throw new Error(told?.error?.text ?? `${file.name}: ${answer.statusText}`);
+  throw new Error(refused(told?.error?.text ?? `${file.name}: ${answer.statusText}`));
 }
 
 /** A button that asks a quick question and shows what came of it, or why nothing did. */

@@ -1,0 +1,66 @@
+/** What the server refuses, in the language of the page: its messages have one grammar, and the commonest are known by their words. */
+
+import { isGerman } from "../words";
+
+const PHRASES: Record<string, string> = {
+  "out of range": "außerhalb des Bereichs", "not a number": "keine Zahl", "not a finite number": "keine endliche Zahl", "not finite numbers": "keine endlichen Zahlen",
+  "not a number with a unit": "keine Zahl mit Einheit", "not a physical value": "keine physikalische Größe", "wrong unit": "falsche Einheit", "the unit is missing": "die Einheit fehlt",
+  "the unit does not fit": "die Einheit passt nicht", "not a size that anything has": "keine Größe, die etwas haben kann", "not a text": "kein Text", "not a path": "kein Pfad", "not a name": "kein Name",
+  "not a text file": "keine Textdatei", "not a list of values": "keine Liste von Werten", "not a list of finite numbers": "keine Liste endlicher Zahlen", "not a range": "kein Bereich", "not a step": "keine Schrittweite",
+  "not a direction": "keine Richtung", "not a distance": "keine Strecke", "not a seed": "kein Startwert", "not a share": "kein Anteil", "not a metric": "kein Kennwert", "not a weight": "kein Gewicht",
+  "not a rig": "kein Fahrwerk", "not a road": "keine Straße", "not a road class": "keine Straßenklasse", "not a hardpoint": "kein Kinematikpunkt", "not a folder": "kein Ordner", "a file, not a folder": "eine Datei, kein Ordner",
+  "not a standard deviation": "keine Standardabweichung", "not a distribution": "keine Verteilung", "not a number of variants": "keine Anzahl von Varianten", "not a number of searches": "keine Anzahl von Suchläufen",
+  "not a name for a run": "kein Name für einen Lauf", "not a place in this project": "keine Stelle in diesem Projekt", "not a description": "keine Beschreibung", "not a date": "kein Datum",
+  "no such parameter": "keine solche Größe", "no such file": "keine solche Datei", "no such quantity": "keine solche Kenngröße", "no such job": "kein solcher Auftrag", "no such version": "keine solche Fassung",
+  "no such place in this text": "keine solche Stelle in diesem Text", "no rack moves this wheel": "keine Zahnstange bewegt dieses Rad", "no file of measurements": "keine Messdatei", "no limit": "keine Grenze",
+  "nothing to sweep": "nichts zu durchlaufen", "nothing to vary": "nichts zu verändern", "nothing is given": "nichts angegeben", "nothing to spread over": "nichts, worüber gestreut wird", "no number varies": "keine Größe verändert sich",
+  "a share of zero": "ein Anteil von null", "no whole number lies within": "keine ganze Zahl liegt darin", "the mode lies outside its range": "der häufigste Wert liegt außerhalb seines Bereichs",
+  "too many values": "zu viele Werte", "too many poses": "zu viele Stellungen", "too many poses to be waited for": "zu viele Stellungen, um darauf zu warten", "too long to be waited for": "zu lang, um darauf zu warten",
+  "too many results": "zu viele Ergebnisse", "too many jobs run": "zu viele Aufträge laufen", "too long for a description": "zu lang für eine Beschreibung", "this takes too long": "das dauert zu lange",
+  "the file is empty": "die Datei ist leer", "the file exists": "die Datei gibt es schon", "the output exists": "die Ausgabe gibt es schon", "the file did not arrive whole": "die Datei kam nicht vollständig an",
+  "the file is too large for a description": "die Datei ist zu groß für eine Beschreibung", "the file would lie outside the folder": "die Datei läge außerhalb des Ordners", "a job writes there already": "ein Auftrag schreibt schon dorthin",
+  "the job runs": "der Auftrag läuft", "the job wrote no report": "der Auftrag schrieb keinen Bericht", "the report is not kept any more": "der Bericht ist nicht mehr aufbewahrt", "only descriptions are written here": "hier werden nur Beschreibungen geschrieben",
+  "the file was changed meanwhile": "die Datei wurde inzwischen geändert", "the recording holds nothing of the trial's time": "die Messung enthält nichts von der Zeit des Fahrversuchs", "no time": "keine Zeit", "time does not ascend": "die Zeit steigt nicht an",
+  "the values do not ascend": "die Werte steigen nicht an", "the values have different lengths": "die Werte sind verschieden lang", "the curve does not ascend": "die Kurve steigt nicht an", "the curve has one point": "die Kurve hat einen Punkt",
+  "the curve does not reach zero": "die Kurve reicht nicht bis null", "the number is missing": "die Zahl fehlt", "the row does not have as many cells as the header": "die Zeile hat nicht so viele Zellen wie die Kopfzeile",
+  "text in a number column": "Text in einer Zahlenspalte", "the cell is blank": "die Zelle ist leer", "decimal comma": "Dezimalkomma", "decimal commas and decimal points in one file": "Dezimalkommas und Dezimalpunkte in einer Datei",
+  "the header is missing": "die Kopfzeile fehlt", "the header has no unit": "die Kopfzeile hat keine Einheit", "a header but no rows of numbers": "eine Kopfzeile, aber keine Zeilen mit Zahlen", "the channel is missing": "der Kanal fehlt",
+  "two points are the same, or three lie on one line": "zwei Punkte sind gleich, oder drei liegen auf einer Linie", "the spring's lengths contradict each other": "die Längen der Feder widersprechen sich",
+  "left and right points lie on the same side": "linke und rechte Punkte liegen auf derselben Seite", "the wheel is not on the road": "das Rad steht nicht auf der Straße", "there is no controller": "es gibt keinen Regler",
+  "the loops cannot be closed": "die Schleifen lassen sich nicht schließen", "the run did not reach its end": "der Lauf kam nicht ans Ende", "the road is shorter than the run": "die Straße ist kürzer als die Fahrt",
+  "this rig has no hardpoints": "dieses Fahrwerk hat keine Kinematikpunkte", "a trial has its own road": "ein Fahrversuch hat seine eigene Straße", "no road to drive over": "keine Straße zum Befahren", "no speed to drive at": "keine Geschwindigkeit",
+  "the campaign has no update": "die Kampagne hat keine Modellanpassung", "no trial to fit": "kein Fahrversuch zum Anpassen", "too few samples": "zu wenige Messwerte", "too few rows": "zu wenige Zeilen",
+  "no static equilibrium": "kein statisches Gleichgewicht", "no target is given": "kein Ziel angegeben", "nothing is judged by it": "nichts wird danach beurteilt", "the output folder is not empty": "der Ausgabeordner ist nicht leer",
+  "required": "erforderlich", "not known here": "hier nicht bekannt", "a finite number": "eine endliche Zahl", "a whole number": "eine ganze Zahl", "a lower and a higher value": "ein kleinerer und ein größerer Wert",
+};
+const KINDS: Record<string, string> = { channel: "Kanal", key: "Schlüssel", road: "Straße", metric: "Kennwert", model: "Modell", controller: "Regler", quantity: "Kenngröße", "kind of road": "Art von Straße" };
+
+/** A message of the server in the language of the page; what is not known by its words stays as it is, names and numbers always do. */
+export function told(text: string): string {
+  if (!isGerman) return text;
+  const [head, ...tail] = text.split(/(?=; (?:found|allowed:) )/);
+  const more = tail.map((part) => part
+    .replace(/^; found /, "; gefunden ")
+    .replace(/^(; )allowed: ([^.?]*(?:\.\d[^.?]*)*)/, (_, semicolon: string, given: string) => `${semicolon}zulässig: ${limits(given)}`));
+  return hints(phrase(head!) + more.join(""));
+}
+
+function phrase(head: string): string {
+  const at = head.indexOf(": "), full = /^(.*?)([.?]?(?: .*)?)$/s.exec(head)!;
+  if (PHRASES[head]) return PHRASES[head];
+  const [, what, end] = /^([^.]*)(\.?(?: [A-Z].*)?)$/s.exec(head) ?? full;
+  if (PHRASES[what!]) return PHRASES[what!]! + end;
+  const unknown = /^unknown ([a-z ]+) ('.*')(.*)$/s.exec(head);
+  if (unknown) return `${KINDS[unknown[1]!] ?? unknown[1]} ${unknown[2]} ist nicht bekannt${unknown[3]}`;
+  return at > 0 ? head.slice(0, at + 2) + phrase(head.slice(at + 2)) : head; // the place comes before what is wrong there
+}
+
+function limits(given: string): string {
+  if (PHRASES[given]) return PHRASES[given];
+  return /^(above|at least|at most)\b/.test(given) ? given.replaceAll("above ", "über ").replaceAll("at least ", "mindestens ").replaceAll("at most ", "höchstens ") : given;
+}
+
+function hints(text: string): string {
+  return text.replace(/Did you mean (.*?)\?/, (_, names: string) => `Ist ${names.replace(" or ", " oder ")} gemeint?`)
+    .replace(/All (\d+): /, "Alle $1: ").replace(/Known: /, "Bekannt: ");
+}
