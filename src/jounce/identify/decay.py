@@ -1077,8 +1077,8 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         text = (
             f"the logarithmic decrement changes from {result.decrements[0]:.3f} to {result.decrements[-1]:.3f} as the "
             f"amplitude falls: dry friction; use the combined estimate (viscous {result.damping_coefficient.value:.4g} "
-            f"N s/m and {friction.value:.3g} N), not the decrement. A damper that is firmer in one direction can look the "
-            "same: trials tell the two apart."
+            f"N s/m and {friction.value:.3g} N), not the decrement. A damper that is firmer in one "
+            "direction can look the same: trials tell the two apart."
         )
         add("warning", text, friction.value)
     drag = result.quadratic_drag
