@@ -23,7 +23,7 @@ from timing import Row, markdown, median_time
 import jounce as jn
 
 WISHBONE = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
-COUNT, FEWER, CARS = 10_000, 200, 1_000
+COUNT, FULL, FEWER, CARS = 10_000, 2_000, 200, 1_000
 METRICS = ["rms sprung.az", "max tyre.force", "range strut.deflection"]
 SPREAD = {"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}
 _STEP = 1e-3
@@ -273,9 +273,14 @@ def _double_wishbones() -> list[Row]:
     rows.append(Row(problem, "jounce, one thread", one, None, one / own))
     alone = median_time(lambda: many(3), repeats=5) * COUNT / 3
     rows.append(Row(problem, "jounce, as one coordinate, one by one", alone, None, alone / own, note="from 3"))
-    full = median_time(lambda: many(100, method="explicit"), repeats=3) * COUNT / 100
-    note = "from 100"
+    full = median_time(lambda: many(FULL, method="explicit"), repeats=3) * COUNT / FULL
+    note = f"from {_shown(FULL)}"
     rows.append(Row(problem, "jounce, the whole mechanism", full, None, full / own, "≤ 4 s on two cores", note))
+    one = median_time(lambda: many(FULL, method="explicit", threads=1), repeats=3) * COUNT / FULL
+    rows.append(Row(problem, "jounce, the whole mechanism, one thread", one, None, one / own, note=note))
+    alone = median_time(lambda: many(20, method="explicit", threads=1), repeats=5) * COUNT / 20
+    way = "jounce, the whole mechanism, one by one on one thread"
+    rows.append(Row(problem, way, alone, None, alone / own, note=f"from 20, {alone / one:.2g} times as long"))
     name = "Pinocchio + SciPy DOP853"
     if PEERS[name].is_installed:
         peer = cheapest(name, Case("unilateral", 1.95), 1e-4)

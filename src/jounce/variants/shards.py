@@ -398,15 +398,18 @@ class _Pace:
 
 def _pace(work: Work, columns: Mapping[str, Array]) -> _Pace:
     """Try how long the first variants take."""
-    count, tried = len(next(iter(columns.values()))), 1
+    count, tried, before = len(next(iter(columns.values()))), 1, 0
     work.run({path: column[:1] for path, column in columns.items()})  # whatever is compiled
     while True:
         started = time.perf_counter()
         found = work.run({path: column[:tried] for path, column in columns.items()}, threads=1)
-        took = time.perf_counter() - started
+        took, size = time.perf_counter() - started, found.sizes["variant"]
+        together = found.attrs["side_by_side"]
+        if together > before and took > _TRIED:  # the first that ran side by side waited for their code
+            before = together
+            continue
         if took > _TRIED or tried >= count:
-            size = found.sizes["variant"]
-            return _Pace(took / size, 2 * found.attrs["side_by_side"] < size)
+            return _Pace(took / size, 2 * together < size)
         tried *= 4
 
 
