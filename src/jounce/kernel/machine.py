@@ -24,16 +24,19 @@ class Code:
             raise ValueError("the object lacks a function")
 
 
-def machine_code(module: Any, machine: Any, level: int) -> bytes:
+def machine_code(module: Any, machine: Any, level: int, *, vectors: bool = True) -> bytes:
     """Optimise a module, and give the object for a machine."""
-    optimise(module, machine, level)
+    optimise(module, machine, level, vectors=vectors)
     return bytes(machine.emit_object(module))
 
 
-def optimise(module: Any, machine: Any, level: int) -> None:
-    """Run LLVM's passes over a module; from level 2 on loops are made vectors."""
+def optimise(module: Any, machine: Any, level: int, *, vectors: bool = True) -> None:
+    """Run LLVM's passes over a module; from level 2 on loops are made vectors where they shall be."""
     tuning = llvm.create_pipeline_tuning_options(speed_level=level)
-    tuning.loop_vectorization, tuning.slp_vectorization = level > 1, False  # packing scalars costs more than it gains
+    tuning.loop_vectorization, tuning.slp_vectorization = (
+        vectors and level > 1,
+        False,
+    )  # packing scalars costs more than it gains
     tuning.loop_unrolling = level > 1  # unrolled loops would not become vectors any more
     builder = llvm.create_pass_builder(machine, tuning)
     builder.getModulePassManager().run(module, builder)
