@@ -14,10 +14,11 @@ from typing import Any
 import hypothesis
 import pytest
 
-from rules.evidence import Evidence, name_of, told
-
 for _library in ("OPENBLAS", "OMP", "MKL"):  # before NumPy comes: on small matrices threads only wait for each other
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
+
+from rules.evidence import Evidence, name_of, told  # noqa: E402 - it imports NumPy
+
 hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, max_examples=60)
 hypothesis.settings.register_profile("quick", derandomize=True, deadline=None, max_examples=15)
 hypothesis.settings.load_profile("jounce")
