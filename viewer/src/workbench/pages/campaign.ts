@@ -1,6 +1,7 @@
 /** A bench campaign: measurements dropped in and read, parts characterised, the model updated, every trial compared. */
 
 import { make, written } from "../../page";
+import { tr } from "../../words";
 import * as api from "../api";
 import { ask, begin, dropZone, follow, type Job, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
 import { field, problem } from "../parts";
@@ -52,7 +53,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     reader.scrollIntoView({ block: "start" });
   };
   const link = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
-    const button = make("button", { type: "button", "aria-label": `look at ${file}` }, file.split("/").pop()!);
+    const button = make("button", { type: "button", "aria-label": tr("look at #", file) }, file.split("/").pop()!);
     button.addEventListener("click", () => open(file, form, given));
     return button;
   };
@@ -70,7 +71,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
 
 function table(name: string, header: string[], rows: (Node | string)[][], numbers: number[] = []): HTMLElement {
   const kind = (k: number): Record<string, string> => (numbers.includes(k) ? { class: "right" } : {});
-  return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": name }, make("table", {}, make("thead", {}, make("tr", {}, ...header.map((one, k) => make("th", { scope: "col", ...kind(k) }, one)))),
+  return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": name }, make("table", {}, make("thead", {}, make("tr", {}, ...header.map((one, k) => make("th", { scope: "col", ...kind(k) }, tr(one))))),
     make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((one, k) => (k ? make("td", kind(k), one) : make("th", { scope: "row" }, one))))))));
 }
 

@@ -1,6 +1,7 @@
 /** Shock-absorber inspection: records read and graded with their protocol, the history of a vehicle, and the store searched. */
 
 import { make, written } from "../../page";
+import { tr } from "../../words";
 import * as api from "../api";
 import { dropZone, Question, report, ways } from "../jobs";
 import { field } from "../parts";
@@ -31,7 +32,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Store"), ...(stores.length ? [search(stores, choices)] : [make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.")]));
 }
 
-const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, first)]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
+const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
 
 function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string): HTMLElement {
   if (!records.length) return make("p", { class: "empty" }, "No record lies here yet.");

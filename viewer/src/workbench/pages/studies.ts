@@ -1,6 +1,7 @@
 /** Many variants of a rig: what varies and how, the sweep as a job, and what came of it. */
 
 import { make, written } from "../../page";
+import { tr } from "../../words";
 import * as api from "../api";
 import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
@@ -63,11 +64,11 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
 
   const add = (path = "", spread = "share") => {
     const which = make("input", { type: "text", value: path, list: "paths-of-the-rig", "aria-label": "number that varies", size: "30", spellcheck: "false" });
-    const kind = make("select", { "aria-label": "how it is spread" }, ...Object.entries(SPREADS).map(([key, [words]]) => make("option", key === spread ? { value: key, selected: true } : { value: key }, words)));
+    const kind = make("select", { "aria-label": "how it is spread" }, ...Object.entries(SPREADS).map(([key, [words]]) => make("option", key === spread ? { value: key, selected: true } : { value: key }, tr(words))));
     const fields = make("span", { class: "sizes" }), now = make("td", { class: "muted" });
     const offer = () => {
       const own = numbers.find((one) => one.path === which.value);
-      now.textContent = own ? `is ${written(own.value * own.factor)} ${own.unit}` : which.value ? "no number of this rig" : "";
+      now.textContent = own ? tr("is #", `${written(own.value * own.factor)} ${own.unit}`) : which.value ? tr("no number of this rig") : "";
       const unit = own?.unit ?? "", value = own ? own.value * own.factor : 1;
       const usual: Record<string, number> = { from: 0.8, to: 1.2, low: 0.8, mode: 1, high: 1.2, mean: 1, sd: 0.05 };
       fields.replaceChildren(...SPREADS[kind.value]![1].map((word) => {
@@ -78,7 +79,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     };
     which.addEventListener("change", offer);
     kind.addEventListener("change", offer);
-    const away = make("button", { type: "button", "aria-label": `leave out ${path || "this number"}` }, "×");
+    const away = make("button", { type: "button", "aria-label": tr("leave out #", path || tr("this number")) }, "×");
     const row = make("tr", {}, make("td", {}, which), make("td", {}, kind), make("td", {}, fields), now, make("td", {}, away));
     away.addEventListener("click", () => row.remove());
     offer();
