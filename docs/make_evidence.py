@@ -11,6 +11,7 @@ import importlib.util
 import json
 import re
 import sys
+import textwrap
 from pathlib import Path
 from typing import Any
 
@@ -167,7 +168,7 @@ def shares(name: str) -> Any:
         for place, row in enumerate(found):
             axes.plot([0.0, row["share"]], [place, place], color=COLOURS[row["kind"]], linewidth=1.0, alpha=0.6)
             axes.plot(row["share"], place, "o", color=COLOURS[row["kind"]], markersize=5)
-        axes.set_yticks(range(len(found)), [_short(row["compares"]) for row in found])
+        axes.set_yticks(range(len(found)), [_short(row, found) for row in found])
         axes.set_xlim(-0.02, 1.05)
         axes.axvline(1.0, color="#b5472a", linewidth=1.0)
         axes.set_xlabel("difference, as share of what is allowed (1: the test fails)")
@@ -179,8 +180,12 @@ def shares(name: str) -> Any:
     return figure
 
 
-def _short(words: str) -> str:
-    return words if len(words) <= 44 else words[:42].rstrip() + " …"
+def _short(row: dict[str, Any], others: list[dict[str, Any]]) -> str:
+    """What is compared, in few words; with its file where others have the same words."""
+    words = row["compares"]
+    if sum(one["compares"] == words for one in others) > 1:
+        words += f" ({row['test'].partition('test_')[2].partition('.')[0].replace('_', ' ')})"
+    return textwrap.shorten(words, 46, placeholder=" …")
 
 
 def adams() -> Any:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import json
 import math
+import re
 import time
 from collections.abc import Generator, Iterator
 from pathlib import Path
@@ -133,9 +134,13 @@ def told(item: pytest.Item) -> dict[str, str] | None:
     return None
 
 
+NAMES = "ADAMS Butterworth CFC EUSAMA Exudyn Froude Hz Ishigami SI SciPy Wk kHz mm"
+_NAMES = {name.lower(): name for name in NAMES.split()} | {"paper s": "paper's", "0 0965": "0.0965", "1 751": "1.751"}
+
+
 def _words(item: pytest.Item) -> str:
-    name = getattr(item, "originalname", None) or item.name
-    return str(name).removeprefix("test_").replace("_", " ")
+    name = str(getattr(item, "originalname", None) or item.name).removeprefix("test_").replace("_", " ")
+    return re.sub(rf"\b({'|'.join(_NAMES)})\b", lambda found: _NAMES[found[0]], name)
 
 
 def name_of(item: pytest.Item) -> str:
