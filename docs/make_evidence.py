@@ -31,6 +31,7 @@ APART = {
     "agreement": "Models and programs against each other, by our own hand",
     "recovery": "Known truths that must come back",
     "properties": "What must hold for any input",
+    "unit": "Parts by themselves",
     "golden": "Golden",
 }
 
@@ -111,49 +112,54 @@ def _share(share: float) -> str:
 
 def apart() -> str:
     """What no outside source holds: the files of tests with their first lines, and how many of them have none."""
-    outside = {row["test"] for row in rows()}
     parts = []
     for folder, label in APART.items():
-        files = sorted((ROOT / "tests" / folder).glob("test_*.py"))
+        parts += [f"### {label}", ""]
+        if folder == "unit":
+            parts += ["Worked out by hand, by brute force, or refused with a reason; `tests/unit`:", "", *units(), ""]
+            continue
         lines = ["| file | what it holds | tests |", "|---|---|---:|"]
-        for file in files:
-            tree, path = ast.parse(file.read_text(encoding="utf-8")), file.relative_to(ROOT).as_posix()
-            tests = [one.name for one in tree.body if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")]
-            count = sum(f"{path}::{name}" not in outside for name in tests)
-            if count == 0:
-                continue
+        for file in sorted((ROOT / "tests" / folder).glob("test_*.py")):
+            tree, count = ast.parse(file.read_text(encoding="utf-8")), without_source(file)
             first = (ast.get_docstring(tree) or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
-            lines.append(f"| `{file.name}` | {first} | {count} |")
+            lines += [f"| {_named(file)} | {first} | {count} |"] if count else []
         lines += golden_elsewhere() if folder == "golden" else []
-        parts += [f"### {label}", "", *lines, ""]
-    parts += ["### Parts by themselves", "", "Worked out by hand, by brute force, or refused with a reason:", ""]
-    return "\n".join([*parts, *units(outside)]) + "\n"
+        parts += [f"Files `tests/{folder}/test_….py`:", "", *lines, ""]
+    return "\n".join(parts) + "\n"
+
+
+def _named(file: Path) -> str:
+    """A file of tests by its words, which a phone can break."""
+    return file.stem.removeprefix("test_").replace("_", " ")
+
+
+def without_source(file: Path) -> int:
+    """How many tests of a file name no outside source."""
+    outside, path = {row["test"] for row in rows()}, file.relative_to(ROOT).as_posix()
+    body = ast.parse(file.read_text(encoding="utf-8")).body
+    tests = [one.name for one in body if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")]
+    return sum(f"{path}::{name}" not in outside for name in tests)
 
 
 def golden_elsewhere() -> list[str]:
     """Rows for what other folders pin: the text or comment that begins with *Golden*."""
-    rows = []
+    found = []
     for file in sorted((ROOT / "tests").rglob("test_*.py")):
-        found = _GOLDEN.findall(file.read_text(encoding="utf-8")) if file.parent.name != "golden" else []
-        path = file.relative_to(ROOT / "tests").as_posix()
-        rows += [f"| `{path}` | {text[0].upper()}{text[1:]} | 1 |" for text in found]
-    return rows
+        texts = _GOLDEN.findall(file.read_text(encoding="utf-8")) if file.parent.name != "golden" else []
+        folder = file.parent.relative_to(ROOT / "tests").as_posix()
+        found += [f"| {_named(file)} (in `{folder}`) | {text[0].upper()}{text[1:]} | 1 |" for text in texts]
+    return found
 
 
 _GOLDEN = re.compile(r'^\s*(?:"""|# )Golden: ([^\n"]+?)(?:"""|$)', re.MULTILINE)
 
 
-def units(outside: set[str]) -> list[str]:
+def units() -> list[str]:
     """A row for each package: how many of its unit tests name no outside source."""
-    lines = ["| package | tests |", "|---|---:|"]
-    for folder in sorted(one for one in (ROOT / "tests" / "unit").iterdir() if any(one.glob("test_*.py"))):
-        count = 0
-        for file in folder.glob("test_*.py"):
-            tree, path = ast.parse(file.read_text(encoding="utf-8")), file.relative_to(ROOT).as_posix()
-            tests = [one.name for one in tree.body if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")]
-            count += sum(f"{path}::{name}" not in outside for name in tests)
-        lines.append(f"| `{folder.name}` | {count} |")
-    return lines
+    folders = sorted(one for one in (ROOT / "tests" / "unit").iterdir() if any(one.glob("test_*.py")))
+    counts = [sum(without_source(file) for file in folder.glob("test_*.py")) for folder in folders]
+    rows = [f"| `{folder.name}` | {count} |" for folder, count in zip(folders, counts, strict=True)]
+    return ["| package | tests |", "|---|---:|", *rows]
 
 
 def shares(name: str) -> Any:
