@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 
+import jounce
 from rules import ROOT
 
 GOOD = '<html><body><h1 id="top">a</h1><a href="#top">b</a><a href="other.html#x">c</a><img src="p.svg" alt="p"></body>'
@@ -129,6 +131,13 @@ def test_pages_are_in_british_spelling(page: Path) -> None:
     text = prose(page.read_text(encoding="utf-8"))
     found = [match[0] for pattern in (AMERICAN, MISSPELT) for match in pattern.finditer(text)]
     assert found == [], page
+
+
+@pytest.mark.parametrize("name", jounce.__all__)
+def test_docstrings_are_in_british_spelling(name: str) -> None:
+    """What the pages of Python names are made of."""
+    text = re.sub(r"^>>> .*?(?=\n\n|\Z)", " ", prose(inspect.getdoc(getattr(jounce, name)) or ""), flags=re.M | re.S)
+    assert [match[0] for pattern in (AMERICAN, MISSPELT) for match in pattern.finditer(text)] == []
 
 
 @pytest.mark.parametrize(
