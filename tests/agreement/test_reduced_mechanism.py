@@ -274,8 +274,9 @@ def test_the_mechanism_runs_each_variant_where_it_is_asked_for():
     assert many[0][WORDS[0]].values == pytest.approx(many[1][WORDS[0]].values, rel=1e-6)
 
 
-def test_mechanisms_step_side_by_side_as_they_run_alone():
+def test_mechanisms_step_side_by_side_as_they_run_alone(monkeypatch):
     """Each lane is held on its own loops; what finds no rest or is too fast for the others runs by itself."""
+    monkeypatch.setattr("jounce.variants.stepped.LEAST_WITH_LOOPS", 64)
     changes, trial = spread(np.random.default_rng(SEED + 2), 66), bump(duration=0.3)
     changes["strut.spring.rate"][3] = 1.0
     changes["strut.spring.rate"][5] = 4e6
@@ -296,7 +297,8 @@ def test_mechanisms_step_side_by_side_as_they_run_alone():
         assert many["sprung.z"].values[i] == pytest.approx(one["sprung.z"].values[0], abs=1e-9, nan_ok=True)
 
 
-def test_one_lane_whose_wheel_flips_over_leaves_the_others_there():
+def test_one_lane_whose_wheel_flips_over_leaves_the_others_there(monkeypatch):
+    monkeypatch.setattr("jounce.variants.stepped.LEAST_WITH_LOOPS", 64)
     dampers = np.full(64, 3000.0)
     dampers[10] = 100.0
     high = bump(height=0.15, speed=4.0, duration=0.1)

@@ -45,9 +45,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
 
     What is linear between its contacts runs side by side in vector registers, threads sharing the variants; only sums
     of the samples are kept then. A variant goes through its events by itself and comes back to the others. Corners that
-    run as one coordinate, and other models without loops, are integrated in blocks of common steps, which moves their
-    results by less than the tolerance. All other runs are those of :func:`simulate`, one by one. The results do not
-    depend on the number of threads.
+    run as one coordinate, other models without loops and, from 256 variants on, corners as mechanisms are integrated in
+    blocks of common steps, which moves their results by less than the tolerance. All other runs are those of
+    :func:`simulate`, one by one. The results do not depend on the number of threads.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import Prepared, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
 
-LEAST, LEAST_WITH_LOOPS = 16, 64
+LEAST, LEAST_WITH_LOOPS = 16, 256
 """Variants below which code for blocks is not worth its making: half a second, of a mechanism with loops two."""
 _MOST_STATES = 40  # of a mechanism: what cars on four corners compute alike fills the vectors by itself
 WIDTH = 8
