@@ -7,7 +7,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +62,29 @@ def pytest_collection_finish(session: pytest.Session) -> None:
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)
+
+
+@pytest.fixture(scope="module")
+def made_quickly(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Code that is not optimised, in a third of the time: for tests of equations, which hold whatever is made of them.
+
+    That optimised code computes the same is held by twins of fewer models, and by ``make test-all``, where these tests
+    have it, too. What is made here has a cache of its own, and is forgotten afterwards.
+    """
+    if request.config.option.markexpr == "slow or not slow":
+        yield
+        return
+    from jounce.kernel import machine, native
+    from jounce.simulation import compiled
+
+    def plain(module: Any, *_: object, **__: object) -> bytes:
+        return bytes(machine.this_machine(0).emit_object(module))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JOUNCE_CACHE_DIR", str(tmp_path_factory.mktemp("made-quickly")))
+        patch.setattr(compiled, "_compiled", {})
+        patch.setattr(native, "machine_code", plain)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -16,6 +16,8 @@ from jounce.design.model_comparison import compare_models
 from jounce.parts.elements import VelocityTable
 from jounce.parts.variants import with_strut_angle
 
+pytestmark = pytest.mark.usefixtures("made_quickly")
+
 KART = jn.load("kart-double-wishbone")
 BUMP = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
 BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike
@@ -33,17 +35,15 @@ RIGS = {
     "kart at 10 deg": with_strut_angle(KART, "10 deg"),
     "kart, heavy arms": KART.with_changes({"bodies.lower_arm.mass": 3.0, "bodies.upper_arm.inertia.xx": 0.004}),
     "kart, preloaded": KART.with_changes({"strut.spring.free_length": "215 mm"}),
-    "kart, on the right": KART.mirrored(),
-    "kart, tyre curve": KART.with_changes(
-        {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [120e3, 1e6]}}
-    ),
     "reference": jn.load("reference-double-wishbone").with_changes({"guide": "vertical"}),
-    "kart on its bump stop": KART.with_changes(
+    "kart on its bump stop, tyre curve, on the right": KART.with_changes(
         {
+            "tyre.stiffness": None,
+            "tyre.curve": {"kind": "polynomial", "coefficients": [120e3, 1e6]},
             "strut.bump_stop": {"gap": "1 mm", "rate": "50 N/mm", "progression": 1e9},
             "strut.spring.free_length": "203 mm",
         }
-    ),
+    ).mirrored(),
     "mcpherson": jn.load("generic-mcpherson"),
     "damped tyre": KART.with_changes({"tyre.damping_coefficient": 60.0}),
 }

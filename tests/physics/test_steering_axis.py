@@ -10,6 +10,8 @@ import jounce as jn
 from jounce.kinematics.view import Screw, steering_screw
 from jounce.parts.corners import DoubleWishbone, FiveLink
 
+pytestmark = pytest.mark.usefixtures("made_quickly")
+
 AXIS_ROWS = (
     "caster",
     "kingpin_inclination",
