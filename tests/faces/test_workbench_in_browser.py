@@ -219,9 +219,11 @@ def _clicked_at_random(opened: Opened, seed: int, seconds: float, held: Callable
 
 
 def _use(control: Any, drawn: random.Random) -> None:
-    kind = control.evaluate("one => one.tagName + ' ' + (one.type || '')", timeout=500)
+    kind, values = control.evaluate(
+        "one => [one.tagName + ' ' + (one.type || ''), [...(one.options || [])].map(option => option.value)]",
+        timeout=500,
+    )
     if kind.startswith("SELECT"):
-        values = control.evaluate("one => [...one.options].map(option => option.value)", timeout=500)
         if values:
             control.select_option(drawn.choice(values), timeout=500)
     elif kind.endswith(("text", "search", "number")) or kind.startswith("TEXTAREA"):
