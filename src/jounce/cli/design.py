@@ -29,6 +29,7 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
+from jounce.core.description import schema_told
 from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError
 
@@ -167,7 +168,7 @@ def optimise(
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
     check_outputs(rig=out, figure=figure, report=report, force=force)
-    if _is_study(vehicle):
+    if schema_told(Path(vehicle)).startswith("jounce.optimisation/"):
         _refuse_beside_study(free, objective, limit, set_, duration, band)
         return _from_study(Path(vehicle), out, figure, report, force=force, as_json=as_json)
     if not free or not objective:
@@ -199,17 +200,6 @@ def optimise(
     plain |= {"out": out and str(out), "figure": drawn, "report": document}
     missing = [*missing, *undrawn]
     return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json, missing=missing)
-
-
-def _is_study(name: str) -> bool:
-    """Whether a file is a study of an optimisation, by its schema line."""
-    file = Path(name)
-    if file.suffix != ".toml" or not file.is_file():
-        return False
-    from jounce.design.optimisation_study import SCHEMA
-
-    with file.open(encoding="utf-8", errors="replace") as lines:
-        return any(line.split("#")[0].replace(" ", "").strip() == f'schema="{SCHEMA}"' for line in lines)
 
 
 def _refuse_beside_study(*given: object) -> None:

@@ -140,6 +140,17 @@ def is_nested_deeply(value: object) -> bool:
     return True
 
 
+_SCHEMA = re.compile(r"""^[ \t]*(["']?)schema\1[ \t]*=[ \t]*(["'])(?P<name>.*?)\2""", re.MULTILINE)
+
+
+def schema_told(path: Path) -> str:
+    """Give the schema that a file of TOML names, empty where it names none: also of one that is not sound yet."""
+    if path.suffix != ".toml" or not path.is_file():
+        return ""
+    found = _SCHEMA.search(path.read_text(encoding="utf-8", errors="replace"))
+    return found["name"] if found else ""
+
+
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
     """Give the kind and version of a file; refuse others than the expected ones."""
     found = table.get("schema")
