@@ -210,6 +210,9 @@ def test_numbers_by_their_paths(cli, tester_file: Path) -> None:
     assert found["stroke"] == {"value": 0.006, "unit": "m"}
     assert found["programme.sweep_rate"] == {"value": 2.5, "unit": "Hz/s"}
     assert "programme.sweep_rate" in cli("check", tester_file, "--parameters").out
+    shipped = cli("check", "kart-quarter-car", "--parameters", "--json").json["files"][0]
+    assert shipped["file"] == "kart-quarter-car"
+    assert "strut.spring.rate" in shipped["parameters"]
     assert "programme.sweep_rate" not in cli("check", tester_file).out
 
 

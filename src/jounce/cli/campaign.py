@@ -247,10 +247,13 @@ def posterior(
     del plain["profiles"]
 
     def draw(console: Console) -> None:
-        rows = [
-            (path, one.unit, one.value, *one.interval, one.convergence.r_hat, round(one.convergence.bulk))
-            for path, one in found.parameters.items()
-        ]
+        from jounce.core.display import display_unit
+
+        rows = []
+        for path, one in found.parameters.items():
+            unit = display_unit(one.unit or "1", max(map(abs, one.interval)))
+            numbers = [value * unit.factor for value in (one.value, *one.interval)]
+            rows.append((path, unit.name or "1", *numbers, one.convergence.r_hat, round(one.convergence.bulk)))
         header = ("parameter", "unit", "value", "95 % from", "to", "R-hat", "effective draws")
         console.print(table(f"Posterior of {found.name}, {found.counted}", header, rows, text=(0, 1)))
         show_findings(console, found.findings)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -26,7 +26,8 @@ def check(
         list[str],
         typer.Argument(
             metavar="FILE...",
-            help="Rigs, vehicles, controllers, FMUs, campaigns, roads, testers, limits, recordings.",
+            help="Rigs, vehicles (also shipped ones by their name), controllers, FMUs, campaigns, studies, roads, "
+            "testers, limits, recordings.",
         ),
     ],
     parameters: Annotated[
@@ -38,11 +39,14 @@ def check(
 
     Example: jounce check campaign.toml rig.toml roads/*.toml
     """
+    from jounce.parts import library as rigs
+
     checked, every = [], files(given, "FILE")
     with progress() as say:
         for k, file in enumerate(every, 1):
             say(f"checking {k} of {len(every)}: {file}")
-            checked.append(check_file(file))
+            shipped = None if file.exists() else rigs().get(str(file))
+            checked.append(check_file(file) if shipped is None else replace(check_file(shipped), file=file))
     plain = {
         "ok": not any(item.problems for item in checked),
         "files": [
@@ -335,9 +339,9 @@ def _check_sweep(checked: Checked) -> None:
     from jounce.variants.study import read_sweep
 
     sweep = read_sweep(checked.file)
-    metrics = len(sweep.work.metrics)
+    metrics, numbers = len(sweep.work.metrics), len(sweep.columns)
     checked.what = (
-        f"sweep of {sweep.study.rig}: {sweep.count} variants of {len(sweep.columns)} numbers, "
+        f"sweep of {sweep.study.rig}: {sweep.count} variants of {numbers} number{'' if numbers == 1 else 's'}, "
         f"{metrics} metric{'' if metrics == 1 else 's'}"
     )
 
@@ -347,7 +351,8 @@ def _check_optimisation(checked: Checked) -> None:
 
     study, problem = check_optimisation(checked.file)
     wanted = "front" if study.front is not None else "best design"
-    checked.what = f"{wanted} of {study.rig}: {len(problem.free)} numbers over {problem.driven}"
+    count = len(problem.free)
+    checked.what = f"{wanted} of {study.rig}: {count} number{'' if count == 1 else 's'} over {problem.driven}"
 
 
 _SCHEMAS: dict[str, Callable[[Checked], None]] = {

@@ -343,7 +343,7 @@ _AT_END = re.compile(
     r"(?P<words>.*\s|)(?:\[(?P<inside>[^\[\]]+)\]|(?P<bare>mm|m|m/s|N|N/m|N/mm|N\*s/m|kg|W|deg/mm|m/km))"
 )
 _NUMBER_IN_WORDS = re.compile(r"[−-]?\d[\d.e+−-]*(?:\s|±|…|$)")
-_OWN = re.compile(r".*(?:%|\b(?:s|Hz|factor|gain|R2|by chance|active|full size / prototype))")
+_OWN = re.compile(r".*(?:%|\b(?:s|Hz|factor|gain|R2|by chance|active|R-hat|draws|full size / prototype))")
 """Names of columns that have a unit of their own beside a column ``unit``."""
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -130,6 +131,15 @@ def _variants(found: SweepResult) -> str:
     return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
 
 
+def _measured(measure: Mapping[str, Any]) -> str:
+    """A measure with its interval, in words."""
+    if not math.isfinite(measure["value"]):
+        return ""
+    told = f"{measure['value']:.3g}"
+    ends = measure["interval"]
+    return told if ends is None else f"{told} ({ends[0]:.2g} to {ends[1]:.2g})"
+
+
 def draw_sweep(console: Console, plain: dict[str, Any], summary: Summary) -> None:
     """Print statistics of every metric, what it depends on, and why variants have no run."""
     from jounce.core.display import display_unit
@@ -144,11 +154,15 @@ def draw_sweep(console: Console, plain: dict[str, Any], summary: Summary) -> Non
     console.print(table(f"{summary.ran} of {summary.count} variants ran", header, rows, text=(0, 1)))
     if summary.influences:
         measures = [name for name in summary.influences[0].measures if not name.startswith("at_")]
-        told = [
-            (one.metric, one.number, *(one.measures[name]["value"] for name in measures)) for one in summary.influences
-        ]
+        heaviest = next(name for name in ("total", "mean_absolute_effect", "regression") if name in measures)
+        places = [one.name for one in summary.metrics]
+        ordered = sorted(
+            summary.influences, key=lambda one: (places.index(one.metric), -abs(one.measures[heaviest]["value"] or 0.0))
+        )
+        told = [(one.metric, one.number, *(_measured(one.measures[name]) for name in measures)) for one in ordered]
         words = [name.replace("_", " ") for name in measures]
-        console.print(table("What they depend on (SI)", ("metric", "number", *words), told, text=(0, 1)))
+        title = "What they depend on (SI, with 95 % intervals)"
+        console.print(table(title, ("metric", "number", *words), told, text=(0, 1)))
     for reason, lost in summary.failed.items():
         console.print(f"{lost['variants']} without a run (variant {lost['first']} first): {reason}")
     show_findings(console, summary.findings)

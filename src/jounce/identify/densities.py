@@ -15,7 +15,7 @@ from jounce.identify.fit_problem import FitTrial, Free, Residuals
 from jounce.identify.log_density import Region
 from jounce.identify.update import robust_covariance
 
-_CLIMBS, _LITTLE_GAIN = 2, 0.5  # steps of the doubts, and twice the log density that a further one may bring
+_CLIMBS, _LITTLE_GAIN = 4, 0.1  # steps of the doubts, and twice the log density that a further one may bring
 _WIDE = 10.0  # scaled units that nothing is wider than
 
 
@@ -105,6 +105,7 @@ class DoubtDensity:
         best = np.maximum(self.best, lower)
         self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
         self.seen: list[tuple[Array, Array]] = []
+        self.beside = [dict(run.beside) for run in one.runs]
 
     def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
         """Information and score of all unknowns, and the sum of squares, with the calibration's variances kept."""
@@ -124,6 +125,8 @@ class DoubtDensity:
         found, p = self.found, self.size
         moved = x - found.state.theta
         step = np.concatenate([moved, self.follow @ moved])
+        for run, beside in zip(found.one.runs, self.beside, strict=True):
+            run.beside = beside  # not those of the point before: the density is a function of x alone
         for _ in range(_CLIMBS):
             try:
                 state = found.one.moved(found.state, step, found.blocks, 1.0)

@@ -8,7 +8,7 @@ determine it; fresh draws, evaluated exactly, say how far it is off.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations_with_replacement
@@ -25,6 +25,7 @@ _HIGHEST = 4
 _ROWS = 1.5  # equations a coefficient
 _CHECKS = 16  # draws that are evaluated exactly
 _ROUNDS = 3
+_FOLDS = 8  # parts of the points, each left out in turn
 _GOOD = 0.3  # standard deviation of the error of the log density: weights of draws then differ by as much (1)
 _OUTSIDE = 1e-5  # share of a Gaussian that lies farther out than the polynomial is used
 _FREEDOM = 7.0  # of the proposals' t distribution
@@ -68,7 +69,7 @@ class Polynomial:
     def through(cls, degree: int, u: Array, values: Array, slopes: Array | None = None) -> Polynomial:
         """Least squares through values and, where given, slopes (n, variables) at points (n, variables)."""
         powers = cls.terms(u.shape[1], degree)
-        weight = 1.0 / (1.0 + 0.1 * np.sum(u**2, axis=1))  # what is improbable may be less exact
+        weight = _weights(u)
         rows, right = [weight[:, None] * cls.rows(powers, u)], [weight * values]
         for i in range(u.shape[1] if slopes is not None else 0):
             rows.append(weight[:, None] * cls.slope_rows(powers, u, i))
@@ -83,6 +84,11 @@ class Polynomial:
         """Slopes at points (n, variables), shape (n, variables)."""
         both = [self.slope_rows(self.powers, u, i) @ self.coefficients for i in range(u.shape[1])]
         return np.stack(both, axis=1)
+
+
+def _weights(u: Array) -> Array:
+    """Of points (n, variables): what is improbable may be less exact."""
+    return np.asarray(1.0 / (1.0 + 0.1 * np.sum(u**2, axis=1)))
 
 
 @dataclass(frozen=True)
@@ -127,8 +133,8 @@ class Region:
 class LogDensity:
     """A log density as a polynomial over a region, and how far it is off at draws that were evaluated exactly.
 
-    ``error`` is the standard deviation of the difference of both log densities (1), ``evaluations`` the number of exact
-    ones.
+    ``error`` is the standard deviation of the difference of both log densities (1), where of a part without slopes the
+    standard error of its trend counts; ``evaluations`` is the number of exact ones.
     """
 
     region: Region
@@ -146,10 +152,10 @@ def fitted(exact: Exact, region: Region, seed: int) -> LogDensity:
     count = len(region.centre)
     first = next((degree for most, degree in _DEGREES if count <= most), 2)
     rng = np.random.default_rng(seed)
-    points: list[tuple[Array, float, Array, float]] = []
+    points: list[_Point] = []
     tried = 0
 
-    def evaluate(places: Array) -> list[tuple[Array, float, Array, float]]:
+    def evaluate(places: Array) -> list[_Point]:
         nonlocal tried
         tried += len(places)
         both = [(u, exact(x)) for u, x in zip(places, region.unknowns(places), strict=True)]
@@ -157,22 +163,24 @@ def fitted(exact: Exact, region: Region, seed: int) -> LogDensity:
 
     points += evaluate(_design(region, max(_points_for(count, first), 2 * count + 4), rng))
     for left in range(_ROUNDS - 1, -1, -1):
-        degree = next((d for d in range(_HIGHEST, 1, -1) if len(points) >= _points_for(count, d)), 0)
-        if degree == 0:
+        if len(points) < _points_for(count, 2):
             raise FitError("too few of the points around the estimate can be simulated", where="posterior")
-        density = LogDensity(region, _through(points, degree), math.nan, tried)
+        polynomial, unsure = _through(points)
+        density = LogDensity(region, polynomial, math.nan, tried)
         fresh = sample(density, 4 * _ENSEMBLES * _WALKERS, int(rng.integers(2**31)))[0][:, -1]
         checked = evaluate(fresh[rng.choice(len(fresh), _CHECKS, replace=False)])
         if len(checked) < _CHECKS // 2:
             raise FitError("draws around the estimate cannot be simulated", where="posterior")
-        off = [value + more - float(density.polynomial(u[None])[0]) for u, value, _, more in checked]
-        density = LogDensity(region, density.polynomial, float(np.std(off)), tried)
-        if density.error < _GOOD or not left:
-            break
+        at = np.array([u for u, _, _, _ in checked])
+        more, scatter = unsure(at)
+        off = np.array([value for _, value, _, _ in checked]) + more - polynomial(at)
+        error = float(np.hypot(np.std(off), np.sqrt(np.mean(scatter**2))))
         points += checked
+        if error < _GOOD or not left:
+            break
         lacking = _points_for(count, _HIGHEST) - len(points)
         points += evaluate(_design(region, 1 + 2 * count + min(max(lacking, 0), len(points)), rng)[1 + 2 * count :])
-    return density
+    return LogDensity(region, _through(points)[0], error, tried)  # the draws that were checked count, too
 
 
 def _points_for(count: int, degree: int) -> int:
@@ -180,17 +188,46 @@ def _points_for(count: int, degree: int) -> int:
     return math.ceil(_ROWS * math.comb(count + degree, degree) / (1 + count))
 
 
-def _through(points: list[tuple[Array, float, Array, float]], degree: int) -> Polynomial:
-    """Polynomial of a degree through values and slopes, and one of squares through what has no slopes."""
+_Point = tuple[Array, float, Array, float]
+"""Whitened point, log density, its slopes, and the part whose slopes are not known."""
+
+
+def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tuple[Array, Array]]]:
+    """Polynomial through values and slopes, with the trend of what has no slopes.
+
+    The degree is that which predicts best what it has not seen: exact values scatter by tenths where wheels lift off
+    at some values of the parameters and not at others, and a higher degree would follow the scatter to where there is
+    no point. Gives also a function of the trend (n,) and its standard error (n,) at whitened points.
+    """
     u, values, slopes, more = (np.array(part) for part in zip(*points, strict=True))
-    found = Polynomial.through(degree, u, values, slopes)
+    degrees = [d for d in range(2, _HIGHEST + 1) if len(points) >= _points_for(u.shape[1], d)]
+    found = Polynomial.through(_predicting(degrees, u, values, slopes)[0], u, values, slopes)
     if not np.any(more):
-        return found
-    squares = 2 if len(points) >= _ROWS * math.comb(u.shape[1] + 2, 2) else 1
-    added = Polynomial.through(squares, u, more)
+        return found, lambda at: (np.zeros(len(at)), np.zeros(len(at)))
+    degrees = [d for d in range(3) if len(points) >= _ROWS * math.comb(u.shape[1] + d, d)]
+    degree, scatter = _predicting(degrees, u, more)
+    trend = Polynomial.through(degree, u, more)
     whole = found.coefficients.copy()
-    whole[: len(added.coefficients)] += added.coefficients  # terms stand in the order of their degrees
-    return Polynomial(found.powers, whole)
+    whole[: len(trend.coefficients)] += trend.coefficients  # terms stand in the order of their degrees
+    held = np.linalg.pinv(_weights(u)[:, None] * Polynomial.rows(trend.powers, u))
+    return Polynomial(found.powers, whole), lambda at: (
+        trend(at), scatter * np.linalg.norm(Polynomial.rows(trend.powers, at) @ held, axis=1)
+    )  # fmt: skip
+
+
+def _predicting(degrees: Sequence[int], u: Array, values: Array, slopes: Array | None = None) -> tuple[int, float]:
+    """Degree that predicts values at points left out best, and by how much these are off (weighted rms)."""
+    fold = np.arange(len(u)) % _FOLDS
+    errors = []
+    for degree in degrees:
+        off = np.empty(len(u))
+        for k in range(_FOLDS):
+            kept = fold != k
+            part = Polynomial.through(degree, u[kept], values[kept], None if slopes is None else slopes[kept])
+            off[~kept] = values[~kept] - part(u[~kept])
+        errors.append(float(np.sqrt(np.mean((_weights(u) * off) ** 2))))
+    best = int(np.argmin(errors))
+    return degrees[best], errors[best]
 
 
 def _design(region: Region, count: int, rng: np.random.Generator) -> Array:
@@ -254,6 +291,17 @@ class Convergence:
     r_hat: float
     bulk: float
     tail: float
+
+
+def by_ensemble(draws: Array) -> Array:
+    """Draws (chains, draws) of one number by ensembles, each its earlier half before its later one.
+
+    The walkers of an ensemble know of each other and are short: what must agree are the ensembles, early and late.
+    """
+    chains, each = draws.shape
+    half = each // 2
+    parts = draws[:, each - 2 * half :].reshape(_ENSEMBLES, chains // _ENSEMBLES, 2, half)
+    return np.swapaxes(parts, 1, 2).reshape(_ENSEMBLES, -1)
 
 
 def convergence(draws: Array) -> Convergence:

@@ -27,8 +27,8 @@ from jounce.identify.discrepancy import FEWEST_TRIALS, calibrated, noise_varianc
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
-from jounce.identify.log_density import Convergence, LogDensity, convergence, fitted, profile, sample
-from jounce.identify.prediction import Band, bands_of
+from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
+from jounce.identify.prediction import RICHER, Band, bands_of
 from jounce.identify.update import UpdateResult, bounds_and_priors, update_model
 from jounce.parts.rig import unit_of
 from jounce.variants.designs import is_whole
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 _FEWEST, _MOST = 1000, 10_000_000
 _HALF_DROP = 1.920729410347062  # of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two
 _R_HAT, _FEW_DRAWS = 1.01, 400.0  # [vehtari2021]
+_TOLERANCE = 1e-6  # with model error: a log density moves by some thousandths, and simulations take half the time
 _ERROR = 0.5  # of the log density, from which on it is told
 
 Progress = Callable[[str], None]
@@ -60,7 +61,7 @@ class PosteriorParameter(Shown):
     value : float
         Where the density is greatest (noise only), or the middle of the interval (model error counted).
     mean, standard_deviation : float
-        Of the draws, in SI.
+        Of the draws, in SI; with model error counted of what a test machine gives of the part.
     interval : tuple of float
         95 % of the draws: of the parameter (noise only), or the hull of those of what a test machine gives of the part
         and of the model's law over the ride (model error counted), as :class:`jounce.Discrepancy` has it.
@@ -137,11 +138,15 @@ class Posterior(Plain, Shown):
         Exact evaluations of the density (each simulates all fitted trials).
     density_error : float
         Standard deviation (1) of the error of the log density that was sampled, at draws that were evaluated exactly.
+        With model error counted the curvature of the doubts jumps where a wheel lifts off once more or less: its trend
+        over the parameters is sampled, and counts with the trend's standard error.
     seed : int
         Of everything at random.
     samples : xarray.Dataset
-        Draws of each parameter on ``chain`` and ``draw``, SI; with model error counted also ``component of PATH`` and
-        ``effective of PATH``, see :class:`jounce.Discrepancy`.
+        Draws on ``chain`` and ``draw``, SI. Noise only: of each parameter, by its path. With model error counted:
+        ``component of PATH`` and ``effective of PATH``, whose hull is the interval, see :class:`jounce.Discrepancy`;
+        ``richer value of PATH`` is what stands for the parameter in the richer model beside all doubts. It scatters
+        less than either and is the value of no part.
     update : UpdateResult or None
         The update that it starts from.
     findings : tuple of Finding
@@ -209,7 +214,9 @@ def rested(  # noqa: PLR0913 - as for the posterior
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
         progress(f"{name}: what the model may lack")
         counted = doubt if isinstance(doubt, Doubt) else Doubt.from_table(dict(doubt), where="doubt")
-        calibration = calibrated(trials, limits, values, doubt=counted, lags=update.lags, priors=priors, **settings)
+        calibration = calibrated(
+            trials, limits, values, doubt=counted, lags=update.lags, priors=priors, tolerance=_TOLERANCE, **settings
+        )
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, channels, align == "lag")
     else:
@@ -434,12 +441,13 @@ def _told(
     chains, each, size = u.shape
     x = table.region.unknowns(u.reshape(-1, size))
     law = np.column_stack([free[i].value(0.0) + free[i].half_range * x[:, i] for i in range(size)])
-    columns = {item.path: law[:, i] for i, item in enumerate(free)}
+    by = RICHER if isinstance(density, DoubtDensity) else ""
+    columns = {f"{by}{item.path}": law[:, i] for i, item in enumerate(free)}
     if isinstance(density, DoubtDensity):
-        columns |= _readings(density, x, free, seed)
+        columns = _readings(density, x, free, seed) | columns
     data = {
-        path: (("chain", "draw"), column.reshape(chains, each), {"units": units[path.rpartition(" of ")[2]]})
-        for path, column in columns.items()
+        name: (("chain", "draw"), column.reshape(chains, each), {"units": units[name.rpartition(" of ")[2]]})
+        for name, column in columns.items()
     }
     samples = xr.Dataset(data, {"chain": np.arange(chains), "draw": np.arange(each)}, {"seed": seed, "update": name})
     errors = np.sqrt(np.diag(density.covariance))
@@ -450,7 +458,7 @@ def _told(
         error = float(errors[i]) * item.half_range
         value = item.value(float(table.region.centre[i]))
         gaussian: tuple[float, float] | None = (value - 1.96 * error, value + 1.96 * error)
-        shown = [columns[item.path]]
+        shown = [columns[f"{by}{item.path}"]]
         if isinstance(density, DoubtDensity):
             shown = [columns[f"{kind} of {item.path}"] for kind in ("component", "effective")]
             gaussian = None
@@ -460,12 +468,12 @@ def _told(
         interval = float(ends[:, 0].min()), float(ends[:, 1].max())
         if isinstance(density, DoubtDensity):
             value = 0.5 * (interval[0] + interval[1])
-        worst = max((convergence(one.reshape(chains, each)) for one in shown), key=lambda one: one.r_hat)
+        worst = max((convergence(by_ensemble(one.reshape(chains, each))) for one in shown), key=lambda one: one.r_hat)
         parameters[item.path] = PosteriorParameter(
             units[item.path], value, float(np.mean(shown[0])), float(np.std(shown[0])), interval, gaussian,
             profiles[item.path].interval(), worst,
         )  # fmt: skip
-    first = [columns.get(f"component of {item.path}", columns[item.path]) for item in free]
+    first = [columns["component of " * bool(by) + item.path] for item in free]
     correlation = correlation_of(np.atleast_2d(np.cov(np.array(first))))
     counted = "model error" if isinstance(density, DoubtDensity) else "noise only"
     return Posterior(

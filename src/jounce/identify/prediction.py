@@ -19,6 +19,8 @@ from jounce.recordings.signals import shift_signals
 if TYPE_CHECKING:
     import xarray as xr
 
+RICHER = "richer value of "
+"""Draws of a parameter as it stands in the richer model, before its path."""
 _TOLERANCE = 1e-6
 _TWO_SIDED = 1.959963984540054
 _AROUND = 0.05  # s over which the level of a signal is taken
@@ -67,7 +69,8 @@ def bands_of(
 ) -> dict[str, dict[str, Band]]:  # fmt: skip
     """Predict every channel of some trials, with ``count`` draws each."""
     free = basis.free
-    law = np.column_stack([samples[item.path].to_numpy().ravel() for item in free])
+    by = RICHER if isinstance(density, DoubtDensity) else ""
+    law = np.column_stack([samples[f"{by}{item.path}"].to_numpy().ravel() for item in free])
     rows = np.random.default_rng([seed, 9]).choice(len(law), min(count, len(law)), replace=False)
     law = law[rows]
     fitted = {trial.name for trial in basis.trials}

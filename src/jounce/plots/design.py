@@ -93,8 +93,8 @@ def _by_unit(front: ParetoFront) -> dict[str, list[str]]:
 
 
 def _label(front: ParetoFront, role: str) -> str:
-    unit = display_unit(front.units[role])
-    return unit.label(f"{_WORDS[role]}: {front.metrics[role]}")
+    unit, metric = display_unit(front.units[role]), front.metrics[role]
+    return unit.label(metric if ": " in metric else f"{_WORDS[role]}: {metric}")  # that of a case is whatever was asked
 
 
 def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,7 +24,10 @@ _HALF_DROP = 1.920729410347062
 
 @styled
 def posterior_draws(found: Posterior) -> Figure:
-    """Draw the distribution of each parameter and of each pair; of parts where model error is counted.
+    """Draw the distribution of each parameter and of each pair.
+
+    Where model error is counted, bars and dots are what a test machine gives of the parts, lines over the bars the
+    model's law over the ride; the interval holds both.
 
     Parameters
     ----------
@@ -58,6 +61,7 @@ def posterior_draws(found: Posterior) -> Figure:
     size = len(paths)
     rows = np.random.default_rng(found.seed).choice(len(columns[0]), min(_MOST_POINTS, len(columns[0])), replace=False)
     side = max(1.7, min(3.2, 8.4 / size))
+    width = 22 if side > 2.0 else 18  # letters
     figure = new_figure(0.3 + side * size, 0.8 + side * size)
     grid = figure.subplots(size, size, squeeze=False)
     for i in range(size):
@@ -67,7 +71,9 @@ def posterior_draws(found: Posterior) -> Figure:
                 axes.set_visible(False)
                 continue
             if i == j:
-                _histogram(axes, columns[i], [end * units[i].factor for end in found.parameters[paths[i]].interval])
+                ends = [end * units[i].factor for end in found.parameters[paths[i]].interval]
+                other = found.samples.get(f"effective of {paths[i]}")
+                _histogram(axes, columns[i], ends, None if other is None else other.to_numpy() * units[i].factor)
             else:
                 axes.plot(
                     columns[j][rows], columns[i][rows], ".", ms=1.2, alpha=0.35, color=PALETTE[0], rasterized=True
@@ -75,15 +81,19 @@ def posterior_draws(found: Posterior) -> Figure:
             axes.tick_params(labelsize=7)
             axes.locator_params(nbins=3)
             if i == size - 1:
-                axes.set_xlabel(units[j].label(at_tick(paths[j], 22)), fontsize=7.5)
+                axes.set_xlabel(units[j].label(at_tick(paths[j], width)), fontsize=7.5)
             if j == 0 and i > 0:
-                axes.set_ylabel(units[i].label(at_tick(paths[i], 22)), fontsize=7.5)
+                axes.set_ylabel(units[i].label(at_tick(paths[i], width)), fontsize=7.5)
     return figure
 
 
-def _histogram(axes: Axes, values: Array, interval: list[float]) -> None:
-    low, high = np.quantile(values, (0.0005, 0.9995))
-    axes.hist(values, bins=_BINS, range=(low, max(high, low + 1e-12)), color=PALETTE[0], alpha=0.75)
+def _histogram(axes: Axes, values: Array, interval: list[float], other: Array | None) -> None:
+    both = values if other is None else np.concatenate([values, other.ravel()])
+    low, high = np.quantile(both, (0.0005, 0.9995))
+    settings: dict[str, Any] = {"bins": _BINS, "range": (low, max(high, low + 1e-12))}
+    axes.hist(values, color=PALETTE[0], alpha=0.75, **settings)
+    if other is not None:
+        axes.hist(other.ravel(), histtype="step", color=INK, lw=0.9, **settings)
     for end in interval:
         axes.axvline(end, color=PALETTE[1], lw=1.0)
     axes.set_yticks([])

@@ -67,12 +67,17 @@ def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Fig
     grid = figure.subplots(len(names), 2, squeeze=False, width_ratios=[1.3, 1.0])
     for row, name in zip(grid, names, strict=True):
         at = found.sel(metric=name)
-        weight = next(at[key].to_numpy() for key in ("total", "mean_absolute_effect", "regression") if key in at)
-        order = np.argsort(-np.nan_to_num(np.abs(weight)), kind="stable")[:count]
+        order = _order(at)[:count]
         _swings(row[0], at.isel(number=order), name, many[name])
         _indices(row[1], at.isel(number=order), found.attrs["design"], many[name])
     grid[0, 0].legend(loc="lower right", ncols=2, bbox_to_anchor=(1.0, 1.0), columnspacing=1.2)
     return figure
+
+
+def _order(at: xr.Dataset) -> Array:
+    """Places of the numbers in the order of what they matter to a metric, most first."""
+    weight = next(at[key].to_numpy() for key in ("total", "mean_absolute_effect", "regression") if key in at)
+    return np.asarray(np.argsort(-np.nan_to_num(np.abs(weight)), kind="stable"))
 
 
 def _swings(axes: Axes, at: xr.Dataset, name: str, metric: xr.DataArray) -> None:
@@ -124,7 +129,7 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
     many : xarray.Dataset
         As for :func:`tornado`.
     metrics : sequence of str, optional
-        Which; the first seven by default, over the first seven numbers.
+        Which; the first seven by default, over the seven numbers that the first depends on most.
 
     Returns
     -------
@@ -132,7 +137,7 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
         A row a metric, a column a number.
     """
     names = metrics_of(many, metrics)[:_MOST_AXES]
-    paths = _varied(many)[:_MOST_AXES]
+    paths = _mattering(many, names, _MOST_AXES)
     figure = new_figure(0.5 + 1.75 * len(names), max(1.0 + 1.9 * len(paths), 3.6))
     grid = figure.subplots(len(names), len(paths), squeeze=False, sharex="col", sharey="row")
     chosen = _chosen(many, _MOST_POINTS)
@@ -173,7 +178,8 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     many : xarray.Dataset
         As for :func:`tornado`.
     metrics : sequence of str, optional
-        Which; all by default, the first of them colours. At most 12 axes are drawn.
+        Which; all by default, the first of them colours. At most 12 axes are drawn, of the numbers that the first
+        metric depends on most.
 
     Returns
     -------
@@ -183,7 +189,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     from matplotlib.collections import LineCollection
 
     names = metrics_of(many, metrics)[:6]
-    columns = [*_varied(many)[: 12 - len(names)], *names]
+    columns = [*_mattering(many, names, 12 - len(names)), *names]
     figure = new_figure(3.6, max(5.0, 1.2 + 1.15 * len(columns)))
     axes = figure.subplots()
     first = many[names[0]].to_numpy()
@@ -258,6 +264,19 @@ def _varied(many: xr.Dataset) -> list[str]:
     if not found:
         raise DescriptionError("no number varies", where="many", hint="Give what simulate_many or load_sweep gives.")
     return found
+
+
+def _mattering(many: xr.Dataset, metrics: Sequence[str], most: int) -> list[str]:
+    """Paths that vary, in their order: all, or those that the first metric depends on most."""
+    paths = _varied(many)
+    if len(paths) <= most:
+        return paths
+    try:
+        at = sensitivity_indices(many, metrics[:1]).isel(metric=0)
+    except DescriptionError:  # too few ran to tell
+        return paths[:most]
+    kept = set(at["number"].to_numpy()[_order(at)[:most]])
+    return [path for path in paths if path in kept]
 
 
 def _chosen(many: xr.Dataset, most: int) -> Array:

@@ -28,7 +28,11 @@ from jounce.report.page import (
 if TYPE_CHECKING:
     from jounce.identify.posterior import Posterior
 
-_DRAWS = "Draws of each parameter with the ends of its 95 % interval, and of each pair."
+_DRAWS = {
+    "noise only": "Draws of each parameter with the ends of its 95 % interval, and of each pair.",
+    "model error": "Draws of what a test machine gives of each part (bars) and of the model's law over the ride "
+    "(line), with the ends of the 95 % interval that holds both; below them the parts in pairs.",
+}
 _PROFILES = "Log likelihood over each parameter, the others as they fit best, beside a Gaussian of the same curvature."
 _CLOSE, _GOOD = 0.5, 1.01
 _COUNTED = {
@@ -58,7 +62,9 @@ def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page
     """
     parts: dict[str, Callable[[], Section]] = {
         "Answer": lambda: Section("Answer", _answer(found, synthetic)),
-        "Draws": lambda: Section("Draws", (Picture(posterior_draws(found), "draws", _DRAWS, _DRAWS),)),
+        "Draws": lambda: Section(
+            "Draws", (Picture(posterior_draws(found), "draws", _DRAWS[found.counted], _DRAWS[found.counted]),)
+        ),
         "Profile likelihood": lambda: Section(
             "Profile likelihood", (Picture(profile_likelihood(found), "profiles", _PROFILES, _PROFILES),)
         ),
@@ -132,7 +138,8 @@ def _made(found: Posterior) -> Block:
         f"The log density is a polynomial through exact values and slopes; {found.evaluations} times all fitted trials "
         "were simulated for it, 16 of them at draws that nothing had been fitted to.",
         f"emcee drew {found.draws} points in {found.chains} chains ({100.0 * found.accepted:.0f} % of steps accepted); "
-        "R-hat is rank-normalised, effective draws are those of the bulk, both by ArviZ.",
+        "R-hat is rank-normalised, between four ensembles and their earlier and later halves; effective draws are "
+        "those of the bulk; both by ArviZ.",
         "Bands are those of draws that were each simulated exactly.",
         f"Seed {found.seed}: the same numbers each time.",
     ))  # fmt: skip

@@ -97,7 +97,10 @@ def sweep_page(
     return Page(title, sections, f"Sweep; {drawn}", missing=missing)
 
 
-_SCATTER = "Every metric over every number, a dot a variant; lines are means of tenths of the variants."
+_SCATTER = (
+    "Metrics over the numbers, at most the seven that the first metric depends on most, a dot a variant; lines are "
+    "means of tenths of the variants."
+)
 _PARALLEL = "Every variant as a line through its numbers and metrics, coloured by the first metric."
 _BANDS = "Median of the channels over the variants, with bands that hold half and nine tenths of them at each time."
 _TORNADO = "Means of the metrics where each number is low and high, and indices with 95 % intervals."

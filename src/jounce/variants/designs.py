@@ -21,7 +21,7 @@ Spread = str | Sequence[float | str] | Mapping[str, float | str]
 Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
 MOST = 50_000_000
 """Variants of a design."""
-_FORMS = '"20 %", ["14 kg", "18 kg"], {mean = "16 kg", sd = "0.5 kg"} or {low, mode, high}'
+_FORMS = '"20 %", "±2 kg", ["14 kg", "18 kg"], {mean = "16 kg", sd = "0.5 kg"} or {low, mode, high}'
 _SHAPES = ({"mean", "sd"}, {"sd"}, {"low", "mode", "high"}, {"low", "high"})
 
 
@@ -132,10 +132,11 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
     Parameters
     ----------
     spreads : mapping
-        Path of a number to what it is spread over: ``"20 %"`` is to either side of the rig's own value, two values
-        (SI or texts with units) are the ends of a range, ``{"mean": ..., "sd": ...}`` is a normal distribution (``sd``
-        may be in percent; without ``mean`` the rig's own value), ``{"low": ..., "mode": ..., "high": ...}`` a
-        triangular one. A whole number (the seed of a road) takes whole numbers alone.
+        Path of a number to what it is spread over: ``"20 %"`` and ``"±2 kg"`` are to either side of the rig's own
+        value, two values (SI or texts with units) are the ends of a range, ``{"mean": ..., "sd": ...}`` is a normal
+        distribution (``sd`` may be in percent; without ``mean`` the rig's own value),
+        ``{"low": ..., "mode": ..., "high": ...}`` a triangular one. A whole number (the seed of a road) takes whole
+        numbers alone.
     count : int
         Number of variants.
     seed : int
@@ -358,10 +359,15 @@ def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Arra
 
 def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], Array]:
     """What shares between 0 and 1 become, SI."""
+    if isinstance(spread, str) and spread.strip().startswith("±") and not spread.strip().endswith("%"):
+        reach = to_si(spread.strip().removeprefix("±"), unit, where=path)
+        if not 0.0 < reach < math.inf:
+            raise DescriptionError("not a range", where=path, found=spread, allowed=_FORMS)
+        return lambda share: value + reach * (2.0 * share - 1.0)
     if isinstance(spread, str):
         part = _percent(spread, path)
         if value == 0.0:
-            raise DescriptionError("a share of zero", where=path, found=spread, allowed="a range or a distribution")
+            raise DescriptionError("a share of zero", where=path, found=spread, allowed=_FORMS.removeprefix('"20 %", '))
         return lambda share: value + abs(value) * part * (2.0 * share - 1.0)
     if not isinstance(spread, Mapping):
         low, high = _ends(_list(spread, unit, path), path, spread)

@@ -6,7 +6,7 @@ from scipy.stats import norm, truncnorm
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.log_density import Polynomial, Region, convergence, fitted, sample
+from jounce.identify.log_density import Polynomial, Region, by_ensemble, convergence, fitted, sample
 from jounce.identify.next_trial import Candidate, next_trials
 from jounce.identify.posterior import posterior_of
 
@@ -98,6 +98,34 @@ def test_sampling_is_reproducible_and_truncated_draws_have_their_moments():
     assert not np.array_equal(first, other)
     mean, variance = truncnorm.stats(-0.5, np.inf)
     assert np.allclose([first.mean(), first.var()], [mean, variance], atol=0.06)
+
+
+def test_scatter_of_exact_values_is_not_followed_to_where_no_point_is():
+    """Six unknowns, a Gaussian whose values, slopes and determinant jump as they do where a wheel lifts off or not."""
+    draw = np.random.default_rng(1)
+
+    def exact(x):
+        return (
+            -0.5 * float(x @ x) + 0.15 * draw.normal(),
+            -x + 0.15 * draw.normal(size=6),
+            0.3 * x[0] + 0.35 * draw.normal(),
+        )
+
+    density = fitted(exact, Region(np.zeros(6), np.eye(6), np.full(6, -np.inf), np.full(6, np.inf)), 1)
+    assert density.polynomial.powers.sum(axis=1).max() == 2
+    assert density.error < 0.5
+    u = draw.normal(size=(500, 6))
+    off = density.polynomial(u) - (-0.5 * np.sum(u**2, axis=1) + 0.3 * u[:, 0])
+    assert np.std(off) < 0.3
+    assert density.error > np.std(off) > 0.02
+
+
+def test_walkers_of_an_ensemble_are_no_chains_of_their_own():
+    draws = np.arange(8 * 5.0).reshape(8, 5)  # four ensembles of two walkers
+    early, late = [1.0, 2.0, 6.0, 7.0], [3.0, 4.0, 8.0, 9.0]  # of an odd number the first is left out
+    assert by_ensemble(draws)[0].tolist() == early + late
+    drifting = np.random.default_rng(1).normal(size=(64, 200)) + np.linspace(0.0, 2.0, 200)
+    assert convergence(by_ensemble(drifting)).r_hat > 1.1
 
 
 def test_chains_that_differ_are_said_not_to_have_converged():

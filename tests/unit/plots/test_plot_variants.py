@@ -52,6 +52,13 @@ def test_a_scatter_has_a_dot_a_variant_that_ran_and_means_of_what_is_alike():
     assert over_b.get_xlabel() == "b [kg]"
 
 
+def test_pictures_of_many_numbers_keep_those_that_matter():
+    many = runs(jn.sobol({**{f"idle {i}": [0.0, 1.0] for i in range(8)}, "a": [0.0, 1.0], "b": ["2 kg", "4 kg"]}, 64))
+    shown = [axes.get_xlabel().split(" [")[0] for axes in scatter_matrix(many).axes]
+    assert len(shown) == 7
+    assert shown[-2:] == ["a", "b"]
+
+
 def test_lines_of_parallel_coordinates_are_the_variants_that_ran():
     axes = parallel_coordinates(runs(lost=True)).axes[0]
     lines = next(one for one in axes.collections if hasattr(one, "get_segments")).get_segments()

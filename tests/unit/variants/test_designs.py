@@ -94,6 +94,8 @@ def test_shares_of_a_negative_number_keep_the_order_of_the_ends():
         ([1.0], "a lower and a higher value"),
         (["18 kg", "14 kg"], "a lower and a higher value"),
         (["14 m", "18 m"], "kg"),
+        ("±2 mm", "kg"),
+        ("±-2 kg", "±2 kg"),
         ([1.0, float("inf")], "finite"),
         ({"mean": 16.0}, "not a distribution"),
         ({"mean": 16.0, "sd": 0.0}, "above 0"),
@@ -106,6 +108,12 @@ def test_what_is_no_spread_is_refused(spread, said):
     with pytest.raises(DescriptionError, match="mass") as caught:
         values(sobol({"mass": spread}, 8))
     assert said in str(caught.value)
+
+
+def test_a_reach_in_the_number_s_unit_goes_to_either_side_of_it_even_of_zero():
+    found = sobol({"offset": "±5 mm"}, 256, seed=1).values(lambda _: (0.0, "m"))["offset"]
+    assert (found.min(), found.max()) == pytest.approx((-5e-3, 5e-3), abs=1e-4)
+    assert abs(found.mean()) < 1e-4
 
 
 def test_a_share_of_zero_would_vary_nothing():
