@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -131,3 +132,27 @@ def campaign(bump: Path, spring_files: list[Path], rig_text: str, tmp_path: Path
     file = tmp_path / "campaign.toml"
     file.write_text(CAMPAIGN, encoding="utf-8")
     return file
+
+
+@pytest.fixture(scope="module")
+def workbench(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Path, int]]:
+    """A project's folder and the port of the workbench served over it, whose token is the ``TOKEN`` of the module."""
+    import uvicorn
+
+    from jounce.web.app import create_app
+    from jounce.web.serving import _listening
+
+    folder = tmp_path_factory.mktemp("project")
+    listening = _listening(0)
+    port = listening.getsockname()[1]
+    ready = threading.Event()
+    app = create_app(folder, token=request.module.TOKEN, port=port, ready=ready.set)
+    config = uvicorn.Config(app, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
+    thread.start()
+    assert ready.wait(30)
+    yield folder, port
+    server.should_exit = True
+    thread.join(10)
+    listening.close()

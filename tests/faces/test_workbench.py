@@ -9,7 +9,6 @@ import shutil
 import socket
 import subprocess
 import sys
-import threading
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -69,22 +68,9 @@ class Asked:
 
 
 @pytest.fixture(scope="module")
-def ask(tmp_path_factory):
-    from jounce.web.app import create_app
-
-    folder = tmp_path_factory.mktemp("project")
-    listening = _listening(0)
-    port = listening.getsockname()[1]
-    ready = threading.Event()
-    app = create_app(folder, token=TOKEN, port=port, ready=ready.set)
-    server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws="none"))
-    thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    assert ready.wait(30)
-    yield Asked(port, folder)
-    server.should_exit = True
-    thread.join(10)
-    listening.close()
+def ask(workbench):
+    folder, port = workbench
+    return Asked(port, folder)
 
 
 def test_it_says_that_it_is_well_and_what_it_can(ask):

@@ -233,27 +233,6 @@ def test_a_job_whose_process_is_gone_is_stopped_not_running(tmp_path):
     assert state["state"] == "stopped"
 
 
-@pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    from jounce.web.app import create_app
-    from jounce.web.serving import _listening
-
-    folder = tmp_path_factory.mktemp("project")
-    listening = _listening(0)
-    port = listening.getsockname()[1]
-    ready = threading.Event()
-    app = create_app(folder, token=TOKEN, port=port, ready=ready.set)
-    config = uvicorn.Config(app, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
-    running = uvicorn.Server(config)
-    thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    assert ready.wait(30)
-    yield folder, port
-    running.should_exit = True
-    thread.join(10)
-    listening.close()
-
-
 def _asked(port: int, method: str, path: str, body: Any = None, token: str | None = TOKEN) -> tuple[int, Any]:
     import http.client
 
@@ -269,8 +248,8 @@ def _asked(port: int, method: str, path: str, body: Any = None, token: str | Non
     return answer.status, json.loads(content) if is_json else (content, dict(answer.getheaders()))
 
 
-def test_uploads_are_kept_as_they_are_and_replace_nothing(server):
-    folder, port = server
+def test_uploads_are_kept_as_they_are_and_replace_nothing(workbench):
+    folder, port = workbench
     content = b"time [s],sprung.z [mm]\n" + b"".join(b"%.3f,%d\n" % (0.001 * i, i % 7) for i in range(50))
     assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200
     assert (folder / "new" / "run.csv").read_bytes() == content
@@ -288,8 +267,8 @@ def test_uploads_are_kept_as_they_are_and_replace_nothing(server):
     assert [one["path"] for one in _asked(port, "GET", "/api/project")[1]["entries"]] == ["new/run.csv"]
 
 
-def test_what_would_be_read_is_shown_before_it_is_read(server):
-    folder, port = server
+def test_what_would_be_read_is_shown_before_it_is_read(workbench):
+    folder, port = workbench
     (folder / "spring.csv").write_text("way [mm];F [kN]\n" + "\n".join(f"{-i};{-0.02 * i}" for i in range(20)))
     asked = {"kind": "preview", "form": "force-deflection", "files": ["spring.csv"]}
     status, answer = _asked(port, "POST", "/api/ask", asked)
@@ -312,8 +291,8 @@ def test_what_would_be_read_is_shown_before_it_is_read(server):
     assert "Traceback" not in str(answer)
 
 
-def test_reports_stand_in_a_place_of_their_own(server):
-    folder, port = server
+def test_reports_stand_in_a_place_of_their_own(workbench):
+    folder, port = workbench
     (folder / "evil.html").write_text("<script>fetch('/api/project')</script>")
     status, (content, headers) = _asked(port, "GET", "/api/document?path=evil.html")
     assert (status, content) == (200, b"<script>fetch('/api/project')</script>")
@@ -328,8 +307,8 @@ def test_reports_stand_in_a_place_of_their_own(server):
     assert _asked(port, "GET", "/api/document?path=evil.html", token=None)[0] == 401
 
 
-def test_jobs_are_followed_by_who_has_the_token_and_the_origin(server):
-    _, port = server
+def test_jobs_are_followed_by_who_has_the_token_and_the_origin(workbench):
+    _, port = workbench
     address = f"ws://127.0.0.1:{port}/api/live"
     known = {"Authorization": f"Bearer {TOKEN}"}
     for headers, origin in (({}, None), (known, "http://evil.example"), ({"Authorization": "Bearer x"}, None)):

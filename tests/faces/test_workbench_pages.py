@@ -7,7 +7,6 @@ import re
 import shutil
 import subprocess
 import sys
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -41,24 +40,9 @@ def browser():
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    from jounce.web.app import create_app
-    from jounce.web.serving import _listening
-
-    folder = tmp_path_factory.mktemp("project")
-    listening = _listening(0)
-    port = listening.getsockname()[1]
-    ready = threading.Event()
-    app = create_app(folder, token=TOKEN, port=port, ready=ready.set)
-    config = uvicorn.Config(app, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
-    running = uvicorn.Server(config)
-    thread = threading.Thread(target=running.run, kwargs={"sockets": [listening]}, daemon=True)
-    thread.start()
-    assert ready.wait(30)
-    yield folder, f"http://127.0.0.1:{port}/"
-    running.should_exit = True
-    thread.join(10)
-    listening.close()
+def server(workbench):
+    folder, port = workbench
+    return folder, f"http://127.0.0.1:{port}/"
 
 
 class Opened:
