@@ -15,7 +15,6 @@ import jounce as jn
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 
 fmpy = pytest.importorskip("fmpy")
-pytest.importorskip("ziglang", reason="the library for Windows is compiled by zig: pip install jounce[fmu]")
 WINE = shutil.which("wine") or shutil.which("wine64")
 RUNNER = Path(__file__).parents[1] / "twins" / "fmu_runner.c"
 STEPS, STEP = 500, 1e-3
@@ -26,6 +25,7 @@ def course(tmp_path_factory):
     """Courses of the tyre's force as the runner prints them, by rig and platform."""
     if WINE is None:
         pytest.skip("Wine is not installed (Debian: apt-get install wine64 wine)")
+    pytest.importorskip("ziglang", reason="the library for Windows is compiled by zig: pip install jounce[fmu]")
     folder = tmp_path_factory.mktemp("windows")
     here, windows = this_platform(), "x86_64-windows"
     runners = {}
