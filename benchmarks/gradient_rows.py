@@ -17,6 +17,7 @@ import jounce as jn
 from jounce.core.segments import Segments
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare, solve
+from jounce.simulation.reduced import ReducedCorner, Reduction, reduction_of
 from jounce.simulation.result import Solution
 
 RIG = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
@@ -66,6 +67,14 @@ def gradient_rows() -> list[Row]:
             run: Solution = solve(sensitive, p, road, TIMES)
             return 2.0 * run.output_slopes[column] @ run.outputs[column] / len(TIMES)
 
+        corner = ReducedCorner(_reduction(rig), rig.parameters(), [road], TIMES, 1e-5, FREE)
+
+        def reduced(corner: ReducedCorner = corner, column: int = column) -> np.ndarray:
+            found = corner.run()
+            assert found is not None
+            run = found[0]
+            return 2.0 * run.output_slopes[column] @ run.outputs[column] / len(TIMES)
+
         def differences(p: np.ndarray = p, plain: Compiled = plain, value=value) -> np.ndarray:  # noqa: ANN001
             start, found = value(p), []
             for path in FREE:
@@ -79,6 +88,11 @@ def gradient_rows() -> list[Row]:
         ways = {
             "one simulation": (lambda value=value, p=p: value(p), "", ""),
             "jounce, tangents along with the run": (slopes, "≤ 6 simulations", ""),
+            "jounce, tangents of the corner as one coordinate": (
+                reduced,
+                "",
+                f"off by {_apart(reduced(), slopes()):.0e}",
+            ),
             "one-sided finite differences, same engine": (differences, "", off),
         }
         times = in_turns({way: run for way, (run, _, _) in ways.items()})
@@ -123,6 +137,12 @@ def residual_rows() -> list[Row]:
 
 def _rig(tyre: str) -> jn.Rig:
     return jn.load(str(RIG)).with_changes({"tyre.lift_off": tyre == "unilateral"})
+
+
+def _reduction(rig: jn.Rig) -> Reduction:
+    found = reduction_of(rig)
+    assert found is not None
+    return found
 
 
 def _road(case: Case) -> Segments:

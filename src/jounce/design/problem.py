@@ -231,15 +231,18 @@ class TrialEvaluator:
         from jounce.simulation.compiled import compile_rig
         from jounce.simulation.prepare import solve
         from jounce.simulation.problem import excitation
+        from jounce.simulation.reduced import with_slopes
         from jounce.simulation.settings import output_times
 
         rig, paths = self.family.rig, self.family.paths
-        compiled = compile_rig(rig, paths)
-        given = dict(zip(paths, map(float, values), strict=True))
-        p = compiled.parameter_values({**rig.parameters(), **given})
+        plain, given = compile_rig(rig), dict(zip(paths, map(float, values), strict=True))
+        numbers = {**rig.parameters(), **given}
         times = output_times(self.trial.duration, self.output_step)
-        driven = excitation(compiled.facts, rig.with_changes(given), self.trial, compiled.free)
-        solution = solve(compiled, p, driven, times)
+        driven = excitation(plain.facts, rig.with_changes(given), self.trial, paths)
+        solution = with_slopes(rig, self.trial, numbers, driven, times, 1e-5, paths)
+        if solution is None:
+            compiled = compile_rig(rig, paths)
+            solution = solve(compiled, compiled.parameter_values(numbers), driven, times)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the run did not reach its end", where="trial", found=solution.status.help)
         found = {}
@@ -248,7 +251,7 @@ class TrialEvaluator:
                 model, slopes = self.family.at(values)
                 found[metric.text] = mode_number(metric, model, slopes)
                 continue
-            i = [compiled.output_names.index(name) for name in metric.channels]
+            i = [plain.output_names.index(name) for name in metric.channels]
             signals, along = solution.outputs[i], solution.output_slopes[i]
             found[metric.text] = self._number(metric, signals, along)
         return found

@@ -30,6 +30,7 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.reduced import with_slopes
 from jounce.simulation.result import Solution
 
 _FREE_LAG = 1.0 - 1e-9
@@ -124,11 +125,14 @@ class Prepared:
 
     def solve(self, values: Array, tolerance: float) -> Solution:
         """Simulate with the free parameters at ``values`` (in the units of the first trial's start values)."""
-        p = self.start.copy()
-        for column, path in enumerate(self.compiled.free):
-            p[self.compiled.facts.parameters.index(path)] = values[column] * self.factors[column]
-        signals = excitation(self.compiled.facts, self.source.rig, self.source.trial, self.compiled.free)
-        solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance)
+        p, names, free = self.start.copy(), self.compiled.facts.parameters, self.compiled.free
+        for column, path in enumerate(free):
+            p[names.index(path)] = values[column] * self.factors[column]
+        rig, trial = self.source.rig, self.source.trial
+        signals, numbers = excitation(self.compiled.facts, rig, trial, free), dict(zip(names, p.tolist(), strict=True))
+        solution = with_slopes(rig, trial, numbers, signals, self.times, tolerance, free)
+        if solution is None:
+            solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
         return solution

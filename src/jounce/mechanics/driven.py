@@ -113,6 +113,11 @@ class Driven:
             start[first : first + 4] = e / ca.sqrt(ca.dot(e, e))
         return ca.substitute(ca.vertcat(moved, residual, *slopes), statics.q, start)
 
+    def followed(self, expression: ca.SX, numbers: ca.SX, change: ca.SX) -> ca.SX:
+        """Change of an expression of the coordinates along a change of tracks and numbers; the loops stay closed."""
+        moved = self.yielding(ca.jtimes(self.statics.constraint, numbers, change))
+        return ca.jtimes(expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(moved, change))
+
     def yielding(self, opened: ca.SX) -> ca.SX:
         """Slopes of the coordinates that close the loops again, for a rate at which something else opens them."""
         return ca.substitute(self.statics.rates, self.statics.v, ca.densify(-self._solve(opened)))

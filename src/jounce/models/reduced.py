@@ -38,7 +38,8 @@ class SampledCorner:
     """Functions of (q, u, p, m) of a corner whose travel, height of the body and rack are driven.
 
     ``pose`` is for ``kernel.poses``, ``output`` gives the quantities ``names``; ``tracks`` are the inputs u, ``p`` the
-    numbers at ``parameters``; ``start`` is the design pose.
+    numbers at ``parameters``; ``start`` is the design pose. ``tangent`` gives a function of the slopes of all
+    quantities along a change of tracks and numbers, which stands behind the coordinates; the pose follows.
     """
 
     pose: ca.Function
@@ -47,6 +48,7 @@ class SampledCorner:
     tracks: tuple[str, ...]
     parameters: tuple[str, ...]
     start: tuple[float, ...]
+    tangent: Callable[[], ca.Function]
 
 
 @dataclass
@@ -91,9 +93,16 @@ def sampled_corner(rig: Corner) -> SampledCorner:
         ca.SX.sym("m", 1),
     ]
     functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()}
+
+    def tangent() -> ca.Function:
+        numbers = ca.vertcat(*arguments[1:3])
+        change = ca.SX.sym("change", numbers.shape[0])
+        slopes = ca.cse(ca.densify(driven.followed(output, numbers, change)))
+        return ca.Function("tangent", [ca.vertcat(arguments[0], change), *arguments[1:]], [slopes])
+
     tracks = ("travel", "heave", "rack")[: len(driven.tracks)]
-    start = tuple(driven.statics.start)
-    return SampledCorner(functions["pose"], functions["output"], tuple(quantities), tracks, tuple(parameters), start)
+    named = tuple(quantities), tracks, tuple(parameters), tuple(driven.statics.start)
+    return SampledCorner(functions["pose"], functions["output"], *named, tangent)
 
 
 def _see(linkage: _Watched) -> None:

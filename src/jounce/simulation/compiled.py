@@ -36,6 +36,7 @@ _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simul
 class Compiled:
     """Native functions of one model; ``free`` are the parameters whose sensitivities ride along with the state.
 
+    ``moved`` are the model's parameters that change with them: the same, or what follows from them.
     ``shapes`` are those of each function's result; ``scalars`` and ``lanes`` count the extended parameters without and
     with lanes (see ``Program``). ``source`` gives the symbolic model, which runs do not need; ``without`` is the same
     model without free parameters, where there are some. ``identity`` says everything the code of a rig depends on; it
@@ -50,6 +51,7 @@ class Compiled:
     lanes: int
     source: Callable[[], Model] = field(repr=False)
     without: Compiled | None = field(default=None, repr=False)
+    moved: tuple[str, ...] = ()
     identity: str = field(default="", repr=False)
 
     @property
@@ -65,7 +67,7 @@ class Compiled:
     @cached_property
     def functions(self) -> dict[str, ca.Function]:
         """The native functions as graphs."""
-        return _program(self.model, self.free).graphs
+        return _program(self.model, self.moved, len(self.free)).graphs
 
     @property
     def state_count(self) -> int:
@@ -100,12 +102,15 @@ class Compiled:
         """The same with a pair of lower order, for runs whose steps the input keeps short."""
         return shortened(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))
 
-    def extended(self, p: Array) -> Array:
-        """Parameters as the engine wants them: with what depends on them alone, and lanes where some are free."""
+    def extended(self, p: Array, along: Array | None = None) -> Array:
+        """Parameters as the engine wants them: with what depends on them alone, and lanes where some are free.
+
+        ``along`` says how the moved parameters change with the free ones, one column each; with none each moves alone.
+        """
         values = self.native.evaluate("derived", (self.scalars,), p, *_NOTHING)
         if not self.free:
             return values
-        inputs = np.concatenate([p, np.eye(len(self.free)).ravel()])
+        inputs = np.concatenate([p, (np.eye(len(self.free)) if along is None else along).ravel()])
         lanes = self.native.evaluate("derived_lanes", (self.lanes * len(self.free),), inputs, *_NOTHING)
         return np.concatenate([values, lanes])
 
@@ -139,9 +144,9 @@ class Compiled:
             parts[name], begin = whole[begin : begin + len(names)], begin + len(names)
         return parts
 
-    def free_slopes(self, x: Array, u: Array, p: Array, m: Array) -> tuple[Array, Array]:
+    def free_slopes(self, x: Array, u: Array, p: Array, m: Array, along: Array | None = None) -> tuple[Array, Array]:
         """Slopes of rates and constraints along the free parameters, states kept; one column for each of them."""
-        n, count, values = len(x), len(self.free), self.extended(p)
+        n, count, values = len(x), len(self.free), self.extended(p, along)
         states = np.concatenate([x, np.zeros(n * count)])
         rate = self.native.evaluate("rate_s", (n * (1 + count),), states, u, values, m)[n:]
         loops = self.native.evaluate("constraint_s", (len(self.facts.constraints) * count,), states, u, values, m)
@@ -180,11 +185,11 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
     """
     key = (id(model), free)
     if key not in _compiled:
-        program = _program(model, free)
+        program = _program(model, free, len(free))
         native = compile_functions(program.functions, program.step)
         without = compile_model(model) if free else None
         numbers = (program.shapes, program.scalars, program.lanes)
-        _compiled[key] = Compiled(model.facts, free, native, *numbers, lambda: model, without)
+        _compiled[key] = Compiled(model.facts, free, native, *numbers, lambda: model, without, free)
     return _compiled[key]
 
 
@@ -212,31 +217,34 @@ def compile_described(
     model: Callable[[], Model],
     free: tuple[str, ...] = (),
     without: Callable[[], Compiled] | None = None,
+    moved: tuple[str, ...] | None = None,
 ) -> Compiled:
     """Give the native code of a model that a key says all of; where the cache holds it, the model is not even built.
 
     Keys are equal for models with equal equations; their text is the name in the cache. ``model`` builds the model;
-    ``without`` gives the same one without free parameters, where there are some.
+    ``without`` gives the same one without free parameters, where there are some; ``moved`` are those that change with
+    them, where these are others.
     """
+    moved = free if moved is None else moved
     if key not in _compiled:
         identity = f"{sources()} {key}"
-        native, notes = kept_code(identity, lambda: _source(model(), free))
+        native, notes = kept_code(identity, lambda: _source(model(), moved, len(free)))
         table: dict[str, Any] = json.loads(notes)
         plain = without() if free and without is not None else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
         numbers = (shapes, table["scalars"], table["lanes"])
-        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, plain, identity)
+        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, plain, moved, identity)
     return _compiled[key]
 
 
-def _program(model: Model, free: tuple[str, ...]) -> Program:
+def _program(model: Model, moved: tuple[str, ...], count: int) -> Program:
     from jounce.simulation.programs import plain_program, sensitive_program
 
-    return sensitive_program(model, free) if free else plain_program(model)
+    return sensitive_program(model, moved, count) if count else plain_program(model)
 
 
-def _source(model: Model, free: tuple[str, ...]) -> Source:
-    program = _program(model, free)
+def _source(model: Model, moved: tuple[str, ...], count: int) -> Source:
+    program = _program(model, moved, count)
     table = {"facts": asdict(model.facts), "shapes": program.shapes, "scalars": program.scalars, "lanes": program.lanes}
     return Source(program.functions, program.step, json.dumps(table))
 

@@ -12,13 +12,15 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
+from jounce.mechanics.facts import Facts
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.schema import place_of
 from jounce.roads import Trial
-from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation, known_actuator
+from jounce.simulation.reduced import with_slopes
 from jounce.simulation.result import Solution
 from jounce.simulation.settings import RunSettings
 
@@ -67,7 +69,8 @@ def sensitivities(
     -------
     xarray.Dataset
         One variable a channel, of ``parameter`` and ``time`` (s). Its ``units`` are those of the channel; each value is
-        per SI unit of the parameter, which the coordinate ``parameter_units`` says.
+        per SI unit of the parameter, which the coordinate ``parameter_units`` says. ``attrs["method"]`` says what ran:
+        a corner that only travels by its one coordinate ("reduced explicit"), any other rig as it is.
 
     Raises
     ------
@@ -88,9 +91,9 @@ def sensitivities(
     import xarray as xr
 
     times = RunSettings(output_step, tolerance).times(trial.duration)
-    compiled, solution = _run(rig, trial, parameters, times, tolerance)
+    facts, solution = _run(rig, trial, parameters, times, tolerance)
     variables = {}
-    for output, slopes in zip(compiled.facts.outputs, solution.output_slopes, strict=True):
+    for output, slopes in zip(facts.outputs, solution.output_slopes, strict=True):
         attrs = {"units": output.unit, "long_name": output.long_name, "place": place_of(output.name)}
         variables[output.name] = (("parameter", "time"), slopes, attrs)
     units = [unit_of(rig, path) for path in parameters]
@@ -99,7 +102,8 @@ def sensitivities(
         "parameter_units": ("parameter", units),
         "time": ("time", times, {"units": "s"}),
     }
-    return xr.Dataset(variables, coordinates)
+    how = {"method": solution.method, "steps": solution.steps, "events": solution.events}
+    return xr.Dataset(variables, coordinates, how)
 
 
 def gradient(
@@ -163,8 +167,8 @@ def gradient(
         wanted = dict(weights or dict.fromkeys(map(str, measured.data_vars), 1.0))
     else:
         wanted = {name: objective[name] for name in objective}
-    compiled, solution = _run(rig, trial, parameters, times, tolerance)
-    names, shares, slopes = compiled.output_names, {}, np.zeros(len(parameters))
+    facts, solution = _run(rig, trial, parameters, times, tolerance)
+    names, shares, slopes = tuple(output.name for output in facts.outputs), {}, np.zeros(len(parameters))
     for name, weight in wanted.items():
         _check_channel(name, weight, names, measured)
         signal, along = (part[names.index(name)] for part in (solution.outputs, solution.output_slopes))
@@ -178,9 +182,7 @@ def gradient(
     return Gradient(sum(shares.values()), dict(zip(parameters, map(float, slopes), strict=True)), shares)
 
 
-def _run(
-    rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolerance: float
-) -> tuple[Compiled, Solution]:
+def _run(rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolerance: float) -> tuple[Facts, Solution]:
     """Simulate with sensitivities."""
     values = check_rig(rig).parameters()
     if isinstance(parameters, str) or not parameters or len(set(parameters)) < len(parameters):
@@ -189,12 +191,15 @@ def _run(
     for path in parameters:
         if path not in values:
             raise unknown_path(f"parameters: {path}", values, name=path)
-    compiled = compile_rig(rig, tuple(parameters), actuator=known_actuator(trial))
-    signals = excitation(compiled.facts, rig, trial, compiled.free)
-    solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
+    free, plain = tuple(parameters), compile_rig(rig, actuator=known_actuator(trial))
+    signals = excitation(plain.facts, rig, trial, free)
+    solution = with_slopes(rig, trial, values, signals, times, tolerance, free)
+    if solution is None:
+        compiled = compile_rig(rig, free, actuator=known_actuator(trial))
+        solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
     if solution.status is not Status.COMPLETED:
         raise SimulationError("the run did not reach its end", found=solution.status.help)
-    return compiled, solution
+    return plain.facts, solution
 
 
 def _times_of(measured: xr.Dataset, trial: Trial) -> Array:

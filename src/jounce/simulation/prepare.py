@@ -117,13 +117,14 @@ def prepare(
     tolerance: float = 1e-5,
     offset: Array | None = None,
     method: Method = "auto",
+    along: Array | None = None,
 ) -> Prepared:
     """Lay out a run from static equilibrium under what the signals are at ``times[0]``.
 
     The output ``times`` (s) ascend. ``p`` are all parameter values, SI; the free ones of the model bring their
-    sensitivities along. ``signals`` has every track against time: road heights (m), loads; one alone for a model with
-    one track. ``tolerance`` and ``method`` are as :class:`RunSettings` has them; ``offset`` is added to the
-    equilibrium: where the run starts.
+    sensitivities along (``along`` is as :meth:`Compiled.extended` has it). ``signals`` has every track against time:
+    road heights (m), loads; one alone for a model with one track. ``tolerance`` and ``method`` are as
+    :class:`RunSettings` has them; ``offset`` is added to the equilibrium: where the run starts.
     """
     if method == "implicit" and compiled.free:
         raise SimulationError(
@@ -145,9 +146,9 @@ def prepare(
         compiled.engine,
         pieces,
         pieces.first[:-1].copy(),
-        compiled.extended(p),
+        compiled.extended(p, along),
         modes.copy(),
-        np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still)]),
+        np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still, along)]),
         len(still),
     )
     control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, float(times[-1] - times[0]))
@@ -321,11 +322,11 @@ def explicit_limit(oscillation: Array | float, decay: Array | float, waves: floa
     return np.maximum(np.maximum(oscillation, _STABLE * np.asarray(decay)), max(waves, 1e-3))
 
 
-def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> Array:
+def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array, along: Array | None) -> Array:
     """How the equilibrium moves with the free parameters (implicit function theorem), state after state."""
     if not compiled.free:
         return np.zeros(0)
-    rate, loops = compiled.free_slopes(rest.x, u, p, rest.modes)
+    rate, loops = compiled.free_slopes(rest.x, u, p, rest.modes, along)
     if len(loops):
         shift = np.linalg.lstsq(rest.balance, -np.vstack([rate[rest.rows], loops]), rcond=None)[0]
     else:

@@ -67,15 +67,18 @@ def plain_program(model: Model) -> Program:
     return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
 
 
-def sensitive_program(model: Model, free: tuple[str, ...]) -> Program:
-    """Functions that carry sensitivities ``S = dx/dp`` along: behind the states, for each one lane a parameter."""
-    for path in free:
+def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Program:
+    """Functions that carry sensitivities ``S = dx/dp`` along: behind the states, for each one lane a direction.
+
+    Of ``count`` directions each moves the parameters ``moved`` as it likes: most often one of them alone.
+    """
+    for path in moved:
         if path not in model.parameters:
             raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
     generic, model = model.generic, model.generic.model if model.generic else model
-    n, count = model.x.shape[0], len(free)
-    dx, chosen, dp = ca.SX.sym("S", n), ca.SX.sym("dp", count), ca.SX(model.p.shape[0], 1)
-    for i, path in enumerate(free):
+    n = model.x.shape[0]
+    dx, chosen, dp = ca.SX.sym("S", n), ca.SX.sym("dp", len(moved)), ca.SX(model.p.shape[0], 1)
+    for i, path in enumerate(moved):
         dp[model.parameters.index(path)] = chosen[i]
     along = tangent(model, dx, ca.SX(model.u.shape[0], 1), dp)
     parts = {"switch": model.switch, "rate_s": ca.vertcat(model.rate, along.rate)}

@@ -22,7 +22,7 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.kernel.native import Native, Source, kept_code
-from jounce.kernel.poses import Walk, space_for, walk_variants
+from jounce.kernel.poses import Walk, space_for, walk_poses, walk_variants
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
 from jounce.parts import Rig
 from jounce.parts.corners import Corner
@@ -40,6 +40,9 @@ DEGREES = (10, 18)
 """Of the polynomials; the second where a wheel travels far or the tolerance is tight."""
 _SHARE = 1e-3  # of the tolerance, that a lever or a mass may be wrong by: the static load counts a hundred motions
 _SHOWN = 0.1  # the same for a channel that nothing feels
+_SLOPES_SHARE = 0.1  # the same for the change of a lever or a mass with a number of the description
+_ROUNDINGS = 8.0 * float(np.finfo(float).eps)  # of a slope of a quantity at a pose, relative
+_UNFELT = 1e-4  # relative change of any quantity by a unit (SI) of a number, below which its error counts as that of it
 _TIGHTEST = 1e-7
 _COARSEST = 5e-3  # s: between samples farther apart a wheel may leave the range and come back unseen
 STEPS_SHARE = 0.9
@@ -49,6 +52,7 @@ _BESIDE = 0.25  # share of the range that a wheel has used, by which it becomes 
 _FLAT = 1e-3  # slope (1, rad/m) of a quantity below which its error counts as that of this slope
 _OFF = 0.5  # share of the range, by which the pose at rest may lie off its middle
 _TRIES = 3
+_LANES = 8  # numbers of a description whose slopes are computed at once
 _TURNED = 0.5  # rad
 _RACK = "steering.rack_travel"
 _MASSES = ("mass", "momentum", "inertia")
@@ -105,6 +109,22 @@ class Reduction:
         """Native code of the reduced corner."""
         return _compiled(self.rig, structure_of(self.rig), degree)
 
+    def feels(self, path: str, degree: int = DEGREES[0]) -> bool:
+        """Tell whether a number of the description moves the reduced corner: by itself, or through its table."""
+        return path in self.places(degree).given or self.is_sampled(path)
+
+    def is_sampled(self, path: str) -> bool:
+        """Tell whether a table depends on a number of the description."""
+        return path == _RACK or path in self.parameters
+
+    def sensitive(self, degree: int, free: tuple[str, ...]) -> Compiled:
+        """The same with sensitivities to numbers of the description; those of a table move all of it."""
+        places = self.places(degree)
+        moved = tuple(path for path in free if path in places.given)
+        if any(map(self.is_sampled, free)):
+            moved += tuple(path for path in places.table if path not in (MIDDLE, HALF))
+        return replace(_sensitive(self.rig, structure_of(self.rig), degree, moved, len(free)), free=free)
+
     @cached_property
     def are_factors(self) -> NDArray[np.bool_]:
         """Which quantities, but for the first, count by their value: masses, and the tyre's lean."""
@@ -123,7 +143,7 @@ class Reduction:
             own += [path for name in self.names[1:] for path in of_travel(name, degree)]
             place = {path: i for i, path in enumerate(paths)}
             given = tuple(path for path in paths if path not in set(own))
-            self.placed[degree] = _Places(given, _numbers(place, given), _numbers(place, own))
+            self.placed[degree] = _Places(given, tuple(own), _numbers(place, given), _numbers(place, own))
         return self.placed[degree]
 
     def tables(self, p: Array, rack: float, low: float, high: float, degree: int) -> tuple[Array, Array]:
@@ -137,20 +157,28 @@ class Reduction:
         values = self._sampled(p, rack, middle + half * points)
         series = values[1:] @ made.T
         kept, left = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
-        levers = np.maximum(kept[..., 1:].sum(axis=-1), _FLAT * half)
-        size = np.where(self.are_factors[:, None], kept[..., 0], levers)
-        size[0] = size[1]  # momentum and inertia belong to one matrix
+        size = self._sizes(kept, half)
         # Forces and masses feel the slope of a quantity, channels the quantity itself.
         felt, shown = left @ squares[degree + 1 :], _SHARE / _SHOWN * left.sum(axis=-1)
         errors = np.where(self.only_shown[:, None], shown, felt) / size
-        turned = self.only_shown[:, None] & ((levers > _TURNED) | (kept[..., 0] > _TURNED))
+        turned = self.only_shown[:, None] & ((kept[..., 1:].sum(axis=-1) > _TURNED) | (kept[..., 0] > _TURNED))
         errors[turned] = np.inf  # a wheel that turns so far may flip over, which the mechanism finds out
         coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
         return np.concatenate([first, coefficients], axis=1), errors.max(axis=0)
 
-    def _sampled(self, p: Array, rack: float, travel: Array) -> Array:
-        """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
+    def _sizes(self, kept: Array, half: float) -> Array:
+        """What the error of each quantity but the first is a share of: its value or the way it goes, whichever counts.
+
+        ``kept`` are the sizes of its coefficients along the last axis.
+        """
+        levers = np.maximum(kept[..., 1:].sum(axis=-1), _FLAT * half)
+        size = np.where(self.are_factors.reshape(-1, *[1] * (kept.ndim - 2)), kept[..., 0], levers)
+        size[0] = size[1]  # momentum and inertia belong to one matrix
+        return size
+
+    def _walk(self, p: Array, rack: float, travel: Array) -> tuple[Walk, NDArray[np.intp]]:
+        """The way to poses at ascending travels (m), and the place of each of its targets among them."""
         up, down = np.flatnonzero(travel >= 0.0), np.flatnonzero(travel < 0.0)[::-1]  # from design to both sides
         place = np.concatenate([up, down])
         targets = np.zeros((len(travel), len(self.tracks)))
@@ -160,11 +188,80 @@ class Reduction:
         before = np.arange(-1, len(travel) - 1, dtype=np.int64)
         before[len(up) : len(up) + 1] = -1
         address, origin = self.native.address, np.zeros(len(self.tracks))
-        walk = Walk(address["pose"], address["output"], p[0].copy(), self.start, origin, targets, before)
+        return Walk(address["pose"], address["output"], p, self.start, origin, targets, before), place
+
+    def _sampled(self, p: Array, rack: float, travel: Array) -> Array:
+        """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
+        walk, place = self._walk(p[0].copy(), rack, travel)
         values = np.empty((len(self.names), len(p), len(travel)))
         every = np.arange(len(self.names), dtype=np.int64)
         walk_variants(walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values)
         return values
+
+    def slopes(self, table: Table, degree: int, p: Array, rack: float, free: Sequence[str]) -> tuple[Array, float]:
+        """How the numbers of a table change with numbers of the description, a column each; and bound its error.
+
+        The poses follow each change with their loops closed, exactly; so the only error is that of the polynomials, for
+        each number relative to what it changes most.
+        """
+        points, made, powers, squares = basis(degree)
+        middle, half = table.numbers[:2]
+        values, along = self._along(p, rack, middle + half * points, free)
+        moves, series = along[1:] @ made.T, values[1:] @ made.T
+        kept, left = np.abs(moves[..., : degree + 1]), np.abs(moves[..., degree + 1 :])
+        size = self._sizes(np.abs(series[..., : degree + 1]), half)[:, None]
+        rounding = _ROUNDINGS * np.abs(along[1:]).max(axis=-1)
+        felt = np.maximum(left @ squares[degree + 1 :] - rounding * squares[degree + 1 :].sum(), 0.0) / size
+        shown = np.maximum(left.sum(axis=-1) - rounding * len(points), 0.0)
+        first = np.where(self.are_factors, 0, 1)  # a constant in a length moves nothing but what it is added to
+        changes = np.array([each[:, begin:].sum(axis=-1) for each, begin in zip(kept, first, strict=True)])
+        largest = (changes / size)[~self.only_shown].max(axis=0)
+        errors = np.where(
+            self.only_shown[:, None],
+            _SLOPES_SHARE / _SHOWN * shown / np.maximum(kept.sum(axis=-1), _UNFELT),
+            felt / np.maximum(largest, _UNFELT),
+        )
+        numbers = np.zeros((len(table.numbers), len(free)))
+        numbers[2] = along[0, :, 0]
+        numbers[3:] = (moves[..., : degree + 1] @ powers).transpose(0, 2, 1).reshape(-1, len(free))
+        return numbers, float(errors.max(initial=0.0))
+
+    def _along(self, p: Array, rack: float, travel: Array, free: Sequence[str]) -> tuple[Array, Array]:
+        """Quantities at ascending travels, and their slopes along numbers: shape (quantities, numbers, travels)."""
+        walk, place = self._walk(p, rack, travel)
+        found, work = space_for(walk, len(self.names))
+        walk_poses(walk, found, work)
+        tracks, count, poses = len(self.tracks), len(self.names), len(travel)
+        place_of = {path: tracks + i for i, path in enumerate(self.parameters)}
+        if _RACK in free:
+            place_of[_RACK] = tracks - 1
+        size = tracks + len(self.parameters)
+        values, slopes = np.empty((count, poses)), np.zeros((count, len(free), poses))
+        values[:, place] = found.outputs
+        which = [i for i, path in enumerate(free) if path in place_of]
+        for first in range(0, len(which), _LANES):
+            group = which[first : first + _LANES]
+            change = np.zeros((size, _LANES))
+            change[[place_of[free[i]] for i in group], range(len(group))] = 1.0
+            x = np.concatenate([self.start, change.ravel()])
+            for k in range(poses):
+                x[: len(self.start)] = found.poses[:, k]
+                slope = self.tangents.evaluate("tangent", (count * _LANES,), x, walk.targets[k], p, work.m)
+                slopes[:, group, place[k]] = slope.reshape(count, _LANES)[:, : len(group)]
+        return values, slopes
+
+    @cached_property
+    def tangents(self) -> Native:
+        """Native code of the slopes of all quantities."""
+
+        def source() -> Source:
+            from jounce.kernel.lowering import Lanes
+            from jounce.models.reduced import sampled_corner
+
+            first = (len(self.start), len(self.tracks), len(self.parameters), 1, 0)
+            return Source({"tangent": Lanes(sampled_corner(self.rig).tangent(), _LANES, first)})
+
+        return kept_code(f"{sources()} tangents {type(self.rig).__name__} {structure_of(self.rig)}", source)[0]
 
     def alike(
         self, base: Table, degree: int, paths: Sequence[str], values: Array, limit: float
@@ -195,9 +292,10 @@ class Reduction:
 
 
 class _Places(NamedTuple):
-    """Paths of the description's numbers, and where these and those of a table belong."""
+    """Paths of the description's numbers and of those of a table, and where they belong."""
 
     given: tuple[str, ...]
+    table: tuple[str, ...]
     of_given: NDArray[np.intp]
     of_table: NDArray[np.intp]
 
@@ -241,6 +339,13 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
     told = json.loads(notes)
     names, tracks, parameters = (tuple(told[name]) for name in ("names", "tracks", "parameters"))
     return Reduction(rig, native, names, tracks, parameters, np.array(told["start"], dtype=float))
+
+
+def _sensitive(rig: Corner, structure: str, degree: int, moved: tuple[str, ...], count: int) -> Compiled:
+    """The same for any ``count`` numbers that change the parameters ``moved``."""
+    key = ("reduced", type(rig).__name__, structure, degree, moved, count)
+    plain, free = _compiled(rig, structure, degree), tuple(f"direction {i}" for i in range(count))
+    return compile_described(key, plain.source, free, lambda: plain, moved)
 
 
 def _compiled(rig: Corner, structure: str, degree: int) -> Compiled:
@@ -291,6 +396,7 @@ class ReducedCorner:
     signals: Sequence[Segments]
     times: Array
     tolerance: float
+    free: tuple[str, ...] = ()
 
     def run(self) -> tuple[Solution, Prepared] | None:
         """Run it, over a wider range of travel where the wheel leaves the first; None where that does not do."""
@@ -329,17 +435,55 @@ class ReducedCorner:
             table = self.reduction.table(p, rack, low, high, degree)
             if table is None:
                 return None
-            if table.error <= self.limit:
-                return self._with(table, degree)
+            if table.error > self.limit:
+                continue
+            slopes, error = self.reduction.slopes(table, degree, p, rack, self.free) if self.free else (None, 0.0)
+            if error <= _SLOPES_SHARE * self.tolerance:
+                return self._with(table, degree, slopes)
         return None
 
-    def _with(self, table: Table, degree: int) -> ReducedRun | None:
-        compiled, places = self.reduction.compiled(degree), self.reduction.places(degree)
-        p = np.empty(len(compiled.facts.parameters))
+    def _with(self, table: Table, degree: int, slopes: Array | None) -> ReducedRun | None:
+        """Lay out a run over a table, whose numbers change with the free ones by ``slopes``."""
+        reduction, places = self.reduction, self.reduction.places(degree)
+        compiled = reduction.sensitive(degree, self.free) if self.free else reduction.compiled(degree)
+        paths = compiled.facts.parameters
+        p = np.empty(len(paths))
         p[places.of_given] = [self.values[path] for path in places.given]
         p[places.of_table] = table.numbers
+        along = None
+        if slopes is not None:
+            whole = np.zeros((len(p), len(self.free)))
+            whole[places.of_table] = slopes
+            for column, path in enumerate(self.free):
+                if path in places.given:
+                    whole[paths.index(path), column] = 1.0
+            along = whole[[paths.index(path) for path in compiled.moved]]
         try:
-            prepared = prepare(compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance)
+            tolerance = STEPS_SHARE * self.tolerance
+            prepared = prepare(compiled, p, self.signals, self.times, tolerance=tolerance, along=along)
         except SimulationError:  # the full mechanism says why
             return None
         return ReducedRun(prepared, table, degree)
+
+
+def with_slopes(
+    rig: Rig,
+    trial: Trial,
+    values: Mapping[str, float],
+    signals: Sequence[Segments],
+    times: Array,
+    tolerance: float,
+    free: tuple[str, ...],
+) -> Solution | None:
+    """Run a corner with sensitivities by its one coordinate; None where that does not do.
+
+    ``values`` are the numbers of the description, of which some are ``free``; ``signals`` has every track.
+    """
+    longest = float(np.diff(times).max(initial=0.0))
+    if longest > _COARSEST or tolerance < _TIGHTEST or trial.actuator_force is not None or not free:
+        return None
+    reduction = reduction_of(rig)
+    if reduction is None or not all(map(reduction.feels, free)):
+        return None
+    found = ReducedCorner(reduction, values, signals, times, tolerance, free).run()
+    return None if found is None else found[0]

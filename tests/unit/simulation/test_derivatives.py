@@ -57,7 +57,7 @@ def test_ten_parameters_of_the_double_wishbone(lift_off):
 
 
 def test_value_is_the_weighted_mean_square():
-    run = jn.simulate(WISHBONES, TRIAL, method="explicit")  # what slopes are of
+    run = jn.simulate(WISHBONES, TRIAL)  # what slopes are of
     expected = {name: weight * float(np.mean(run[name] ** 2)) for name, weight in WEIGHTS.items()}
     found = jn.gradient(WISHBONES, TRIAL, ["sprung.mass"], WEIGHTS)
     assert found.channels == pytest.approx(expected, rel=1e-9)
