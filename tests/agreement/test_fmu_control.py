@@ -68,6 +68,53 @@ def test_a_damper_in_an_fmu_is_the_damper_sampled(made, rate) -> None:
     np.testing.assert_allclose(free["sprung.z"], undamped["sprung.z"], rtol=0.0, atol=1e-6)
 
 
+@pytest.fixture(scope="module")
+def damped(made):
+    """The Audi over the bump with its damper in an FMU, ``times`` as firm, and the range-related error of the wheel."""
+    rig = jn.load("audi-a6-quarter-car")
+    actuator = jn.ActiveActuator(lag=0.0, force_limit=1e6, in_place_of_damper=True)
+    own = jn.simulate(rig, TRIAL, tolerance=1e-7)["unsprung.z"].values
+
+    def drive(times=1.0, check=True, **fields):
+        law = FmuControl(
+            file=made(3), inputs={"v_strut": "strut.velocity"}, output="force", actuator=actuator, trusted=True,
+            parameters={"gain": times * rig.strut.damper.coefficient}, **fields,
+        )  # fmt: skip
+        run = jn.simulate(rig, TRIAL, control=law, tolerance=1e-7, check=check)
+        return run, float(np.abs(run["unsprung.z"].values[: len(own)] - own[: run.sizes["time"]]).max() / np.ptp(own))
+
+    return drive
+
+
+@pytest.mark.parametrize(("hold", "order"), [("zero", 1), ("first", 2)])
+def test_a_held_force_converges_with_the_period(damped, hold, order) -> None:
+    """Orders of zero- and first-order hold."""
+    coarse, fine = (damped(hold=hold, rate=rate)[1] for rate in (500.0, 1000.0))
+    assert 0.95 * 2**order < coarse / fine < 1.05 * 2**order
+    assert fine < {"zero": 0.02, "first": 0.001}[hold]
+
+
+def test_a_force_without_a_rate_follows_the_fastest_mode(damped) -> None:
+    """The wheel turns by at most 0.05 rad in a period: 0.5 ms; what holding makes of the work is said."""
+    run, _ = damped()
+    assert any("held for 0.5 ms" in finding for finding in run.attrs["findings"])
+    assert np.unique(run["command"].values[100:110]).size == 10
+    coarse, _ = damped(rate=50.0)
+    assert any(finding.startswith("warning") and "higher rate" in finding for finding in coarse.attrs["findings"])
+
+
+@pytest.mark.parametrize("hold", ["zero", "first"])
+def test_a_coupling_that_is_unstable_is_refused(damped, hold) -> None:
+    """What is refused swings to the limit of its force, what is allowed does not."""
+    with pytest.raises(jn.SimulationError, match="coupling is unstable") as refused:
+        damped(60.0, hold=hold, rate=1000.0)
+    assert np.abs(damped(60.0, check=False, hold=hold, rate=1000.0)[0]["command"].values).max() == 1e6
+    allowed = float(str(refused.value).partition("allowed: ")[2].partition(" Hz")[0])
+    assert np.abs(damped(60.0, hold=hold, rate=allowed)[0]["command"].values).max() < 1e5
+    with pytest.raises(jn.SimulationError, match=r"grow at any rate.*signs"):
+        damped(-1.0, hold=hold, rate=1000.0)
+
+
 def test_every_corner_of_a_car_has_its_own_instance(made) -> None:
     rig = jn.load("audi-a6-half-car-4dof")
     law = FmuControl(file=made(2), inputs=INPUTS, output="coefficient", trusted=True)

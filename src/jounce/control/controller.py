@@ -130,6 +130,10 @@ class Controller(Description):
         """Give the same controller with the files that it names found from a folder."""
         return self
 
+    def paced(self, fastest: float) -> Self:  # noqa: ARG002 - others need it
+        """Give the same with its rate, where that follows from the rig's fastest mode (rad/s)."""
+        return self
+
     def resolved(self, corner: CornerModel) -> Self:
         """Give the same controller with its actuator's open numbers filled in for a corner."""
         return self.model_copy(update={"actuator": self.actuator.resolved(corner)})
@@ -255,6 +259,9 @@ class Regulator(Protocol):
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements, of which the last is the time (s)."""
 
+    def answer(self, rest: Array) -> tuple[Array, Array] | None:
+        """Slopes at rest of (commands, memory) along memory and measurements; None where nobody knows them."""
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -338,6 +345,9 @@ class _OwnFunction:
     def start(self) -> None:
         """Begin a run."""
         self._limits.start()
+
+    def answer(self, rest: Array) -> None:
+        """Nobody knows what a function does."""
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""

@@ -192,6 +192,9 @@ class _Planner:
         for plan in self._plans:
             plan.forget()
 
+    def answer(self, rest: Array) -> None:
+        """Its plan is no formula."""
+
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
         count = len(_CHANNELS)

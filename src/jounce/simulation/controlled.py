@@ -32,6 +32,7 @@ from jounce.simulation.statics import Equilibrium, find_equilibrium
 AnyControl = Controller | str | Path | Callable[..., Any]
 _FAR, _AT_LEAST = 1e3, 10.0  # sizes of the usual motion, and m or rad, beyond which a closed loop counts as diverging
 _COMMAND = "command"
+_HALVES = 12  # periods halved in search of one that is short enough
 _GROWING = 1e-3  # 1/s below which a pole counts as rounding
 
 
@@ -98,9 +99,16 @@ class Loop:
     def around(self, compiled: Compiled, prepared: Prepared, signals: Sequence[Segments]) -> Prepared:
         """Put the law around a run that is laid out."""
         pieces = np.array([compiled.facts.tracks.index(_command(corner)) for corner in self.corners], dtype=np.int64)
-        law = _Law(self, compiled, prepared, signals, pieces)
+        law = _Law(self._paced(prepared), compiled, prepared, signals, pieces)
         control = prepared.control._replace(scale=self._scale(compiled, prepared.control.scale))
         return replace(prepared, control=control, feedback=law.feedback, begin=law.start)
+
+    def _paced(self, prepared: Prepared) -> Loop:
+        """The same with the rate that follows from the rig, where the controller leaves it open."""
+        if prepared.equilibrium is None:
+            return self
+        fastest = prepared.equilibrium.fastest_oscillation
+        return replace(self, controllers={corner: law.paced(fastest) for corner, law in self.controllers.items()})
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
         """Typical sizes of the states; those of the actuators from their limits."""
@@ -338,12 +346,27 @@ def is_linear(loop: Loop) -> bool:
 
 def poles(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> Complex:
     """Poles (1/s) of a loop around a model with actuators at rest, by falling real part; ``still`` are the inputs."""
+    made = program(loop.first, loop.corners)
+    slopes = _slopes(made, values(loop.controllers, loop.models, made.numbers))
+    return _held_poles(loop, compiled, p, rest, still, made.channels, slopes, 1.0 / loop.first.rate)
+
+
+def _held_poles(
+    loop: Loop,
+    compiled: Compiled,
+    p: Array,
+    rest: Equilibrium,
+    still: Array,
+    channels: tuple[str, ...],
+    slopes: tuple[Array, Array],
+    period: float,
+) -> Complex:
+    """Poles of a loop whose law has these slopes of (commands, memory) along memory and channels, held for a period."""
     from scipy.linalg import expm
 
-    made, period = program(loop.first, loop.corners), 1.0 / loop.first.rate
     facts, names = compiled.facts, compiled.output_names
     columns = [facts.tracks.index(name) * facts.track_order for name in command_names(loop.corners)]
-    rows = [names.index(name) for name in made.channels]
+    rows = [names.index(name) for name in channels]
     where = (rest.x, still, p, rest.modes)
     along = compiled.slopes("u", *where)
     B, D = (rest.pick @ along["rate"])[:, columns], along["output"][np.ix_(rows, columns)]
@@ -352,7 +375,7 @@ def poles(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, still: Ar
     held = np.zeros((n + m, n + m))
     held[:n, :n], held[:n, n:] = rest.reduced, B
     F, H = np.split(expm(held * period)[:n], [n], axis=1)
-    kept, seen = _slopes(made, values(loop.controllers, loop.models, made.numbers))
+    kept, seen = slopes
     u_x, u_kept, u_u = seen[:m] @ C, kept[:m], seen[:m] @ D
     next_x, next_kept, next_u = seen[m:] @ C, kept[m:], seen[m:] @ D
     whole = np.block([[F + H @ u_x, H @ u_kept, H @ u_u], [next_x, next_kept, next_u], [u_x, u_kept, u_u]])
@@ -383,3 +406,39 @@ def check_stable(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, st
             found=f"a pole at {worst.real:.3g} 1/s, {abs(worst.imag) / (2.0 * np.pi):.3g} Hz",
             hint="Take smaller gains, a faster actuator or a higher control rate (check=False runs it all the same).",
         )
+
+
+def check_coupling(loop: Loop, compiled: Compiled, p: Array, prepared: Prepared) -> None:
+    """Refuse a force of an FMU that is held so long that small motions grow; arguments as for :func:`poles`."""
+    rest, regulator = prepared.equilibrium, next(iter(loop.regulators), None)
+    if regulator is None or rest is None or not isinstance(loop.actuator, ActiveActuator):
+        return
+    outputs = compiled.evaluate("output", rest.x, prepared.still, p, rest.modes)
+    found = regulator.answer(outputs[prepared.feedback.select] - prepared.feedback.offset)
+    if found is None or not all(np.all(np.isfinite(part)) for part in found):
+        return
+
+    def worst(period: float) -> complex:
+        where = (loop, compiled, p, rest, prepared.still, regulator.channels, found, period)
+        return complex(_held_poles(*where)[0])
+
+    period = prepared.feedback.period
+    pole = worst(period)
+    if pole.real <= _GROWING:
+        return
+    finer = next((period / 2**i for i in range(1, _HALVES) if worst(period / 2**i).real <= _GROWING), None)
+    growing = f"{1.0 / period:.6g} Hz, at which {abs(pole.imag) / (2.0 * np.pi):.3g} Hz grow with {pole.real:.3g} 1/s"
+    if finer is not None:
+        raise SimulationError(
+            "the coupling is unstable: a force held for a whole period feeds small motions",
+            where="control: rate",
+            found=growing,
+            allowed=f"{1.0 / finer:.6g} Hz and more",
+            hint="Or let the rig's own damper stay (check=False runs it all the same).",
+        )
+    raise SimulationError(
+        "the closed loop is unstable: small motions grow at any rate",
+        where=f"control: {loop.first.name}",
+        found=growing,
+        hint="Check the signs: forces are compression positive (check=False runs it all the same).",
+    )

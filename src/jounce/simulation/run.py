@@ -113,7 +113,7 @@ def solved(
             return reduced
     loop = None
     if control is not None:
-        from jounce.simulation.controlled import check_stable, close_loop, raise_controller_error
+        from jounce.simulation.controlled import check_coupling, check_stable, close_loop, raise_controller_error
 
         loop = close_loop(rig, control)
     if loop and trial.actuator_force is not None:
@@ -135,6 +135,8 @@ def solved(
         if check and prepared.equilibrium is not None:
             check_stable(loop, compiled, p, prepared.equilibrium, prepared.still)
         prepared = loop.around(compiled, prepared, signals)
+        if check:
+            check_coupling(loop, compiled, p, prepared)
     solution = prepared.run()
     if loop:
         raise_controller_error(loop)

@@ -10,6 +10,7 @@ import pytest
 import jounce as jn
 from jounce.cli import main
 from jounce.control.fmu import FmuControl, caller
+from jounce.control.fmu.controller import _HeldWork
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import DescriptionError, JounceError, SimulationError
 from jounce.core.trust import trusting
@@ -233,6 +234,25 @@ def test_checking_reads_the_fmu_and_runs_nothing(tmp_path, monkeypatch, capsys) 
     assert main(["check", str(file)]) == 0
     (tmp_path / "a.fmu").write_bytes(b"PK")
     assert main(["check", str(file)]) == 2
+
+
+def test_the_work_of_a_force_that_is_held() -> None:
+    """10 N at 1 m/s become 20 N at 2 m/s within 1 s: 140/6 J along lines, and 15 J of the 10 N that are held."""
+    work = _HeldWork(1.0, 1)
+    work.add([10.0], [10.0], [1.0])
+    work.start()
+    work._last = ([10.0], [10.0], [1.0])
+    work.add([20.0], [20.0], [2.0])
+    assert (work._through, work._made) == (pytest.approx(140.0 / 6.0), pytest.approx(15.0 - 140.0 / 6.0))
+    assert "23.3 J that went through it 8.3 J (36 %) were given" in str(work.findings("a.fmu")[0])
+
+
+def test_a_force_keeps_to_the_fixed_step_of_its_fmu(tmp_path) -> None:
+    step = '<CoSimulation modelIdentifier="component" fixedInternalStepSize="0.0003"/>'
+    text = fmu_component.description(3, step=step)
+    law = FmuControl(file=str(fmu_component.write(tmp_path / "a.fmu", 3, b"", text)), actuator=jn.ActiveActuator(lag=0))
+    assert [round(1.0 / law.paced(fastest).rate, 6) for fastest in (10.0, 80.0, 1e5)] == [0.0009, 0.0003, 0.0003]
+    assert law.model_copy(update={"rate": 50.0}).paced(80.0).rate == 50.0
 
 
 def test_both_ways_of_output_are_refused() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import select
 import struct
 import subprocess
@@ -13,19 +14,27 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Protocol, Self
 
+import numpy as np
 from pydantic import model_validator
 
+from jounce.control.actuators import ActiveActuator
 from jounce.control.controller import CallbackController, Limits, Regulator, Setting
 from jounce.control.fmu import caller
 from jounce.control.fmu.component import FmuComponent, FmuVariable, read_fmu, unpacked
 from jounce.core.errors import DescriptionError, SimulationError, unknown
 from jounce.core.findings import Finding
 from jounce.core.trust import trust_said
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import working_folder
 
 _PATIENCE = 60.0  # s that one instant may take
 _NAMED = 5  # files
+_TURN = 0.05  # rad of a rig's fastest mode in a period, where nobody says
+_USUAL, _MOST = 1000.0, 10  # Hz, and how many times that
+_PROBES = {"m": 1e-3, "rad": 1e-3}  # changes of a measurement that show what follows at once; of others:
+_PROBE = 1e-2
+_MUCH = 0.02  # share of a force's work that holding it may make
 _ROUND = 1e-6  # share of a step that rates may be off by rounding
 
 
@@ -34,7 +43,8 @@ class FmuControl(CallbackController):
 
     At an instant it is given the measurements, steps one control period on, and its outputs are the commands of this
     instant: what follows from its inputs at once is not late, and states inside are one period ahead. With an active
-    actuator without lag its output is a force in the strut (compression positive), which is held for a period.
+    actuator without lag its output is a force in the strut (compression positive), which is held for a period; where
+    ``rate`` is left out then, the rig's fastest mode at rest turns by at most 0.05 rad in one (1 to 10 kHz).
 
     Attributes
     ----------
@@ -53,6 +63,9 @@ class FmuControl(CallbackController):
         Start values by name, SI or text with a unit.
     from_rest : bool
         Whether channels are changes from static equilibrium instead of values.
+    hold : {"zero", "first"}
+        What a command is in a period: its value at the instant, or (``first``) the mean of the line through it and
+        the one before, which takes out the half period that a held force is late.
     trusted : bool
         Run in this process: an instant takes microseconds, and an FMU that crashes takes Python with it. Otherwise it
         runs in a child, as it does in commands without ``--trust``, whatever a file says. Neither is a protection
@@ -72,6 +85,7 @@ class FmuControl(CallbackController):
     outputs: dict[str, str] | None = None
     parameters: dict[str, Any] = {}
     from_rest: bool = False
+    hold: Literal["zero", "first"] = "zero"
     trusted: bool = False
     from_file: ClassVar[str] = "fmu"
 
@@ -84,6 +98,21 @@ class FmuControl(CallbackController):
     def beside(self, folder: Path) -> Self:
         """Give the same with its file found from a folder."""
         return self.model_copy(update={"file": str(folder / self.file)})
+
+    @property
+    def is_force(self) -> bool:
+        """Whether its output is a force in the strut, at once."""
+        return isinstance(self.actuator, ActiveActuator) and self.actuator.order == 0
+
+    def paced(self, fastest: float) -> Self:
+        """Give the same with its rate, where a force has none, for a rig whose fastest mode (rad/s) is known."""
+        if "rate" in self.model_fields_set or not self.is_force:
+            return self
+        rate = _USUAL * min(max(math.ceil(fastest / _TURN / _USUAL), 1), _MOST)
+        fixed = read_fmu(self.file).fixed_step
+        if fixed:
+            rate = 1.0 / (fixed * max(math.floor(1.0 / (rate * fixed) + _ROUND), 1))
+        return self.model_copy(update={"rate": rate})
 
     def regulator(self, setting: Setting) -> Regulator:
         """Give what the loop calls."""
@@ -268,7 +297,15 @@ class _FmuRegulator:
         told = [{**start, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
         self._notes = connection.findings
         self.from_rest = law.from_rest
-        self.channels = tuple(channel for one in wires for channel in one.channels)
+        measured = [channel for one in wires for channel in one.channels]
+        speeds = [f"{corner}.{_SPEED}" if corner else _SPEED for corner in setting.controllers]
+        is_seen = law.is_force and all(speed in setting.units for speed in speeds)
+        self._work = _HeldWork(1.0 / law.rate, len(speeds)) if is_seen else None
+        self._count = len(measured)
+        self._probes = [_PROBES.get(setting.units[channel], _PROBE) for channel in measured]
+        self.channels = (*measured, *speeds) if is_seen else tuple(measured)
+        self._extrapolates = law.hold == "first"
+        self._before: list[float] = []
         self._to_own = _conversions([pair for one in wires for pair in one.to_own])
         self._to_si = _conversions([pair for one in wires for pair in one.to_si])
         self._limits = Limits(setting.controllers)
@@ -284,14 +321,18 @@ class _FmuRegulator:
     def findings(self) -> list[Finding]:
         """What is not connected or has no unit, and what the FMU wrote."""
         written = self._instances.written() if isinstance(self._instances, _Child) else []
+        told = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
         if not written:
-            return self._notes
+            return told
         text = f"it wrote files, which go with the folder it ran in: {', '.join(written)}."
-        return [*self._notes, Finding(self._file, "warning", text)]
+        return [*told, Finding(self._file, "warning", text)]
 
     def start(self) -> None:
         """Begin a run."""
         self._limits.start()
+        self._before = []
+        if self._work is not None:
+            self._work.start()
         self._instant = 0
         try:
             if self._instances is None:
@@ -303,21 +344,90 @@ class _FmuRegulator:
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
+        speeds = values[self._count : -1]
+        del values[self._count :]  # the time, too
+        told = self._told_at(values)
+        self._instant += 1
+        held = told
+        if self._extrapolates:
+            held = [1.5 * now - 0.5 * before for now, before in zip(told, self._before or told, strict=True)]
+            self._before = told
+        held = self._limits.kept(held)
+        if self._work is not None:
+            self._work.add(told, held, speeds)
+        return held
+
+    def _told_at(self, values: list[float]) -> list[float]:
+        """Commands (SI) of one step from its measurements."""
         assert self._instances is not None
-        del values[-1]  # the time
         if self._to_own is not None:
             values = [a * value + b for value, (a, b) in zip(values, self._to_own, strict=True)]
         try:
             commands = self._instances.step(values)
         except caller.FmuFailedError as error:
             raise self._failed(error) from None
-        self._instant += 1
         if self._to_si is not None:
             commands = [a * value + b for value, (a, b) in zip(commands, self._to_si, strict=True)]
-        return self._limits.kept(commands)
+        return commands
+
+    def answer(self, rest: Array) -> tuple[Array, Array]:
+        """Slopes at rest of (commands, memory) along memory and measurements: of what follows from these at once."""
+        columns = []
+        for i, probe in enumerate(self._probes):
+            ends = []
+            for sign in (1.0, -1.0):
+                self.start()
+                values = rest[: self._count].tolist()
+                values[i] += sign * probe
+                ends.append(self._told_at(values))
+            columns.append((np.array(ends[0]) - np.array(ends[1])) / (2.0 * probe))
+        count, silent = len(self._limits.last), len(self.channels) - self._count
+        slopes = np.column_stack([*columns, *[np.zeros(count)] * silent])
+        if not self._extrapolates:
+            return np.zeros((count, 0)), slopes
+        return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack([1.5 * slopes, slopes])
 
     def _failed(self, error: Exception) -> SimulationError:
         return SimulationError(str(error), where=f"{self._file} at t = {self._instant / self._rate:.6g} s")
+
+
+_SPEED = "strut.velocity"
+
+
+class _HeldWork:
+    """Work (J) of forces that are held for a period, beside that of the forces themselves."""
+
+    def __init__(self, period: float, count: int) -> None:
+        self._period, self._zeros = period, [0.0] * count
+        self.start()
+
+    def start(self) -> None:
+        """Begin a run."""
+        self._through = self._made = 0.0
+        self._last = (self._zeros, self._zeros, self._zeros)
+
+    def add(self, told: list[float], held: list[float], speeds: list[float]) -> None:
+        """Add a period that ends with these forces (N, as the FMU gives them and as they are held) and speeds (m/s)."""
+        half = 0.5 * self._period
+        for force, speed, f, h, v in zip(told, speeds, *self._last, strict=True):
+            of_lines = (2.0 * (f * v + force * speed) + f * speed + force * v) / 3.0  # between both instants
+            self._made += half * (h * (v + speed) - of_lines)
+            self._through += half * abs(of_lines)
+        self._last = (told, held, speeds)
+
+    def findings(self, where: str) -> list[Finding]:
+        """What holding made of the work."""
+        if not self._through:
+            return []
+        share = abs(self._made) / self._through
+        way = "taken" if self._made > 0.0 else "given"
+        text = (
+            f"its force is held for {1e3 * self._period:.4g} ms: of {self._through:.3g} J that went through it "
+            f"{abs(self._made):.2g} J ({100.0 * share:.2g} %) were {way} by holding"
+        )
+        if share <= _MUCH:
+            return [Finding(where, "note", f"{text}.")]
+        return [Finding(where, "warning", f"{text}; take a higher rate.")]
 
 
 def _conversions(pairs: list[tuple[float, float]]) -> list[tuple[float, float]] | None:
