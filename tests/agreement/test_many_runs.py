@@ -293,6 +293,17 @@ def test_a_spread_of_seeds_gives_whole_ones_that_all_run():
     assert set(found["reason"].values) == {""}
 
 
+def test_geometries_that_cannot_be_assembled_are_rows_with_their_reasons():
+    rig = jn.load("audi-double-wishbone")
+    trial = jn.Trial(road=jn.HalfSine(height="50 mm", length="500 mm", start="1 m"), speed="8 m/s", duration="0.3 s")
+    moved = ("lower_ball_joint[1]", "upper_ball_joint[2]", "strut_bottom[1]")
+    design = jn.sobol({f"hardpoints.{point}": "±900 mm" for point in moved}, 32, seed=1)
+    many = jn.simulate_many(rig, trial, design, metrics=["max tyre.force"])
+    lost = many["reason"].to_numpy() != ""
+    assert 8 <= lost.sum() < 32
+    assert np.array_equal(np.isnan(many["max tyre.force"].to_numpy()), lost)
+
+
 def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
     rig = jn.load("audi-a6-quarter-car")
     found = jn.simulate_many(

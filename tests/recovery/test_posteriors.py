@@ -32,14 +32,19 @@ def covered_without_error(seed):
     return [p.interval[0] <= changes[path] <= p.interval[1] for path, p in found.parameters.items()]
 
 
-def covered_with_error(seed):
-    """The same of a bench whose laws are not the model's: both readings of the part, where it counts as identified."""
-    one = wrong_models.bench(seed)
-    found = jn.posterior(one.trials, wrong_models.FREE, align="lag", doubt=jn.Doubt(), draws=10_000, predict=())
+def counted_with_error(seed):
+    """The posterior of a bench of three trials whose laws are not the model's, and for each identified part whether its
+    interval holds both readings of the truth, with its half-width over its value.
+    """  # fmt: skip
+    one = wrong_models.bench(seed, trials=3)
+    found = jn.posterior(one.trials, wrong_models.FREE, align="lag", doubt=jn.Doubt(), draws=4000, predict=())
     assert found.counted == "model error"
     told = found.update.discrepancy.parameters
-    return [
-        all(p.interval[0] <= true[path] <= p.interval[1] for true in (one.component, one.effective))
+    return found, [
+        (
+            all(p.interval[0] <= true[path] <= p.interval[1] for true in (one.component, one.effective)),
+            0.5 * (p.interval[1] - p.interval[0]) / p.value,
+        )
         for path, p in found.parameters.items()
         if told[path].identified
     ]
@@ -52,7 +57,16 @@ def test_two_hundred_benches_without_model_error():
 
 
 @pytest.mark.slow
-def test_two_hundred_benches_with_model_error():
-    """Half a minute each; seeds 400 to 599 are others than those the intervals were developed on."""
-    inside = [covered for seed in range(400, 600) for covered in covered_with_error(seed)]
-    assert 0.92 <= np.mean(inside) <= 0.995  # nearly all would say that the intervals are too wide
+def test_benches_with_model_error():
+    """A quarter of a minute each; seeds from 400 on are others than those the intervals were developed on.
+
+    No upper end: an interval holds both readings of a part, and three trials say little of what nothing explains, so
+    more than 95 % are covered. That they are useful is what their widths say.
+    """
+    found = [counted_with_error(seed) for seed in range(400, 455)]
+    covered, widths = np.array([row for _, rows in found for row in rows]).T
+    errors = np.array([one.density_error for one, _ in found])
+    assert np.mean(covered) >= 0.92
+    assert np.median(widths) < 0.2
+    assert np.mean(errors < 0.5) > 0.9
+    assert all(any("log density" in str(f) for f in one.findings) == (one.density_error > 0.5) for one, _ in found)

@@ -206,6 +206,8 @@ class Blocks:
         one = np.eye(at.lift.shape[1])
         usable = np.isfinite(by).all(axis=(2, 3)) & np.isfinite(found).all(axis=(2, 3))
         by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
+        usable &= np.linalg.det(by) != 0.0  # loops that cannot be closed leave nothing free to move
+        by, found = (np.where(usable[..., None, None], part, one) for part in (by, found))
         slopes = np.linalg.solve(by.swapaxes(2, 3), found.swapaxes(2, 3)).swapaxes(2, 3)
         free = len(at.free)
         usable &= np.linalg.det(slopes[..., free:, :free]) != 0.0
