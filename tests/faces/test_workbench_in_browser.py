@@ -235,7 +235,8 @@ def _use(control: Any, drawn: random.Random) -> None:
     elif kind.endswith("file"):
         return
     else:
-        name = (control.inner_text(timeout=500) + (control.get_attribute("aria-label", timeout=500) or "")).lower()
+        text = control.text_content(timeout=500) or ""  # links inside of drawings have no inner text
+        name = (text + (control.get_attribute("aria-label", timeout=500) or "")).lower()
         if not any(word in name for word in BEGINS.split(",")):
             control.click(timeout=500, position={"x": 3, "y": 3} if kind.startswith("CANVAS") else None)
 

@@ -243,6 +243,7 @@ export class MechanismView {
     this.canvas.focus({ preventScroll: true });
     const name = m.names[found]!, scale = (this.camera.right - this.camera.left) / this.camera.zoom / box.width;
     const across = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0), upward = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    for (const one of [across, upward]) one.applyQuaternion(this.group.quaternion.clone().invert()); // hardpoints are those of a body that does not roll
     const moved = (now: PointerEvent): [number, number, number] => {
       const x = scale * (now.clientX - event.clientX), y = -scale * (now.clientY - event.clientY);
       if (this.way === "view") return across.clone().multiplyScalar(x).addScaledVector(upward, y).toArray();
