@@ -29,7 +29,6 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
-from jounce.core.description import schema_told
 from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError
 
@@ -167,6 +166,8 @@ def optimise(
 
     Example: jounce design optimise kart-quarter-car --free strut.damper.coefficient="50..500" --objective sprung.az
     """
+    from jounce.core.description import schema_told
+
     check_outputs(rig=out, figure=figure, report=report, force=force)
     if schema_told(Path(vehicle)).startswith("jounce.optimisation/"):
         _refuse_beside_study(free, objective, limit, set_, duration, band)
