@@ -96,7 +96,7 @@ def test_rigid_plate_500_cars(twin):
 def test_sprung_plate(twin):
     tester = load_tester("theta-msd3000")
     keys = ("theta_road", "theta_rig")
-    errors, halves, _ = compare(twin, tester, sprung(twin, tester), keys, range(24))
+    errors, halves, _ = compare(twin, tester, sprung(twin, tester), keys, range(40))
     check(errors, halves, keys, (0.01, 0.02))  # theta on the road is graded
 
 

@@ -115,5 +115,6 @@ def angle_of(b: ir.IRBuilder, call: Call, y: ir.Value, x: ir.Value) -> ir.Value:
     found = b.select(turned, of.add(of.add(found, _LACKS), _EIGHTH), found)
     found = b.select(steep, of.add(of.subtract(2.0 * _LACKS, found), _HALF), found)
     behind = of.add(of.subtract(4.0 * _LACKS, found), 2.0 * _HALF)
-    found = b.select(b.fcmp_ordered("<", x, zero), behind, found)
+    sign = call("copysign", [of.of(1.0), x])  # that of a zero too
+    found = b.select(b.fcmp_ordered("<", sign, zero), behind, found)
     return call("copysign", [found, y])

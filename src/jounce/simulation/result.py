@@ -108,7 +108,7 @@ def angles_of(names: tuple[str, ...]) -> list[str]:
     return [name for name in names if name.endswith(_ANGLES)]
 
 
-def may_turn(courses: Array) -> NDArray[np.bool_]:
+def turns_little(courses: Array) -> NDArray[np.bool_]:
     """Tell which courses of such a channel (rad, one a row) turn so little that no wheel has flipped over.
 
     :func:`flipped_at` says of the others whether it has: an angle may also have passed half a turn.

@@ -23,7 +23,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
 from jounce.simulation.reduced import STEPS_SHARE, ReducedCorner, Reduction, reduction_for
-from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, may_turn, samples_reached
+from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, samples_reached, turns_little
 from jounce.simulation.settings import RunSettings
 from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
@@ -439,7 +439,7 @@ class _Group:
                 course = found[row_of[name]]
                 kept = kept & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
             for name in angles:
-                kept = kept & may_turn(found[row_of[name]])
+                kept = kept & turns_little(found[row_of[name]])
             lanes = np.flatnonzero(sound[first : first + count] & kept[:count])
             still = blocks.outputs_at_rest(rest, block)
             for i, metric in enumerate(results.metrics):

@@ -55,6 +55,13 @@ def test_of_points_in_all_quarters_and_on_the_axes(native):
     y, x = size * np.sin(turn), size * np.cos(turn)
     y[:8], x[:8] = [0.0, 1.0, 0.0, -1.0, 0.0, -0.0, 2.0, -2.0], [1.0, 0.0, -1.0, 0.0, 0.0, -1.0, 2.0, -2.0]
     assert np.max(units_off(evaluated(native, "atan2", y, x), np.arctan2(y, x))) <= 3.0
+    y, x = (
+        np.array([0.0, -0.0, 0.0, -0.0, 1.0, -1.0, 1.0, -1.0]),
+        np.array([0.0, 0.0, -0.0, -0.0, 0.0, 0.0, -0.0, -0.0]),
+    )
+    found = evaluated(native, "atan2", y, x)
+    assert np.max(units_off(found, np.arctan2(y, x))) <= 1.0
+    assert np.array_equal(np.signbit(found), np.signbit(y))
 
 
 def test_what_is_no_number_stays_none(native):
