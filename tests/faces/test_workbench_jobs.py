@@ -84,11 +84,19 @@ def test_bounds_mean_in_python_what_they_mean_on_the_command_line(tmp_path, text
     assert f"{{'tyre.stiffness': {meant!r}}}" in doing_of(task_of(task), Project(tmp_path)).python
 
 
-def _by_python_and_command(folder: Path, task: dict[str, Any], cli: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-    doing = doing_of(task_of(task), Project(folder))
+def _by_python_and_command(
+    folder: Path, task: dict[str, Any], cli: Any, **more: Any
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What Python leaves in its names, then what the command prints; ``more`` is asked of the command only."""
     names: dict[str, Any] = {}
-    exec(doing.python, names)  # noqa: S102 - that is what it is for
-    return names, cli(*doing.words, "--json").json
+    exec(doing_of(task_of(task), Project(folder)).python, names)  # noqa: S102 - that is what it is for
+    return names, cli(*doing_of(task_of(task | more), Project(folder)).words, "--json").json
+
+
+def _plain(found: Any) -> Any:
+    from jounce.core.serialise import to_json
+
+    return json.loads(to_json(found))
 
 
 def test_python_of_a_fit_gives_what_its_command_gives(tmp_path, cli, spring_files, decay_file):
@@ -121,8 +129,110 @@ def test_python_of_a_test_and_its_evaluation_gives_what_the_command_gives(tmp_pa
     asked = {"kind": "evaluate", "records": ["axle.csv"], "tester": "egea-specsus2018", "methods": ["eusama"],
              "vehicle": "audi-a6-half-car-4dof"}  # fmt: skip
     names, told = _by_python_and_command(tmp_path, asked, cli)
-    assert told["deciding"] == ["eusama"] == list(names["found"].graded.deciding)
-    assert told["wheels"] == json.loads(json.dumps(names["found"].graded.to_dict()["wheels"]))
+    (axle,) = names["whole"].axles
+    assert told["deciding"] == ["eusama"] == list(axle.deciding)
+    assert told["wheels"] == _plain(axle.to_dict()["wheels"])
+
+
+@pytest.mark.pages
+def test_python_of_a_store_gives_what_its_commands_give(tmp_path, cli):
+    """Each keeps the same records, with what was typed about them; either finds what the other kept."""
+    car = {"vehicle": "audi-a6-half-car-4dof", "tester": "egea-specsus2018"}
+    for wear, name in (("0", "new.csv"), ("0.5", "worn.csv")):
+        cli(*doing_of(task_of({"kind": "test", **car, "wear": wear, "out": name}), Project(tmp_path)).words, "--json")
+    for name, date in (("new.csv", "2025-05-06"), ("worn.csv", "2026-05-06")):
+        asked = {"kind": "evaluate", "records": [name], "plate": "B-Ö 1", "date": date, "inspector": "Ada", **car}
+        names, told = _by_python_and_command(
+            tmp_path, asked | {"store": "python.sqlite"}, cli, store="command.sqlite", language="de"
+        )
+        assert told["wheels"] == _plain(names["whole"].axles[0].to_dict()["wheels"])
+    for store in ("python.sqlite", "command.sqlite"):
+        names, told = _by_python_and_command(tmp_path, {"kind": "history", "store": store, "plate": "bö1"}, cli)
+        flat = [{**one, **one.pop("values")} for one in _plain(names["visits"])]
+        assert told["wheels"] == [{key: one[key] for key in told["wheels"][0]} for one in flat]
+        assert told["trends"] == _plain(names["trends_of"](names["visits"]))
+        assert [one["date"] for one in told["wheels"]] == 2 * ["2025-05-06"] + 2 * ["2026-05-06"]
+        searched = {"kind": "search", "store": store, "tester": car["tester"], "since": "2026-01-01"}
+        names, told = _by_python_and_command(tmp_path, searched, cli)
+        (one,) = names["records"]
+        assert [(record["plate"], record["vehicle"], record["verdict"]) for record in told["records"]] == [
+            ("B-Ö 1", "audi-a6-half-car-4dof", one.grading.verdict)
+        ]
+
+
+@pytest.mark.pages
+@pytest.mark.parametrize(
+    ("asked", "seconds"),
+    [
+        ({"road": "iso:C:3", "duration": "3 s", "control": ["passive", "skyhook, passive"], "seed": 3}, 3.0),
+        ({"road": "iso:b", "speed": "40 m/s", "changes": {"strut.damper.coefficient": "200 N*s/m"}}, 20.0),
+        ({"road": "road.csv", "speed": "5 m/s"}, 4.0),
+    ],
+)
+def test_python_of_rides_gives_what_its_command_gives(tmp_path, cli, asked, seconds):
+    """Where nothing is said of how long, both drive as long; controllers may stand behind one another."""
+    rows = "\n".join(f"{0.05 * i:.2f},{abs(10.0 - i % 20):.1f}" for i in range(401))
+    (tmp_path / "road.csv").write_text(f"x [m],z [mm]\n{rows}\n")
+    names, told = _by_python_and_command(tmp_path, {"kind": "compare", "vehicle": "kart-quarter-car", **asked}, cli)
+    assert told["duration"] - told["settling"] == pytest.approx(seconds)
+    assert [one["merits"] for one in told["runs"]] == [_plain(one.merits) for one in names["study"].rides]
+    assert [one["control"] for one in told["runs"]] == [one.control for one in names["study"].rides]
+
+
+@pytest.mark.pages
+def test_python_of_best_designs_gives_what_its_command_gives(tmp_path, cli):
+    free = {"strut.damper.coefficient": "300..6000 N*s/m"}
+    task = {"kind": "pareto", "vehicle": "audi-a6-quarter-car", "free": free, "points": 3, "road": "iso:B",
+            "limit": {"strut.deflection": "20 mm"}}  # fmt: skip
+    names, told = _by_python_and_command(tmp_path, task, cli)
+    plain = _plain(names["front"].to_dict())
+    assert {key: told[key] for key in ("comfort", "holding", "numbers")} == {
+        key: plain[key] for key in ("comfort", "holding", "numbers")
+    }
+    assert len(plain["comfort"]) == 3
+
+
+@pytest.mark.pages
+def test_python_of_studies_gives_what_their_commands_give(tmp_path, cli):
+    import jounce as jn
+
+    (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "3").replace('"1 s"', '"0.3 s"'))
+    names, told = _by_python_and_command(tmp_path, SWEEP, cli, force=True)
+    assert told == _plain(names["result"].to_dict()) | {"out": told["out"]}
+    (tmp_path / "design.toml").write_text(
+        'schema = "jounce.design/1"\nrig = "formula-student-front"\nstarts = 1\n'
+        '[[free]]\npoint = "hardpoints.tie_rod_inner"\nwithin = "15 mm"\n'
+        '[[target]]\nquantity = "toe"\nover = "-20 mm:20 mm:20 mm"\nvalue = "0 deg"\ntolerance = "0.1 deg"\n'
+    )
+    design = {"kind": "design", "study": "design.toml", "out": "designed"}
+    names, told = _by_python_and_command(tmp_path, design, cli, out="by command")
+    assert told["moved"] == _plain(names["found"].to_dict())["moved"]
+    assert jn.load(tmp_path / "designed" / "rig.toml") == jn.load(tmp_path / "by command" / "rig.toml")
+    campaign = {"kind": "new-campaign", "out": "mine"}
+    names, told = _by_python_and_command(tmp_path, campaign, cli, out="theirs")
+    assert (tmp_path / "mine" / "campaign.toml").read_text() == (tmp_path / "theirs" / "campaign.toml").read_text()
+
+
+@pytest.mark.pages
+def test_python_of_a_campaign_gives_what_its_command_gives(tmp_path, cli, campaign):
+    task = {"kind": "campaign", "campaign": campaign.name, "out": "out"}
+    names, told = _by_python_and_command(tmp_path, task, cli, force=True)
+    plain = _plain(names["result"].to_dict())
+    assert {key: told[key] for key in plain} == plain
+
+
+@pytest.mark.pages
+def test_python_of_a_preview_reads_what_the_page_shows(tmp_path, cli, decay_file):
+    from jounce.web.questions import preview
+
+    (tmp_path / "turned.csv").write_text(decay_file.read_text().replace("sprung.z", "way"))
+    task = task_of({"kind": "preview", "files": ["turned.csv"], "columns": {"sprung.z": "way"}})
+    names: dict[str, Any] = {}
+    exec(doing_of(task, Project(tmp_path)).python, names)  # noqa: S102
+    (viewer,) = preview(task.model_dump())["content"]["viewers"]
+    assert "sprung.z" in json.dumps(viewer)
+    assert set(names["record"].data_vars) == {"sprung.z"}
+    assert float(abs(names["record"]["sprung.z"]).max()) == pytest.approx(0.02, rel=0.05)
 
 
 @pytest.mark.parametrize("path", ["../study.toml", "/etc/hostname", "link.toml", "", "."])

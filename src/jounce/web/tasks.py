@@ -20,6 +20,12 @@ from jounce.web.project import Project
 
 _TO_SI = "from jounce.core.units import to_si\n"
 _SIGNS = "from jounce.identify.signs import compression_positive\n"
+_STORING = (
+    "from contextlib import closing\nfrom dataclasses import replace\n\n"
+    "from jounce.inspection.archive.entries import pack\n"
+    "from jounce.inspection.archive.lane import entry_of, grading_of\n"
+    "from jounce.inspection.archive.store import Store\n"
+)
 _WANTED = '{"displacement": "m", "force": "N"}'
 _LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
 
@@ -134,10 +140,14 @@ class DesignTask(_Task):
         words = ["design", "kinematics", study, f"--out={out}"]
         words += [] if self.starts is None else [f"--starts={self.starts}"]
         starts = "asked.starts" if self.starts is None else str(self.starts)
+        forced = ", force=True" if self.force else ""
         python = (
+            "from pathlib import Path\n\nimport jounce as jn\n"
             "from jounce.design.kinematics import design, run_study\n\n"
-            f"found, rigs = run_study({study!r}, lambda asked, task: design(task, {starts}, asked.seed))\n"
-            "print(found)\n"
+            f"found, files = run_study({study!r}, lambda asked, task: design(task, {starts}, asked.seed))\n"
+            f"print(found)\nout = Path({out!r})\nout.mkdir(parents=True, exist_ok=True)\n"
+            "for name, rig in found.rigs.items():\n"
+            f"    jn.save(rig, out / f\"{{name or 'rig'}}.toml\", like=files[name]{forced})\n"
         )
         words += ["--force"] if self.force else []
         return Doing(f"Kinematic design {Path(study).stem}", words, python=python, out=out, page=f"{out}/report.html")
@@ -156,14 +166,17 @@ class CompareTask(_Task):
     changes: Changes
 
     def _doing(self, project: Project) -> Doing:
+        from jounce.roads.loading import is_class
+
         vehicle = _rig(project, self.vehicle)
         words = ["compare", vehicle, f"--road={self.road}", f"--speed={self.speed}"]
         words += [f"--duration={self.duration}"] if self.duration else []
         words += [f"--seed={self.seed}"] if self.seed else []
         words += [f"--control={one}" for one in self.control] + set_by(self.changes)
-        lasting = f", duration={self.duration!r}" if self.duration else ""
         name, _, seed = self.road[4:].partition(":")
-        iso = self.road.lower().startswith("iso:")
+        iso = is_class(self.road)
+        duration = self.duration or ("20 s" if iso else "")  # as the command has it
+        lasting = f", duration={duration!r}" if duration else ""
         trial = (
             f"iso_trial(rig, {name.upper()!r}, {self.speed!r}, seed={seed or self.seed}{lasting})"
             if iso
@@ -172,9 +185,17 @@ class CompareTask(_Task):
         python = (
             f"import jounce as jn\nfrom jounce.ride.study import {'iso_trial' if iso else 'road_trial'}\n\n"
             f"rig = jn.load({vehicle!r}){changed_by(self.changes)}\n"
-            f"study = jn.compare_rides(rig, {trial}, {self.control!r})\nprint(study)\n"
+            f"study = jn.compare_rides(rig, {trial}, {self._named()!r})\nprint(study)\n"
         )
         return Doing(f"{Path(vehicle).stem} on {self.road} at {self.speed}", words, _REPORT, python)
+
+    def _named(self) -> list[str]:
+        """Controllers one by one, as the command reads them."""
+        from jounce.control import CONTROLS
+
+        every = ("passive", *(name for name in CONTROLS if name != "passive"))
+        texts = [part.strip() for text in self.control for part in text.split(",") if part.strip()]
+        return list(dict.fromkeys(name for text in texts for name in (every if text == "all" else (text,))))
 
 
 class ParetoTask(_Task):
@@ -236,12 +257,31 @@ class EvaluateTask(_Task):
         words += ["--language=de"] if self.language == "de" else []
         vehicle = f"jn.load({self.vehicle!r})" if self.vehicle else "None"
         limits = f"jn.load_limits({self.limits!r})" if self.limits else "None"
+        facts = {"date": self.date, "place": self.place, "plate_number": self.plate, "operator": self.inspector}
+        given = {name: text for name, text in facts.items() if text}
+        named = {"vehicle": Path(self.vehicle).stem} if self.vehicle else {}
+        methods = list(dict.fromkeys(self.methods)) or None
         python = (
-            "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n\n"
-            f"tester = jn.load_tester({tester!r})\nfor file in {records!r}:\n"
-            f"    found = inspect_record(file, tester, {vehicle}, {self.methods or None!r}, {limits})\n"
-            "    print(found.graded)\n"
+            "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n"
+            "from jounce.inspection.grading import grade_vehicle\n"
+            f"from jounce.inspection.record import read_record, with_facts\n{_STORING if self.store else ''}\n"
+            f"tester, vehicle, limits = jn.load_tester({tester!r}), {vehicle}, {limits}\n"
+            f"found = []\nfor file in {records!r}:\n"
+            "    record, findings = read_record(file, tester)\n"
+            f"    record, overruled = with_facts(record, {given!r}, where=file)\n"
+            "    read = (record, [*findings, *overruled])\n"
+            f"    found.append(inspect_record(file, tester, vehicle, {methods!r}, limits, read=read))\n"
         )
+        if self.store:
+            python += (
+                f"    facts = {{**{given | named!r}, **found[-1].facts}}\n"
+                f"    entry = entry_of(file, facts, tester, vehicle=vehicle, methods={methods!r})\n"
+                "    grading = grading_of(found[-1].graded)\n"
+                f"    with closing(Store({_store(project, self.store)!r})) as store:\n"
+                "        number, is_new = store.accept(replace(entry, signals=pack(*read)), grading)\n"
+                "        store.add_gradings([] if is_new else [(number, grading)])\n"
+            )
+        python += "whole = grade_vehicle([one.graded for one in found])\nprint(whole)\n"
         title = f"Inspection of {', '.join(Path(one).name for one in records)}"
         return Doing(title, words, _REPORT, python, limits=_LIMITS)
 
@@ -276,14 +316,18 @@ class SearchTask(_Task):
     until: Text = ""
 
     def _doing(self, project: Project) -> Doing:
+        from jounce.parts.testers import library, load_tester
+
         store = _file(project, self.store)
         names = ("plate", "verdict", "tester", "since", "until")
         given = {name: getattr(self, name) for name in names if getattr(self, name)}
         words = ["inspect", "search", f"--store={store}", *(f"--{name}={text}" for name, text in given.items())]
-        said = "".join(f", {name}={text!r}" for name, text in given.items())
+        if self.tester in library():
+            given["tester"] = load_tester(self.tester).name  # by which a store knows it
         python = (
             "from jounce.inspection.archive.store import Store\n\n"
-            f"records = Store({store!r}, read_only=True).records({said.removeprefix(', ')})\n"
+            f"records = Store({store!r}, read_only=True).records({arguments(given)})\n"
+            "for one in records:\n    print(one.date, one.plate, one.axle, one.grading and one.grading.verdict)\n"
         )
         return Doing(f"Search in {store}", words, [], python, patience=60.0)
 
