@@ -452,6 +452,10 @@ def test_sweeps_over_travel_rack_and_roll_are_those_of_python_and_command(
     assert main([*shlex.split(content["command"])[1:-1], "curves.nc"]) == 0
     with xr.open_dataset("curves.nc", engine="h5netcdf") as written:
         assert written[channel].to_numpy() == pytest.approx(by_python, rel=1e-9, abs=1e-12)
+    every = ask.straight("/api/kinematics", asked | {"channels": []})[0]["viewers"][0]["scenes"][0]["panes"]
+    shown = [pane["name"] for pane in every]
+    assert sorted(shown) == sorted(map(str, names["curves"].data_vars))  # each once, and none besides
+    assert shown[0] == ("track" if over == "roll" else "camber")
 
 
 def test_targets_stand_in_the_units_of_their_curves(ask):

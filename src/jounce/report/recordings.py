@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 
 _ROLES = ("after", "other-5", "other-1", "other-2", "other-3", "other-4", "other-6")
 _REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
-_MOST_CHANNELS = 120
+_MOST_CHANNELS = 240
+"""Among which somebody finds one; an axle that rolls has 160."""
 _POSES = 25
 _MOST_POSES = 2000
 """Shown one by one; of longer runs the mechanism follows the travel of its wheel."""
@@ -164,7 +165,7 @@ def curve_viewer(
         axis = common_axis(named)
         first = common_channels(named, channels)
         every = _channels(named, axis, first)
-        kept = every[: max(len(first), _most_channels(named, axis))]
+        kept = every[: min(max(len(first), _most_channels(named, axis)), _MOST_CHANNELS)]
         left_out = max(left_out, len(every) - len(kept))
         along = _axis_unit(next(iter(named.values())), axis)
         units = {one: _unit(named, one) for one in kept}
@@ -207,7 +208,7 @@ def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) 
             kept = values.dims == (axis,) and values.dtype.kind in "fiu" and not str(name).endswith(_REACTIONS)
             if kept and not _is_place(str(name), data):
                 found.setdefault(str(name))
-    return list(found)[:_MOST_CHANNELS]
+    return list(found)
 
 
 def _is_place(name: str, data: xr.Dataset) -> bool:

@@ -94,9 +94,10 @@ def _rolled(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
     placed = {
         str(name): ("roll_angle", own[name].to_numpy(), own[name].attrs)
         for name in own.data_vars
-        if "." in str(name) or name in ("camber", "steer", "contact_point_x", "contact_point_y", "contact_point_z")
+        if "." in str(name)  # quantities are those of the axle
     }
-    return axle.assign(placed)
+    names = sorted(map(str, axle.data_vars), key=lambda name: "." in name)  # what the axle has as a whole comes first
+    return axle[names].assign(placed)
 
 
 def _note(label: str, run: xr.Dataset) -> str:

@@ -5,7 +5,7 @@ import { tr } from "../words";
 import * as api from "./api";
 import { field, problem, type Sliders } from "./parts";
 
-export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string }
+export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string; along?: string }
 interface Found { id: string; state: string; said: string; share: number | null; left: number | null; begun: number; error: string | null; result: unknown }
 
 const job = (id: string) => api.get<Found>(`/api/jobs/${encodeURIComponent(id)}`);

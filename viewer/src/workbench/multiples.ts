@@ -171,7 +171,7 @@ export function ticks(low: number, high: number, count: number): number[] {
   const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw)!;
   const found: number[] = [];
   for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) found.push(k * step);
-  return found;
+  return found.length < 2 && count < 6 ? ticks(low, high, count + 1) : found; // one alone says nothing of how far
 }
 
 export function short(value: number): string {

@@ -340,13 +340,16 @@ class Poses:
 def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     """Read all poses in which everything is known from a sweep or a run.
 
-    It holds ``<hardpoint>.x``, ``.y``, ``.z`` (m, ground axes), camber and steer (rad) over one dimension.
+    It holds ``<hardpoint>.x``, ``.y``, ``.z`` (m, ground axes), camber and steer (rad; of an axle those of its wheel)
+    over one dimension.
     """
     dimension = _dimension(data)
     in_time = dimension == "time"
     points = _tracks(rig, scene, data, dimension, in_time=in_time)
     one = {str(name): v.to_numpy().astype(float) for name, v in data.variables.items() if v.dims == (dimension,)}
-    axis = spin_axes(_first(one, ("camber", "wheel.camber")), _first(one, ("steer", "wheel.steer")), scene.side)
+    wheel = "right" if scene.side < 0 else "left"  # of a rolling axle
+    camber, steer = (_first(one, (name, f"wheel.{name}", f"{wheel}.{name}")) for name in ("camber", "steer"))
+    axis = spin_axes(camber, steer, scene.side)
     radius = scene.undeformed_radius if in_time else scene.radius
     contact = contact_points(points["wheel_centre"], axis, radius)
     for kind in ("contact_point.{}", "contact_point_{}"):

@@ -100,7 +100,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const targets: Target[] = [], chosen = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((entry) => entry.kind === "design").map((entry) => make("option", { value: entry.path }, entry.path)));
   chosen.addEventListener("change", () => void ask());
   let quantities: { name: string; unit: string }[] = [];
-  const wanted = new Targets(targets, () => quantities, () => void ask());
+  const wanted = new Targets(targets, () => quantities, () => over.value as Over, () => void ask());
 
   const ask = () => newest.ask(async () => {
     const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
@@ -181,7 +181,7 @@ class Targets {
   private readonly quantity = make("select", {});
   private readonly rows = make("tbody", {});
   private known = "";
-  constructor(private readonly targets: Target[], private readonly quantities: () => { name: string; unit: string }[], private readonly changed: () => void) {
+  constructor(private readonly targets: Target[], private readonly quantities: () => { name: string; unit: string }[], along: () => Over, private readonly changed: () => void) {
     const how = make("select", {}, ...([["value", "="], ["at_least", "≥"], ["at_most", "≤"]] as const).map(([value, words]) => make("option", { value, title: value }, words)));
     const value = make("input", { type: "text", value: "0 deg" }), tolerance = make("input", { type: "text", value: "0.1 deg" }), where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
     const unit = () => { const found = this.quantities().find((one) => one.name === this.quantity.value); if (found) { const text = found.unit.replace("°", "deg"); value.value = `0 ${text}`.trim(); tolerance.value = `0.1 ${text}`.trim(); } };
@@ -189,7 +189,7 @@ class Targets {
     const add = make("form", { class: "form" }, field(tr("Quantity"), this.quantity), field(tr("is wanted"), how), field(tr("Value"), value), field(tr("Tolerance"), tolerance), field(tr("At, or over first:last:step"), where), make("button", { type: "submit" }, tr("Add the target")));
     add.addEventListener("submit", (event) => {
       event.preventDefault();
-      targets.push({ quantity: this.quantity.value, [how.value]: value.value, tolerance: tolerance.value, ...(where.value.includes(":") ? { over: where.value } : where.value ? { at: where.value } : {}) });
+      targets.push({ quantity: this.quantity.value, [how.value]: value.value, tolerance: tolerance.value, ...(where.value.includes(":") ? { over: where.value } : where.value ? { at: where.value } : {}), ...(where.value && along() === "rack" ? { along: "rack" } : {}) });
       this.list();
       changed();
     });
@@ -207,7 +207,7 @@ class Targets {
   }
   private list(): void {
     this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, one.quantity.replaceAll("_", " ")),
-      make("td", {}, one.value !== undefined ? `= ${one.value} ± ${one.tolerance}` : one.at_least !== undefined ? `≥ ${one.at_least} − ${one.tolerance}` : `≤ ${one.at_most} + ${one.tolerance}`), make("td", {}, one.over ?? one.at ?? tr("at design")),
+      make("td", {}, one.value !== undefined ? `= ${one.value} ± ${one.tolerance}` : one.at_least !== undefined ? `≥ ${one.at_least} − ${one.tolerance}` : `≤ ${one.at_most} + ${one.tolerance}`), make("td", {}, `${one.over ?? one.at ?? tr("at design")}${one.along ? ` (${tr("rack travel")})` : ""}`),
       make("td", {}, make("button", { type: "button", "aria-label": tr("Take # away", one.quantity), click: () => { this.targets.splice(i, 1); this.list(); this.changed(); } }, "×"))))
       : [make("tr", {}, make("td", { class: "muted" }, tr("None yet: add one below, and its band stands in its curve.")))]));
   }
