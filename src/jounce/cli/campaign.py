@@ -393,7 +393,7 @@ def _draw(
         header = ("source", "parameter", "unit", "rig file", "measured", "standard error")
         out.print(table("Characterisation", header, rows, text=(0, 1, 2)))
     if plain["updates"]:
-        _draw_updates(out, plain["updates"], unit_at)
+        _draw_updates(out, plain["updates"])
     _draw_trials(out, plain["trials"])
     show_findings(out, findings)
     out.print(f"written: {folder}" + (f", open {folder / 'report.html'}" if (folder / "report.html").exists() else ""))
@@ -404,17 +404,12 @@ def _draw(
         )
 
 
-def _draw_updates(out: Console, updates: list[dict[str, Any]], unit_at: Callable[[str], str]) -> None:
+def _draw_updates(out: Console, updates: list[dict[str, Any]]) -> None:
     header = ("update", "objective before", "after", "reduction %", "iterations", "evaluations")
     keys = ("name", "objective_before", "objective_after", "reduction_percent", "iterations", "evaluations")
     out.print(table("Updates", header, [[update[key] for key in keys] for update in updates]))
     rows = [
-        (
-            update["name"],
-            path,
-            unit_at(path),
-            *(fitted[key] for key in ("initial", "value", "standard_error", "at_bound")),
-        )
+        (update["name"], path, *(fitted[key] for key in ("unit", "initial", "value", "standard_error", "at_bound")))
         for update in updates
         for path, fitted in update["parameters"].items()
     ]
@@ -424,7 +419,7 @@ def _draw_updates(out: Console, updates: list[dict[str, Any]], unit_at: Callable
         (
             update["name"],
             path,
-            unit_at(path),
+            update["parameters"][path]["unit"],
             law["value"],
             *law["interval"],
             law["why"] and f"not identified: {law['why']}",

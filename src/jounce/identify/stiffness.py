@@ -267,6 +267,8 @@ class StiffnessResult(Shown):
         What ``curve`` does with it.
     zero : {"first-contact", "none"}
         Where deflections and forces of the trials begin.
+    branch : {"loading", "unloading", "both"}
+        Which part of each trial was fitted.
     coefficients : tuple of Estimate
         Parameters of the law: slope [N/m]; a_i [N/m^i]; a [N/m^b] and b [1]; forces at the knots [N].
     curve : FittedCurve
@@ -296,6 +298,7 @@ class StiffnessResult(Shown):
     intercept: Estimate | None
     intercept_choice: Intercept
     zero: Zero
+    branch: Branch
     coefficients: tuple[Estimate, ...]
     curve: FittedCurve
     fitted_range: tuple[float, float]
@@ -308,6 +311,11 @@ class StiffnessResult(Shown):
     tangent_stiffness: Estimate | None
     trials: tuple[TrialStiffness, ...]
     findings: tuple[Finding, ...]
+
+    @property
+    def of_branch(self) -> str:
+        """What a legend says behind the fit: ``", loading"`` where the trials were unloaded as well, else nothing."""
+        return f", {self.branch}" if self.branch != "both" and self.loss_factor is not None else ""
 
 
 def fit_stiffness(
@@ -410,6 +418,7 @@ def fit_stiffness(
         intercept=line,
         intercept_choice=intercept,
         zero=zero,
+        branch=branch,
         coefficients=_coefficients(pooled, alone),
         curve=pooled.curve,
         fitted_range=(low, reach),

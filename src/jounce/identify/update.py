@@ -310,6 +310,8 @@ class UpdatedParameter(Shown):
         Bounds, in SI.
     at_bound : bool
         Whether the estimate lies on a bound.
+    unit : str
+        SI unit of all of these.
     """
 
     initial: float
@@ -319,6 +321,7 @@ class UpdatedParameter(Shown):
     lower: float
     upper: float
     at_bound: bool
+    unit: str
 
 
 @dataclass(frozen=True)
@@ -496,7 +499,14 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         error = None if at_bound[i] or covariance[i, i] <= 0.0 else float(np.sqrt(covariance[i, i])) * item.half_range
         interval = None if error is None else (value - 1.96 * error, value + 1.96 * error)
         parameters[item.path] = UpdatedParameter(
-            item.initial, value, error, interval, item.lower, item.upper, bool(at_bound[i])
+            item.initial,
+            value,
+            error,
+            interval,
+            item.lower,
+            item.upper,
+            bool(at_bound[i]),
+            unit_of(trials[0].rig, item.path),
         )
         if at_bound[i]:
             text = "ends on its bound: the data call for a value beyond it, or the model lacks something"

@@ -105,7 +105,7 @@ def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
     if result.law == "linear" and result.intercept_choice == "drop" and result.intercept is not None:
         dropped = result.intercept.value
     fitted = (result.curve(inside) + dropped) * up.factor
-    axes.plot(inside * across.factor, fitted, color=AFTER, linewidth=1.8, label=f"fit, {result.law}")
+    axes.plot(inside * across.factor, fitted, color=AFTER, linewidth=1.8, label=f"fit, {result.law}{result.of_branch}")
     label = "used in the model, without intercept" if dropped else "beyond the fitted range"
     law = result.curve(whole) * up.factor
     axes.plot(whole * across.factor, law, color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
@@ -349,15 +349,13 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
 
 
 @styled
-def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figure:
+def update(result: UpdateResult) -> Figure:
     """Draw where the parameters of one update ended within their bounds, and how their estimates are correlated.
 
     Parameters
     ----------
     result : UpdateResult
         One update.
-    units : mapping, optional
-        SI unit of each parameter by path, for the values written beside them.
 
     Returns
     -------
@@ -369,16 +367,16 @@ def update(result: UpdateResult, units: Mapping[str, str] | None = None) -> Figu
     figure = new_figure(1.15 + 0.42 * max(count, 2))
     if count == 1:
         figure.set_figwidth(5.4)
-        _draw_parameters(figure.subplots(), result.parameters, units or {})
+        _draw_parameters(figure.subplots(), result.parameters)
         return figure
     left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.14 * min(count, 8)]})
-    _draw_parameters(left, result.parameters, units or {})
+    _draw_parameters(left, result.parameters)
     _draw_correlation(right, result.correlation, count)
     return figure
 
 
-def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], units: Mapping[str, str]) -> None:
-    for row, (path, p) in enumerate(parameters.items()):
+def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter]) -> None:
+    for row, p in enumerate(parameters.values()):
         middle, half = 0.5 * (p.lower + p.upper), 0.5 * (p.upper - p.lower)
         ends = [] if p.interval is None else [100.0 * (end - middle) / half for end in p.interval]
         if ends:
@@ -389,7 +387,7 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
         axes.text(
             1.02,
             row,
-            _value_text(p, units.get(path, "1")),
+            _value_text(p),
             transform=axes.get_yaxis_transform(),
             va="center",
             fontsize=8.5,
@@ -407,8 +405,8 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter], uni
     axes.set_title("initial ○, fitted ●, at a bound ■\nline and ±: 95 %, noise only", fontweight="normal", fontsize=9)
 
 
-def _value_text(p: UpdatedParameter, si: str) -> str:
-    unit = display_unit(si, p.value)
+def _value_text(p: UpdatedParameter) -> str:
+    unit = display_unit(p.unit, p.value)
     half = None if p.interval is None else 0.5 * (p.interval[1] - p.interval[0])
     value = 0.0 if abs(p.value) < 1e-9 * (p.upper - p.lower) else p.value  # what is left of a bound at zero
     text = number(value * unit.factor, digits_for(value, half))

@@ -89,9 +89,8 @@ def force_against_deflection(
         low, high = law.fitted_range
         offset = law.intercept.value if law.law == "linear" and law.intercept is not None else 0.0
         x = np.linspace(low, max(high, reach), 200)
-        name = f"{law.law} fit" + (
-            f" from {length.factor * low:.3g} {length.name}" if low > 0.0 else ", all deflections"
-        )
+        where = f"from {length.factor * low:.3g} {length.name}" if low > 0.0 else "all deflections"
+        name = f"{law.law} fit{law.of_branch}, {where}"
         name += f": {quantity(law.stiffness.value, 'N/m')}" if law.law == "linear" else ""
         axes.plot(
             length.factor * x,

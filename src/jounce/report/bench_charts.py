@@ -41,7 +41,7 @@ def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTri
     words = "used in the model, without intercept" if dropped else "beyond the fitted range"
     series.append(Series(across.factor * whole, up.factor * found.curve(whole), "after", "dashed", words))
     fitted = up.factor * (found.curve(inside) + dropped)
-    series.append(Series(across.factor * inside, fitted, "after", "line", f"fit, {found.law}"))
+    series.append(Series(across.factor * inside, fitted, "after", "line", f"fit, {found.law}{found.of_branch}"))
     bands = ((0.0, across.factor * low, "not fitted"),) if low > 0.02 * high else ()
     verticals: tuple[tuple[float, str, str], ...] = ()
     if found.operating_deflection is not None:

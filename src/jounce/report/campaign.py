@@ -17,7 +17,7 @@ from jounce.plots.campaign import channels_of
 from jounce.plots.display import correlation, estimate_cells, given, milliseconds, number, percent
 from jounce.report.answer import answer_chart, answer_table, answers, decisive
 from jounce.report.bench_charts import road_panels
-from jounce.report.characterisation import characterisation, unit_at
+from jounce.report.characterisation import characterisation
 from jounce.report.chart import Chart, Panel, Series, Style
 from jounce.report.page import (
     Block,
@@ -554,7 +554,7 @@ def _overview(result: CampaignResult) -> Table:
 
 def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     found = strategy.update
-    units = {path: unit_at(strategy.knowledge.rig, path) for path in found.parameters}
+    units = {path: p.unit for path, p in found.parameters.items()}
     blocks: list[Block] = [_parameters(strategy, units), *discrepancy_blocks(strategy, units)]
     blocks.append(_within_bounds(strategy, units, file))
     if len(found.parameters) > 1:

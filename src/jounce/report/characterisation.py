@@ -124,7 +124,9 @@ def stiffness_blocks(
 
 def _fit_note(found: StiffnessResult) -> str:
     low, high = found.fitted_range
-    parts = [f"Fitted from {quantity(low, 'm', 3)} to {quantity(high, 'm', 3)}", f"R² {found.r2:.4f}"]
+    branch = "both branches" if found.branch == "both" else f"the {found.branch} branch"
+    fitted = f"Fitted to {branch} from {quantity(low, 'm', 3)} to {quantity(high, 'm', 3)}"
+    parts = [fitted, f"R² {found.r2:.4f}"]
     if found.repeatability is not None:
         parts.append(f"standard deviation between trials {quantity(found.repeatability, 'N/m', 2)}")
     if found.loss_factor is not None:

@@ -19,7 +19,7 @@ def curved(*coefficients: float) -> jn.Rig:
 
 
 def fitted(initial: float, value: float) -> UpdatedParameter:
-    return UpdatedParameter(initial, value, None, None, 0.0, 2.0 * value, at_bound=False)
+    return UpdatedParameter(initial, value, None, None, 0.0, 2.0 * value, at_bound=False, unit="N/m")
 
 
 @pytest.mark.parametrize("initial", [0.0, 4e6])

@@ -43,8 +43,10 @@ def trials() -> tuple[TrialResult, ...]:
 @pytest.fixture
 def update_result() -> UpdateResult:
     parameters = {
-        "strut.spring.rate": UpdatedParameter(20000.0, 21000.0, 100.0, (20804.0, 21196.0), 18000.0, 22000.0, False),
-        "tyre.stiffness": UpdatedParameter(100e3, 110e3, None, None, 90e3, 110e3, True),
+        "strut.spring.rate": UpdatedParameter(
+            20000.0, 21000.0, 100.0, (20804.0, 21196.0), 18000.0, 22000.0, False, "N/m"
+        ),
+        "tyre.stiffness": UpdatedParameter(100e3, 110e3, None, None, 90e3, 110e3, True, "N/m"),
     }
     known = Identifiability(tuple(parameters), (1.0, 0.5), (2.0, 1.0), 2, 2.0, ((1.0, -0.4), (-0.4, 1.0)), ())
     correlation = ((1.0, 0.0), (0.0, 0.0))

@@ -38,8 +38,8 @@ def test_there_is_a_figure_for_all_that_was_done(result):
     assert low == pytest.approx(2.0, abs=0.06)  # the first point of this trial above the 2 mm that are discarded
     assert [line.get_label() for line in axes.get_lines()] == [
         "experiment, 1 trial",
-        f"linear fit from {low:.3g} mm: {1e-3 * linear.stiffness.value:.1f} N/mm",
-        "polynomial fit, all deflections",
+        f"linear fit, loading, from {low:.3g} mm: {1e-3 * linear.stiffness.value:.1f} N/mm",
+        "polynomial fit, loading, all deflections",
     ]
     assert [line.get_xdata()[0] for line in axes.get_lines()[1:]] == pytest.approx([low, 0.0], abs=1e-9)
     assert [axes.get_title("left") for axes in figures["figure-6"].axes] == [

@@ -39,6 +39,14 @@ def test_stiffness_shows_points_fit_and_model() -> None:
     assert [label.get_text() for label in right.get_yticklabels()] == ["tyre_100000", "tyre_101000"]
 
 
+def test_a_fit_to_one_branch_of_two_says_which() -> None:
+    x = np.linspace(0.0, 0.010, 30)
+    cycle = ForceDeflectionTrial(np.append(x, x[::-1]), np.append(22e3 * x, 22e3 * x[::-1] - 10.0), "spring")
+    for branch, told in (("loading", "fit, linear, loading"), ("both", "fit, linear")):
+        left = stiffness_fit(jn.fit_stiffness([cycle], branch=branch), [cycle]).axes[0]
+        assert line_of(left, "fit").get_label() == told
+
+
 def test_kept_intercept_is_part_of_the_model() -> None:
     trials = tyre_trials()
     left = stiffness_fit(jn.fit_stiffness(trials, intercept="keep"), trials).axes[0]
@@ -105,7 +113,7 @@ def test_decay_of_an_accelerometer() -> None:
 
 
 def test_update_places_parameters_between_bounds(update_result) -> None:
-    left, right = update(update_result, {"strut.spring.rate": "N/m", "tyre.stiffness": "N/m"}).axes
+    left, right = update(update_result).axes
     marks = [line for line in left.lines if line.get_marker() in ("o", "s")]
     assert [float(line.get_xdata()[0]) for line in marks] == pytest.approx([0.0, 50.0, 0.0, 100.0])
     assert [line.get_marker() for line in marks] == ["o", "o", "o", "s"]  # a square stands on its bound
