@@ -54,6 +54,29 @@ def test_side_by_side_gives_what_single_runs_give(name, one_by_one):
     same(found, one_by_one(rig, trial, design, metrics=METRICS[name]))
 
 
+def test_what_sweeps_over_one_trial_share_is_no_others(one_by_one):
+    """What is laid out for a rig over a trial is kept beside the trial: another rig or step has its own."""
+    rig, trial, design = jn.load("audi-a6-quarter-car"), course(), jn.sobol({"sprung.mass": "20 %"}, 8)
+    first = jn.simulate_many(rig, trial, design, metrics="rms sprung.az")
+    softer = rig.with_changes({"strut.spring.rate": "15 N/mm"})
+    for other, step in ((softer, 1e-3), (rig, 2e-3)):
+        found = jn.simulate_many(other, trial, design, metrics="rms sprung.az", output_step=step)
+        assert found.attrs["side_by_side"] == 8
+        same(found, one_by_one(other, trial, design, metrics="rms sprung.az", output_step=step))
+    assert jn.simulate_many(rig, trial, design, metrics="rms sprung.az").identical(first)
+
+
+def test_a_number_beyond_what_was_allowed_before_is_looked_at_again():
+    """Ranges that a description was found to allow are remembered; those that reach beyond them are not."""
+    rig, trial = jn.load("audi-a6-quarter-car"), course()
+    masses = {"sprung.mass": np.linspace(300.0, 500.0, 8)}
+    assert not jn.simulate_many(rig, trial, masses, metrics="rms sprung.az").attrs["outside"]
+    masses["sprung.mass"][3] = -1.0
+    found = jn.simulate_many(rig, trial, masses, metrics="rms sprung.az")
+    assert [bool(reason) for reason in found["reason"].values] == [i == 3 for i in range(8)]
+    assert "sprung.mass" in str(found["reason"].values[3])
+
+
 @pytest.mark.parametrize("step", [1e-4, 2e-3, 1e-2])
 def test_samples_as_close_or_far_apart_as_wanted(step, one_by_one):
     """A long step is cut into parts; edges of the road lie anywhere between samples."""

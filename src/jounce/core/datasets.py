@@ -17,9 +17,12 @@ if TYPE_CHECKING:
 
 
 def dataset(
-    variables: Mapping[str, xr.Variable], axes: xr.Dataset, attributes: Mapping[str, Any] | None = None
+    variables: Mapping[str, xr.Variable],
+    axes: xr.Dataset,
+    attributes: Mapping[str, Any] | None = None,
+    beside: Mapping[str, xr.Variable] | None = None,
 ) -> xr.Dataset:
-    """Put variables on axes that a Dataset without variables has.
+    """Put variables on axes that a Dataset without variables has, and coordinates ``beside`` them that are no axes.
 
     The variables are taken as they are, without a copy; nobody else may hold them. The axes may serve many Datasets.
 
@@ -29,9 +32,9 @@ def dataset(
     >>> float(made["z"].sel(time=1.0))
     2.0
     """
-    if _inside_is_known() and _fit(variables, axes):
-        return _direct(variables, axes, attributes)
-    return _public(variables, axes, attributes)
+    beside = beside or {}
+    known = _inside_is_known() and _fit({**variables, **beside}, axes) and not set(beside) & set(variables)
+    return (_direct if known else _public)(variables, axes, attributes, beside)
 
 
 def _fit(variables: Mapping[str, xr.Variable], axes: xr.Dataset) -> bool:
@@ -43,20 +46,31 @@ def _fit(variables: Mapping[str, xr.Variable], axes: xr.Dataset) -> bool:
     )
 
 
-def _public(variables: Mapping[str, xr.Variable], axes: xr.Dataset, attributes: Mapping[str, Any] | None) -> xr.Dataset:
+def _public(
+    variables: Mapping[str, xr.Variable],
+    axes: xr.Dataset,
+    attributes: Mapping[str, Any] | None,
+    beside: Mapping[str, xr.Variable],
+) -> xr.Dataset:
     import xarray as xr
 
-    return xr.Dataset(variables, axes.coords, attributes)
+    return xr.Dataset(variables, axes.coords, attributes).assign_coords(dict(beside))
 
 
-def _direct(variables: Mapping[str, xr.Variable], axes: Any, attributes: Mapping[str, Any] | None) -> xr.Dataset:
+def _direct(
+    variables: Mapping[str, xr.Variable],
+    axes: Any,
+    attributes: Mapping[str, Any] | None,
+    beside: Mapping[str, xr.Variable],
+) -> xr.Dataset:
     import xarray as xr
 
     own: dict[Any, xr.Variable] = dict(variables)
     own.update((name, variable.copy(deep=False)) for name, variable in axes._variables.items())
+    own.update(beside)
     return xr.Dataset._construct_direct(
         own,
-        set(axes._coord_names),
+        {*axes._coord_names, *beside},
         dict(axes._dims),
         dict(attributes) if attributes else None,
         dict(axes._indexes),
@@ -83,7 +97,10 @@ def _inside_is_known() -> bool:
                 "two": xr.Variable(("along", "across"), np.ones((2, 3))),
             }
 
-        made, right = (make(variables(), axes, {"by": "jounce"}) for make in (_direct, _public))
+        def beside() -> dict[str, xr.Variable]:
+            return {"weight": xr.Variable(("along",), np.array([2.0, 5.0]), {"units": "kg"})}
+
+        made, right = (make(variables(), axes, {"by": "jounce"}, beside()) for make in (_direct, _public))
         return (
             made.identical(right)
             and list(made.variables) == list(right.variables)

@@ -7,16 +7,78 @@ stderr unless it is told otherwise: ``logging.getLogger("jounce").setLevel("ERRO
 from __future__ import annotations
 
 import logging
+import os
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, NamedTuple
 
 LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s
+_LOOKS = 4  # of the teller, in the shorter of the two
 _LOG = logging.getLogger("jounce")
 _listeners: list[Callable[[str | None], None]] = []
 _told: list[str] = []  # what is being waited for, the outermost first
+
+
+class _Wait(NamedTuple):
+    what: str
+    started: float
+    listener: Callable[[str | None], None] | None
+
+
+class _Teller:
+    """The thread that tells of the wait there is; it lives on between waits that follow each other closely.
+
+    A thread for each would take longer to start than many a thing that is waited for.
+    """
+
+    _lock: threading.RLock
+    _wait: _Wait | None
+    _thread: threading.Thread | None
+
+    def __init__(self) -> None:
+        self.forget()
+
+    def forget(self) -> None:
+        self._lock, self._wait, self._thread = threading.RLock(), None, None
+
+    def begin(self, wait: _Wait) -> None:
+        with self._lock:
+            self._wait = wait
+            if self._thread is None or not self._thread.is_alive():
+                self._thread = threading.Thread(target=self._tell, name="jounce waits", daemon=True)
+                self._thread.start()
+
+    def end(self) -> None:
+        """End the wait: nothing is told of it from here on."""
+        with self._lock:
+            self._wait = None
+
+    def _tell(self) -> None:
+        wait, last = self._wait, 0.0
+        while True:
+            time.sleep(min(LOGGED_EVERY, SHOWN_EVERY) / _LOOKS)
+            with self._lock:
+                if self._wait is None:
+                    self._thread = None
+                    return
+                if self._wait is not wait:
+                    wait, last = self._wait, 0.0
+                every = SHOWN_EVERY if wait.listener else LOGGED_EVERY
+                waited = time.monotonic() - wait.started
+                if waited < last + every:
+                    continue
+                last, text = waited, f"{wait.what}, {waited:.0f} s"
+                if wait.listener:
+                    wait.listener(text)
+                else:
+                    _LOG.warning("%s", text)
+
+
+_teller = _Teller()
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_teller.forget)  # the thread stayed behind, with the lock perhaps
 
 
 @contextmanager
@@ -33,25 +95,13 @@ def told(what: str) -> Iterator[None]:
         finally:
             _told.pop()
         return
-    done, started = threading.Event(), time.monotonic()
     listener = _listeners[-1] if _listeners else None
-
-    def tell() -> None:
-        while not done.wait(SHOWN_EVERY if listener else LOGGED_EVERY):
-            text = f"{what}, {time.monotonic() - started:.0f} s"
-            if listener:
-                listener(text)
-            else:
-                _LOG.warning("%s", text)
-
-    teller = threading.Thread(target=tell, name="jounce waits", daemon=True)
-    teller.start()
+    _teller.begin(_Wait(what, time.monotonic(), listener))
     try:
         yield
     finally:
         _told.pop()
-        done.set()
-        teller.join()
+        _teller.end()
         if listener:
             listener(None)
 

@@ -64,29 +64,30 @@ def change_table(description: BaseModel, changes: object) -> dict[str, Any]:
         allowed = 'values by path, e.g. {"strut.spring.rate": "25 N/mm"}'
         raise DescriptionError("no changes", where="changes", found=changes, allowed=allowed)
     table: dict[str, Any] = description.model_dump(by_alias=True, exclude_none=True)
-    known = parameters_of(description)
     for path, value in changes.items():
-        _set(table, split_path(path), value, path, known)
+        parts, own = split_path(path), deepcopy(value)  # a later path may lead into it
+        try:
+            _set(table, parts, own)
+        except (KeyError, IndexError, TypeError):
+            raise unknown_path(path, parameters_of(description)) from None
     return table
 
 
-def _set(table: Any, parts: list[str | int], value: Any, path: str, known: dict[str, float]) -> None:
+def _set(table: Any, parts: list[str | int], value: Any) -> None:
+    """Put a value at its place; what has no such place is a KeyError, an IndexError or a TypeError."""
     *parents, last = parts
     here = table
     for i, part in enumerate(parents):
-        try:
-            if isinstance(here, dict) and part not in here and isinstance(parts[i + 1], str):
-                here[part] = {}
-            elif isinstance(here[part], tuple):
-                here[part] = list(here[part])
-            here = here[part]
-        except (KeyError, IndexError, TypeError):
-            raise unknown_path(path, known) from None
+        if isinstance(here, dict) and part not in here and isinstance(parts[i + 1], str):
+            here[part] = {}
+        elif isinstance(here[part], tuple):
+            here[part] = list(here[part])
+        here = here[part]
     if isinstance(here, list) and not (isinstance(last, int) and last < len(here)):
-        raise unknown_path(path, known)
+        raise IndexError(last)
     if not isinstance(here, (dict, list)):
-        raise unknown_path(path, known)
-    here[last] = deepcopy(value)  # type: ignore[index]  # a later path may lead into it
+        raise TypeError(last)
+    here[last] = value  # type: ignore[index]
 
 
 _numbers = remembered(parameters_of)

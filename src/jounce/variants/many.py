@@ -7,18 +7,21 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unforeseen, unknown
+from jounce.core.remembered import remembered
 from jounce.core.types import Array
 from jounce.core.units import Unit, to_si
-from jounce.parts import Rig
-from jounce.parts.rig import change_table, parameters_of, quantity_at, unit_of, unknown_path
+from jounce.parts import Rig, Vehicle
+from jounce.parts.rig import change_table, parameters_of, quantity_at, unknown_path
 from jounce.recordings.schema import channels_of
 from jounce.roads import Trial
+from jounce.roads.trial import is_lasting
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
@@ -28,7 +31,7 @@ from jounce.simulation.settings import RunSettings
 from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
-from jounce.variants.side_by_side import LEAST, sums_side_by_side
+from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -138,29 +141,38 @@ class _Results:
     ) -> xr.Dataset:
         import xarray as xr
 
-        found: dict[str, Any] = {}
+        def variable(along: tuple[str, ...], values: Any, unit: str, long_name: str) -> xr.Variable:
+            return xr.Variable(along, values, {"units": unit, "long_name": long_name}, fastpath=True)
+
+        found: dict[str, xr.Variable] = {}
         for i, metric in enumerate(self.metrics):
-            about = {"units": metric.unit, "long_name": metric.long_name}
-            found[metric.text] = xr.Variable(("variant",), self.numbers[:, i].copy(), about)
-        given = columns.get("trial.duration", [study.trial.duration])
-        times = study.settings.times(float(given[0]))
+            found[metric.text] = variable(("variant",), self.numbers[:, i].copy(), metric.unit, metric.long_name)
+        axes = _numbered(first, self.count)
+        if self.channels:
+            given = columns.get("trial.duration", [study.trial.duration])
+            times = study.settings.times(float(given[0]))
+            axes = axes.assign_coords(time=xr.Variable(("time",), times, {"units": "s"}))
         for i, name in enumerate(self.channels):
             values = np.full((self.count, len(times)), np.nan)
             for row, course in zip(values, self.courses, strict=True):
                 if course is not None:
                     row[: course.shape[1]] = course[i]
-            about = {"units": study.units[name], "long_name": study.long_names[name]}
-            found[name] = xr.Variable(("variant", "time"), values, about)
+            found[name] = variable(("variant", "time"), values, study.units[name], study.long_names[name])
         reasons = np.array(self.reasons, dtype=object)  # texts of their own length: one long one is not that of all
-        found["reason"] = xr.Variable(("variant",), reasons, {"long_name": "why it has no run"})
-        where: dict[str, Any] = {"variant": np.arange(first, first + self.count)}
-        if self.channels:
-            where["time"] = xr.Variable(("time",), times, {"units": "s"})
-        for path, column in columns.items():
-            where[path] = xr.Variable(("variant",), column, {"units": study.number(path)[1], "long_name": path})
+        about = {"long_name": "why it has no run"}
+        found["reason"] = xr.Variable(("variant",), reasons, about, fastpath=True)
+        beside = {path: variable(("variant",), column, study.number(path)[1], path) for path, column in columns.items()}
         outside = {"outside": study.outside(columns)}
         attributes = {"rig": str(getattr(study.rig, "model", "")), **self.tally, **outside, **design}
-        return xr.Dataset(found, where, attributes)
+        return dataset(found, axes, attributes, beside)
+
+
+@lru_cache(2)
+def _numbered(first: int, count: int) -> xr.Dataset:
+    """Numbers of variants as an axis, which many results may share."""
+    import xarray as xr
+
+    return xr.Dataset(coords={"variant": np.arange(first, first + count)})
 
 
 @dataclass(frozen=True)
@@ -227,23 +239,31 @@ class Study:
 
     def number(self, path: str) -> tuple[float, str]:
         """Value (SI) and SI unit of the number at a path."""
-        of, rest = self.owner(path)
-        known = of.parameters() if of is self.rig else _numbers_of(of)
-        if rest not in known:
-            others = [f"{_TRIAL}{name}" for name in _numbers_of(self.trial)] if of is self.rig else []
-            raise unknown_path(f"variants: {path}", [*known, *others], name=rest)
-        if of is self.rig:
-            return known[rest], unit_of(of, rest)
-        return known[rest], quantity_at(of, rest).si
+        value, quantity = self._quantity(path)
+        return value, quantity.si
+
+    def limit(self, path: str) -> Unit:
+        """Unit and range of the number at a path."""
+        return self._quantity(path)[1]
+
+    @cached_property
+    def _quantities(self) -> dict[str, tuple[float, Unit]]:
+        return {}
+
+    def _quantity(self, path: str) -> tuple[float, Unit]:
+        if path not in self._quantities:
+            of, rest = self.owner(path)
+            known = of.parameters() if of is self.rig else _numbers_of(of)
+            if rest not in known:
+                others = [f"{_TRIAL}{name}" for name in _numbers_of(self.trial)] if of is self.rig else []
+                raise unknown_path(f"variants: {path}", [*known, *others], name=rest)
+            self._quantities[path] = known[rest], quantity_at(of, rest)
+        return self._quantities[path]
 
     def whole(self, path: str) -> bool:
         """Whether the number at a path is a whole one, such as the seed of a road."""
         of, rest = self.owner(path)
         return of is not self.rig and rest in _numbers_of(of, whole=True)
-
-    def limit(self, path: str) -> Unit:
-        """Unit and range of the number at a path."""
-        return quantity_at(*self.owner(path))
 
     def outside(self, columns: Mapping[str, Array]) -> int:
         """How many variants have a number outside what its description allows."""
@@ -363,11 +383,16 @@ class _Group:
         What it asks of several numbers together (that one is below another) holds inside where it holds at all corners
         of what the variants span, so that each is looked at only where these are more, or one is forbidden.
         """
-        whole = [column.tolist() for column in own.values()]
-        corners = itertools.product(*((min(column), max(column)) for column in whole))
-        if 2 ** len(own) < count and all(map(partial(self._is_allowed, own), corners)):
+        columns = list(own.values())
+        box = [(float(column.min()), float(column.max())) for column in columns]
+        known = _allowed_boxes(self.study.rig)
+        inside = known.get(tuple(own))
+        if inside is not None and all(a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)):
             return np.zeros(count, dtype=bool)
-        rows = zip(*whole, strict=True) if whole else [()] * count
+        if 2 ** len(own) < count and all(map(partial(self._is_allowed, own), itertools.product(*box))):
+            known[tuple(own)] = box
+            return np.zeros(count, dtype=bool)
+        rows = zip(*(column.tolist() for column in columns), strict=True) if own else [()] * count
         return np.array([not self._is_allowed(own, row) for row in rows], dtype=bool)
 
     def _is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:
@@ -389,8 +414,8 @@ class _Group:
         limits = branch_limits(study.compiled.output_names)
         kept = [study.compiled.output_names.index(name) for name in names]
         channels = list(dict.fromkeys([*kept, *limits]))
-        times = study.settings.times(self.trial.duration)
-        sums = sums_side_by_side(study.compiled, study.base, parameters, self._signals, times, channels, threads)
+        layout = self._layout(channels)
+        sums = sums_side_by_side(layout, parameters, threads) if layout is not None else None
         if sums is None:
             return np.ones(len(rows), dtype=bool)
         careful = sums.alone.copy()
@@ -407,6 +432,22 @@ class _Group:
             results.numbers[rows[~careful], i] = found[~careful]
         results.tally["side_by_side"] += int(np.sum(~careful))
         return careful
+
+    def _layout(self, channels: Sequence[int]) -> Layout | None:
+        """What variants side by side share, kept beside the trial for the sweeps to come."""
+        study = self.study
+        kept = _layouts_of(self.trial)
+        wheels = tuple(study.rig.wheels.items()) if isinstance(study.rig, Vehicle) else ()
+        key = study.compiled.identity, study.base.tobytes(), wheels, study.settings, tuple(channels)
+        if kept is None or key not in kept:
+            times = study.settings.times(self.trial.duration)
+            found = lay_out(study.compiled, study.base, self._signals, times, channels)
+            if kept is None:
+                return found
+            if len(kept) >= _MOST_LAYOUTS:
+                kept.clear()
+            kept[key] = found
+        return kept[key]
 
     def _stepped(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
@@ -551,6 +592,21 @@ class _LaidOut(NamedTuple):
     sound: NDArray[np.bool_]
     holds: Callable[[Array], NDArray[np.bool_]]
     tolerance: float
+
+
+@remembered
+def _allowed_boxes(rig: Rig) -> dict[tuple[str, ...], list[tuple[float, float]]]:  # noqa: ARG001 - kept beside it
+    """Ranges of some numbers of a rig, by their paths, within which its description was last found to allow all."""
+    return {}
+
+
+_MOST_LAYOUTS = 4
+
+
+@remembered
+def _layouts_of(trial: Trial) -> dict[object, Layout | None] | None:
+    """What variants side by side have shared over a trial so far; None where a file holds its road: it may change."""
+    return {} if is_lasting(trial) else None
 
 
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:

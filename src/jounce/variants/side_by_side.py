@@ -47,50 +47,58 @@ class Sums:
     events: NDArray[np.int64]
 
 
-def sums_side_by_side(
-    compiled: Compiled,
-    base: Array,
-    parameters: Array,
-    signals: Sequence[Segments],
-    times: Array,
-    channels: Sequence[int],
-    threads: int | None = None,
-) -> Sums | None:
-    """Follow variants of a model over one course; None where model or course are not for it.
+@dataclass(frozen=True)
+class Layout:
+    """What all variants of a model share over one course: the work on them, but for their parameters and room.
 
-    ``parameters`` has one row of values (SI) a variant, ``base`` those of a variant that is typical; ``times`` (s) are
-    the samples, evenly spaced; ``channels`` the numbers of the outputs.
+    Parameters of the numbers ``zero`` must be 0; there are so many ``samples``.
     """
-    work = _prepared(compiled, base, parameters, signals, times, channels)
-    if work is None:
+
+    work: lanes.Work
+    zero: tuple[int, ...]
+    samples: int
+
+
+def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = None) -> Sums | None:
+    """Follow variants, one row of parameter values (SI) each; None where these are not for it, or too few."""
+    count = len(parameters)
+    if count < LEAST or np.any(parameters[:, list(layout.zero)] != 0.0):
         return None
-    count, wide = len(parameters), work.room.kept.shape[1]
+    channels = len(layout.work.chosen)
+    work = layout.work._replace(
+        parameters=np.ascontiguousarray(parameters),
+        sums=np.full((count, lanes.SUMS * channels), np.nan),
+        rest=np.full((count, channels), np.nan),
+        events=np.zeros(count, dtype=np.int64),
+        alone=np.zeros(count, dtype=np.int64),
+    )
+    wide = work.room.kept.shape[1]
     workers = min(threads or os.cpu_count() or 1, max(count // _FEW, 1))
     blocks = -(-count // wide)
     borders = [min(wide * (blocks * i // workers), count) for i in range(workers)] + [count]
-    spans = [np.array(pair, dtype=np.int64) for pair in itertools.pairwise(borders)]
-    works = [work._replace(span=span) if i == 0 else _apart(work, span) for i, span in enumerate(spans)]
+    shares = [_apart(work, np.array(pair, dtype=np.int64)) for pair in itertools.pairwise(borders)]
     if workers == 1:
-        lanes.follow(works[0])
+        lanes.follow(shares[0])
     else:
-        with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(lanes.follow, works))
+        with ThreadPoolExecutor(workers - 1) as pool:
+            others = pool.map(lanes.follow, shares[1:])
+            lanes.follow(shares[0])
+            list(others)
     total, square, least, most = (work.sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
-    return Sums(total / len(times), square / len(times), least, most, work.rest, work.alone == 1, work.events)
+    samples = layout.samples
+    return Sums(total / samples, square / samples, least, most, work.rest, work.alone == 1, work.events)
 
 
-def _prepared(
-    compiled: Compiled,
-    base: Array,
-    parameters: Array,
-    signals: Sequence[Segments],
-    times: Array,
-    channels: Sequence[int],
-) -> lanes.Work | None:
+def lay_out(
+    compiled: Compiled, base: Array, signals: Sequence[Segments], times: Array, channels: Sequence[int]
+) -> Layout | None:
+    """Lay out what variants of a model share over one course; None where model or course are not for it.
+
+    ``base`` are the parameter values (SI) of a variant that is typical; ``times`` (s) are the samples, evenly spaced;
+    ``channels`` the numbers of the outputs.
+    """
     facts, zero = compiled.facts, compiled.facts.linear_without
-    if len(parameters) < LEAST or zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
-        return None
-    if any(np.any(parameters[:, facts.parameters.index(name)] != 0.0) for name in zero):
+    if zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
         return None
     if any(np.any(signal.kind == CIRCLE) for signal in signals):
         return None
@@ -109,7 +117,7 @@ def _prepared(
         rest = find_equilibrium(compiled, base, still)
     except SimulationError:  # one by one those that have an equilibrium run
         return None
-    some = (rest.modes, np.ones_like(rest.modes), np.zeros_like(rest.modes))
+    some = (rest.modes, np.ones_like(rest.modes), np.zeros_like(rest.modes))[: 3 if len(rest.modes) else 1]
     if not all(_outputs_are_linear(compiled, base, rest.x, modes, still, channels) for modes in some):
         return None
     scale = state_scale(rest, *facts.counts, 1.0)
@@ -163,16 +171,15 @@ def _prepared(
     functions = compiled.functions
     code = lanes.code(compiled.identity, made, lambda: (functions["switch"], functions["rate"]))
     look, glance = code.address[:2]
-    variants = len(parameters)
-    return lanes.Work(
+    work = lanes.Work(
         run,
         lanes.Addresses(
             address["derived"], address["output"], look, glance, np.array(code.address[2:], dtype=np.int64)
         ),
         course,
         lanes.room(code.sizes, run, compiled.scalars, len(facts.outputs)),
-        np.ascontiguousarray(parameters),
-        np.array([0, variants], dtype=np.int64),
+        np.zeros((0, len(base))),
+        np.zeros(2, dtype=np.int64),
         np.array(channels, dtype=np.int64),
         rest.modes.copy(),
         np.array(jumping, dtype=np.int64),
@@ -182,13 +189,14 @@ def _prepared(
         terms,
         fastest,
         1e-12 * max(1.0, abs(float(times[-1]))),
-        np.full((variants, lanes.SUMS * len(channels)), np.nan),
-        np.full((variants, len(channels)), np.nan),
-        np.zeros(variants, dtype=np.int64),
-        np.zeros(variants, dtype=np.int64),
+        np.zeros((0, lanes.SUMS * len(channels))),
+        np.zeros((0, len(channels))),
+        np.zeros(0, dtype=np.int64),
+        np.zeros(0, dtype=np.int64),
         np.array([place for row in rows for place in row], dtype=np.int64),
         np.cumsum([0, *map(len, rows)], dtype=np.int64),
     )
+    return Layout(work, tuple(facts.parameters.index(name) for name in zero), len(times))
 
 
 def _apart(work: lanes.Work, span: NDArray[np.int64]) -> lanes.Work:

@@ -23,6 +23,10 @@ def variables():
     return {"z": z, "force": xr.Variable(("time", "side"), np.arange(6.0).reshape(3, 2))}
 
 
+def beside():
+    return {"speed": xr.Variable(("time",), np.array([1.0, 2.0, 3.0]), {"units": "m/s"})}
+
+
 def known(monkeypatch, answer: bool) -> None:
     monkeypatch.setattr(datasets, "_inside_is_known", lambda: answer)
 
@@ -31,9 +35,9 @@ def known(monkeypatch, answer: bool) -> None:
 def test_both_ways_make_the_same(axes, attributes, monkeypatch):
     datasets._inside_is_known.cache_clear()
     assert datasets._inside_is_known()  # of the xarray that is installed
-    made = dataset(variables(), axes, attributes)
+    made = dataset(variables(), axes, attributes, beside())
     known(monkeypatch, False)
-    right = dataset(variables(), axes, attributes)
+    right = dataset(variables(), axes, attributes, beside())
     assert made.identical(right)
     assert list(made.variables) == list(right.variables)
     assert repr(made) == repr(right)
