@@ -5,7 +5,9 @@
 
 from __future__ import annotations
 
+import base64
 import hashlib
+import io
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -18,6 +20,7 @@ DARK = {  # ink, grey, grid, background and the colours of lines, each as bright
     "#a64d8f": "#d07fbd", "#b8860b": "#d6ab3c", "#3fa0d8": "#7cc4ee", "#d98a1f": "#eda74c", "#b5472a": "#e67a5c",
     "#b7791f": "#dba24a", "#dbe4ec": "#25384a", "#ebebeb": "#2a2d31", "#2b6ea3": "#5b9fd6", "#f3f4f6": "#1d2024",
 }  # fmt: skip
+_ROUNDED = 12  # of 255: colours of pale pixels are rounded
 
 
 def write(name: str, make: Callable[[], Any], made_from: str) -> None:
@@ -52,7 +55,24 @@ def _mark(made_from: str) -> str:
 def in_the_dark(text: str) -> str:
     """Colours of a picture turned for a dark page; those that are not listed keep their hue and change brightness."""
     text = re.sub(r"(?<![\w-])(white|black)(?=[;\"'])", lambda m: {"white": "#ffffff", "black": "#000000"}[m[1]], text)
-    return re.sub(r"#[0-9a-fA-F]{6}\b", lambda m: DARK.get(m[0].lower()) or _turned(m[0]), text)
+    text = re.sub(r"#[0-9a-fA-F]{6}\b", lambda m: DARK.get(m[0].lower()) or _turned(m[0]), text)
+    return re.sub(r"(?<=data:image/png;base64,)[\w+/=\s]+", lambda m: _points_in_the_dark(m[0]), text)
+
+
+def _points_in_the_dark(encoded: str) -> str:
+    """Clouds of points are small images in the picture: pixels of a listed colour are turned, colour maps stay."""
+    import numpy as np
+    from PIL import Image
+
+    pixels = np.array(Image.open(io.BytesIO(base64.b64decode(encoded))).convert("RGBA"))
+    colour = pixels[..., :3].astype(int)
+    for bright, dark in DARK.items():
+        here, there = (np.array([int(one[i : i + 2], 16) for i in (1, 3, 5)]) for one in (bright, dark))
+        meant = (np.abs(colour - here).max(axis=-1) <= _ROUNDED) & (pixels[..., 3] > 0)
+        pixels[meant, :3] = there
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, format="png")
+    return base64.b64encode(stream.getvalue()).decode()
 
 
 def _turned(colour: str) -> str:

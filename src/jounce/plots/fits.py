@@ -22,6 +22,7 @@ from jounce.plots.style import (
     MUTED,
     PALETTE,
     at_tick,
+    fill_cells,
     in_legend,
     legend_above,
     new_figure,
@@ -421,8 +422,7 @@ _MOST_NUMBERS = 7  # parameters whose correlations have room for two decimals
 def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
     values = np.array(correlation)[:count, :count]
     size, digits = (min(8.0, 38.0 / count), 2) if count <= _MOST_NUMBERS else (max(8.0 * _MOST_NUMBERS / count, 4.0), 1)
-    axes.imshow(values, cmap="RdBu_r", vmin=-1.0, vmax=1.0, aspect="auto")
-    axes.grid(visible=False)
+    fill_cells(axes, values, "RdBu_r")
     for row in range(len(values)):
         for column in range(len(values)):
             known = values[row, row] > 0.0 and values[column, column] > 0.0

@@ -11,7 +11,7 @@ import numpy as np
 from jounce.core.display import display_unit
 from jounce.plots.display import settled
 from jounce.plots.parallel import between_ends, draw_uprights
-from jounce.plots.style import INK, MUTED, PALETTE, new_figure, styled
+from jounce.plots.style import INK, MUTED, PALETTE, fill_cells, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -176,7 +176,8 @@ def tradeoff_matrix(design: KinematicDesign) -> Figure:
     figure = new_figure(1.0 + widest + 0.34 * count, 1.9 + widest + 0.42 * count)
     axes = figure.subplots()
     colours = LinearSegmentedColormap.from_list("trade", [PALETTE[1], "white", PALETTE[0]])
-    shown = axes.imshow(table, cmap=colours, vmin=-1.0, vmax=1.0)
+    shown = fill_cells(axes, table, colours)
+    axes.set_aspect("equal")
     for i in range(count):
         for j in range(count):
             if abs(table[i, j]) >= _SAID:
@@ -185,7 +186,6 @@ def tradeoff_matrix(design: KinematicDesign) -> Figure:
                 axes.text(j, i, text, ha="center", va="center", fontsize=7.5, color=ink)
     axes.set_xticks(range(count), names, rotation=45, ha="right", rotation_mode="anchor")
     axes.set_yticks(range(count), names)
-    axes.grid(visible=False)
     axes.set_ylabel("one tolerance more of")
     axes.set_xlabel("moves")
     figure.colorbar(shown, ax=axes, shrink=0.8).set_label("by so many tolerances")

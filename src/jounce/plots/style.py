@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.core.types import Array
+
 
 P = ParamSpec("P")
 _LOG = logging.getLogger("jounce")
@@ -249,6 +251,16 @@ def add_note(figure: Figure, text: str) -> None:
     figure.text(
         0.995, 0.05 / float(figure.get_figheight()), text, ha="right", va="bottom", fontsize=7.5, color="#a33f1f"
     )
+
+
+def fill_cells(axes: Axes, values: Array, colours: Any) -> Any:
+    """Fill a cell for each number from -1 to 1, first row on top; areas, which dark pages can turn, and no raster."""
+    rows, columns = values.shape
+    edges = [i - 0.5 for i in range(columns + 1)], [i - 0.5 for i in range(rows + 1)]
+    filled = axes.pcolormesh(*edges, values, cmap=colours, vmin=-1.0, vmax=1.0, linewidth=0.3, edgecolors="face")
+    axes.set_ylim(rows - 0.5, -0.5)
+    axes.grid(visible=False)
+    return filled
 
 
 def limits(axes: Axes, low: float, high: float) -> None:
