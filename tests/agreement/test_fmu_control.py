@@ -115,6 +115,150 @@ def test_a_coupling_that_is_unstable_is_refused(damped, hold) -> None:
         damped(-1.0, hold=hold, rate=1000.0)
 
 
+SPRING = {"deflection": "strut.deflection"}
+TYRE = {"deflection": "tyre.deflection", "rate": "actuator.velocity"}
+
+
+@pytest.fixture(scope="module")
+def element(made):
+    """A run with an element in an FMU; its numbers are those of the FMU."""
+
+    def drive(rig, place, trial=TRIAL, numbers=None, **fields):
+        law = FmuControl(
+            file=made(3), inputs=TYRE if place == "tyre" else SPRING, output="load", trusted=True,
+            actuator=jn.ActiveActuator(in_place_of=place), parameters=numbers or {}, **fields,
+        )  # fmt: skip
+        return jn.simulate(rig, trial, control=law, tolerance=1e-7)
+
+    return drive
+
+
+@pytest.fixture(scope="module")
+def stiff_and_soft():
+    """The Audi, and one with a softer spring and tyre, whose place others take."""
+    rig = jn.load("audi-a6-quarter-car")
+    changed = {"strut.spring.rate": 0.7, "tyre.stiffness": 0.7}
+    return rig, {
+        place: rig.with_changes({path: share * rig.parameters()[path]})
+        for place, (path, share) in zip(("spring", "tyre"), changed.items(), strict=True)
+    }
+
+
+@pytest.mark.parametrize(
+    ("place", "hold", "order"), [("spring", "zero", 1), ("spring", "first", 2), ("tyre", "zero", 1)]
+)
+def test_springs_and_tyres_converge_to_those_in_the_equations(stiff_and_soft, element, place, hold, order) -> None:
+    """From the same rest, with the tyre off the road for a while."""
+    rig, soft = stiff_and_soft
+    own = jn.simulate(rig, TRIAL, tolerance=1e-7)
+    numbers = {
+        "spring": {"stiffness": rig.strut.spring.rate},
+        "tyre": {"stiffness": rig.tyre.stiffness, "damping": rig.tyre.damping_coefficient, "pulls": 0.0},
+    }[place]
+    errors = []
+    for rate in (1000.0, 2000.0):
+        run = element(soft[place], place, numbers=numbers, hold=hold, rate=rate)
+        for channel in ("sprung.z", "unsprung.z", "tyre.deflection", "strut.force", "tyre.force"):
+            assert run[channel].values[0] == pytest.approx(own[channel].values[0], rel=1e-7, abs=1e-9)
+        assert run["tyre.force"].values.min() == 0.0
+        assert run.attrs["events"] == own.attrs["events"]
+        error = np.abs(run["unsprung.z"].values - own["unsprung.z"].values).max()
+        errors.append(float(error) / np.ptp(own["unsprung.z"].values))
+    assert 0.95 * 2**order < errors[0] / errors[1] < 1.05 * 2**order
+    assert errors[1] < (0.005 if order == 1 else 2e-5)
+
+
+def test_a_rig_rests_where_the_fmu_carries_it(stiff_and_soft, element) -> None:
+    """On a stiffening spring with preload: its law at rest gives the static load, and the rig stays there."""
+    rig, _ = stiff_and_soft
+    still = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="0.3 s")
+    load = float(jn.simulate(rig, still)["strut.force"].values[0])
+    run = element(rig, "spring", still, numbers={"stiffness": 20e3, "preload": 600.0, "cubic": 4e6}, rate=1000.0)
+    d = run["strut.deflection"].values[0]
+    assert 600.0 + 20e3 * d + 4e6 * d**3 == pytest.approx(load, rel=1e-9)
+    assert np.ptp(run["sprung.z"].values) < 1e-9
+    assert not any(finding.startswith("warning") for finding in run.attrs["findings"])
+
+
+def test_changes_from_rest_keep_the_rigs_own_load(stiff_and_soft, element) -> None:
+    """A line through rest with the stiff rate moves the soft car as the stiff one moves."""
+    rig, soft = stiff_and_soft
+    own = jn.simulate(rig, TRIAL, tolerance=1e-7)["sprung.z"].values
+    fields = {"from_rest": True, "rate": 4000.0, "hold": "first"}
+    run = element(soft["spring"], "spring", numbers={"stiffness": rig.strut.spring.rate}, **fields)["sprung.z"].values
+    np.testing.assert_allclose(run - run[0], own - own[0], rtol=0.0, atol=1e-5 * np.ptp(own))
+    with pytest.raises(jn.SimulationError, match=r"not zero there; found '50 N'"):
+        element(soft["spring"], "spring", numbers={"preload": 50.0}, **fields)
+
+
+def test_a_stop_in_an_fmu_is_the_stop(made, stiff_and_soft) -> None:
+    """The rig has none; of another tool's it feels nothing before the gap is closed."""
+    rig, _ = stiff_and_soft
+    law = FmuControl(
+        file=made(3), inputs=SPRING, output="load", actuator=jn.ActiveActuator(in_place_of="stops"), trusted=True,
+    )  # fmt: skip
+    own = jn.simulate(rig, TRIAL)["sprung.z"].values
+    np.testing.assert_allclose(jn.simulate(rig, TRIAL, control=law)["sprung.z"].values, own, rtol=0.0, atol=1e-7)
+    firm = law.model_copy(update={"parameters": {"stiffness": 1e5, "preload": -13e3, "pulls": 0.0}, "rate": 1000.0})
+    run = jn.simulate(rig, TRIAL, control=firm)
+    felt = run["actuator.force"].values
+    assert felt.max() > 1000.0
+    np.testing.assert_allclose(felt, np.fmax(1e5 * run["strut.deflection"].values - 13e3, 0.0), rtol=0.0, atol=1e-3)
+
+
+def test_an_element_without_equilibrium_or_stability_is_refused(stiff_and_soft, element) -> None:
+    rig, soft = stiff_and_soft
+    for numbers, what in (({}, r"no static equilibrium.*of the FMU"), ({"stiffness": -20e3}, "grow at any rate")):
+        with pytest.raises(jn.SimulationError, match=what):
+            element(rig, "spring", numbers=numbers)
+    with pytest.raises(jn.SimulationError, match="coupling is unstable"):
+        element(soft["tyre"], "tyre", numbers={"stiffness": 100.0 * rig.tyre.stiffness, "pulls": 0.0}, rate=200.0)
+    with pytest.raises(jn.SimulationError, match="the rig has no tyre that a force could take the place of"):
+        element(jn.load("audi-a6-half-car"), "tyre")
+
+
+def test_a_tyre_of_another_radius_is_told(stiff_and_soft, element) -> None:
+    rig, _ = stiff_and_soft
+    numbers = {"stiffness": rig.tyre.stiffness, "preload": 2e3}
+    found = element(rig, "tyre", numbers=numbers, rate=2000.0).attrs["findings"]
+    assert any("off the road, which the wheel does not feel: compare the radii" in finding for finding in found)
+
+
+def test_axles_have_numbers_of_their_own(element) -> None:
+    """The half car with both its springs in FMUs moves as it does without."""
+    rig = jn.load("audi-a6-half-car-4dof")
+    own = jn.simulate(rig, TRIAL, tolerance=1e-7)
+    rates = {axle: f"{getattr(rig, axle).spring_rate} N/m" for axle in ("front", "rear")}
+    run = element(
+        rig.with_changes({"front.spring_rate": 20e3, "rear.spring_rate": 30e3}), "spring",
+        numbers={"stiffness": rates}, hold="first", rate=1000.0,
+    )  # fmt: skip
+    for channel in ("body.z", "body.pitch"):
+        np.testing.assert_allclose(run[channel], own[channel], rtol=0.0, atol=1e-4 * np.ptp(own[channel].values))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("place", ["spring", "tyre"])
+def test_a_3d_corner_with_an_element_in_an_fmu(element, place) -> None:
+    """Of the same law: the spring about its load at design, the tyre with its damping."""
+    rig = jn.load("kart-double-wishbone")
+    own = jn.simulate(rig, TRIAL, tolerance=1e-7)
+    rate, stiffness = rig.strut.spring.rate, rig.tyre.stiffness
+    bottom, top = (np.array(getattr(rig.hardpoints, f"strut_{end}")) for end in ("bottom", "top"))
+    preload = rate * (rig.strut.spring.free_length - np.linalg.norm(top - bottom))
+    numbers = {
+        "spring": {"stiffness": rate, "preload": preload},
+        "tyre": {"stiffness": stiffness, "damping": rig.tyre.damping_coefficient, "pulls": 0.0},
+    }[place]
+    softer = {"spring": {"strut.spring.rate": 0.9 * rate}, "tyre": {"tyre.stiffness": 0.9 * stiffness}}[place]
+    runs = [element(rig.with_changes(softer), place, numbers=numbers, rate=rate) for rate in (2000.0, 4000.0)]
+    for channel in ("sprung.z", "unsprung.z"):
+        there = own[channel].values
+        coarse, fine = (float(np.abs(run[channel].values - there).max() / np.ptp(there)) for run in runs)
+        assert 1.8 < coarse / fine < 2.2
+        assert fine < 5e-3
+
+
 def test_every_corner_of_a_car_has_its_own_instance(made) -> None:
     rig = jn.load("audi-a6-half-car-4dof")
     law = FmuControl(file=made(2), inputs=INPUTS, output="coefficient", trusted=True)

@@ -14,7 +14,9 @@ SOURCE = Path(__file__).parents[1] / "files" / "fmu" / "component.c"
 UNITS = """<UnitDefinitions>
 <Unit name="mm/s"><BaseUnit m="1" s="-1" factor="0.001"/></Unit><Unit name="m/s"/>
 <Unit name="kN.s/m"><BaseUnit kg="1" s="-1" factor="1000"/></Unit><Unit name="N.s/m"><BaseUnit kg="1" s="-1"/></Unit>
-<Unit name="daN"><BaseUnit kg="1" m="1" s="-2" factor="10"/></Unit></UnitDefinitions>"""
+<Unit name="daN"><BaseUnit kg="1" m="1" s="-2" factor="10"/></Unit>
+<Unit name="mm"><BaseUnit m="1" factor="0.001"/></Unit><Unit name="N/mm"><BaseUnit kg="1" s="-2" factor="1000"/></Unit>
+<Unit name="N"><BaseUnit kg="1" m="1" s="-2"/></Unit></UnitDefinitions>"""
 VARIABLES = (
     ("v_body", "Real", "input", "mm/s", "0"),
     ("v_strut", "Real", "input", "m/s", "0"),
@@ -25,6 +27,14 @@ VARIABLES = (
     ("spare", "Real", "input", "", "2.5"),
     ("is_on", "Boolean", "parameter", "", "true"),
     ("steps", "Real", "output", "", ""),
+    ("deflection", "Real", "input", "mm", "0"),
+    ("rate", "Real", "input", "m/s", "0"),
+    ("stiffness", "Real", "parameter", "N/mm", "0"),
+    ("damping", "Real", "parameter", "N.s/m", "0"),
+    ("preload", "Real", "parameter", "N", "0"),
+    ("cubic", "Real", "parameter", "", "0"),
+    ("pulls", "Real", "parameter", "", "1"),
+    ("load", "Real", "output", "N", ""),
 )
 
 

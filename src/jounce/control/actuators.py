@@ -30,6 +30,11 @@ _VoltageRate = Annotated[float, Unit("V/s", above=0.0)]
 _ForceLimit = Annotated[float, Unit("N", above=0.0)]
 
 
+Replaced = Literal["spring", "stops", "tyre"]
+"""Elements besides the damper that a force may take the place of."""
+OWN, RATE = "own_force", "velocity"
+"""Channels ``actuator.*`` of such an element: force (N) of the rig's own, and rate (m/s) of the deflection."""
+
 Lookup = Callable[[str], ca.SX]
 """Symbol of a channel or a number by its name."""
 
@@ -206,6 +211,9 @@ class ActiveActuator(_Actuator):
         Fastest change of the commanded force, N/s.
     in_place_of_damper : bool
         Whether the corner's own damper is taken out: the command is the damper's force, too.
+    in_place_of : {"spring", "stops", "tyre"} or None
+        Another element whose force comes from an FMU. The rig's own stays as what bridges the time between two
+        instants: the command is what the FMU's force is more. It has neither lag nor limits.
     """
 
     kind: Literal["active"] = "active"
@@ -215,12 +223,30 @@ class ActiveActuator(_Actuator):
     damping_ratio: PositiveNumber = 1.0
     rate_limit: _ForceRate | None = None
     in_place_of_damper: bool = False
+    in_place_of: Replaced | None = None
     unit: ClassVar[str] = "N"
 
     @property
     def replaces_damper(self) -> bool:
         """Whether the corner's own damper is taken out."""
         return self.in_place_of_damper
+
+    @model_validator(mode="before")
+    @classmethod
+    def _at_once(cls, table: Any) -> Any:
+        is_element = isinstance(table, dict) and table.get("in_place_of") is not None
+        return {"lag": 0.0, **table} if is_element else table
+
+    @model_validator(mode="after")
+    def _an_element_has_no_limits(self) -> Self:
+        given = [name for name in ("force_limit", "bandwidth", "rate_limit") if getattr(self, name) is not None]
+        given += ["lag"] if self.lag > 0.0 else []
+        given += ["in_place_of_damper"] if self.in_place_of_damper else []
+        if self.in_place_of is not None and given:
+            raise ValueError(
+                f"a force in place of the {self.in_place_of} has no {given[0]}; leave it out, or leave out in_place_of"
+            )
+        return self
 
     @model_validator(mode="after")
     def _one_speed(self) -> Self:
@@ -231,6 +257,8 @@ class ActiveActuator(_Actuator):
     @property
     def structure(self) -> str:
         """Its equations."""
+        if self.in_place_of is not None:
+            return f"active, in place of the {self.in_place_of}"
         order = "second order" if self.bandwidth is not None else f"lag {self.lag > 0.0}"
         return f"active, {order}{', no damper' if self.in_place_of_damper else ''}"
 
@@ -268,6 +296,8 @@ class ActiveActuator(_Actuator):
 
     def resolved(self, corner: CornerModel) -> Self:
         """Give the same actuator with its limit."""
+        if self.in_place_of is not None:
+            return self.model_copy(update={"force_limit": math.inf})
         limit = 0.5 * corner.sprung_mass * corner.gravity if self.force_limit is None else self.force_limit
         return self.model_copy(update={"force_limit": limit})
 

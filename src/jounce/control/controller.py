@@ -103,6 +103,8 @@ class Controller(Description):
     """What a controller is in a line that no name is enough for: a file says the rest, under its ``law``."""
     needs_wheel: ClassVar[bool] = False
     """Whether the gains need a wheel with mass and tyre."""
+    is_element: ClassVar[bool] = False
+    """Whether it may give the force of a spring, of stops or of a tyre."""
     memory_size: ClassVar[int] = 0
     """Numbers that the law keeps from one instant to the next, for one corner."""
 
@@ -112,6 +114,13 @@ class Controller(Description):
             CONTROLS.add(name, Kind(cls, summary, {} if actuator is None else {"actuator": actuator}))
         if summary := vars(cls).get("from_file", ""):
             FILE_CONTROLS.add(cls.model_fields["law"].default, Kind(cls, summary, {}))
+
+    @model_validator(mode="after")
+    def _fits_its_actuator(self) -> Self:
+        place = getattr(self.actuator, "in_place_of", None)
+        if place is not None and not self.is_element:
+            raise ValueError(f"actuator: the law {self.name!r} cannot stand in place of the {place}; only an FMU can")
+        return self
 
     @property
     def name(self) -> str:
@@ -288,6 +297,11 @@ class Setting:
 
 class CallbackController(Controller):
     """A controller that runs in Python."""
+
+    @property
+    def place(self) -> str:
+        """Where it is to be found, for messages."""
+        return f"control: {self.name}"
 
     def regulator(self, setting: Setting) -> Regulator:
         """Give what the loop calls."""

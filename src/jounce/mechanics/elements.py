@@ -123,13 +123,24 @@ def damper_map_force(system: System, damper: MapDamper, path: str, length: ca.SX
     return curves[0] + sum((share[i] * (curves[i + 1] - curves[i]) for i in range(rows - 1)), ca.SX(0.0))
 
 
-def tyre_force(system: System, tyre: Tyre, deflection: ca.SX, rate: ca.SX) -> ca.SX:
-    """Contact force (N) of a radial tyre at a deflection (m) and its rate (m/s); never negative with lift-off."""
+def tyre_force(
+    system: System,
+    tyre: Tyre,
+    deflection: ca.SX,
+    rate: ca.SX,
+    law: Callable[[ca.SX, ca.SX], ca.SX] | None = None,
+) -> ca.SX:
+    """Contact force (N) of a radial tyre at a deflection (m) and its rate (m/s); never negative with lift-off.
+
+    ``law`` makes another force of the tyre's own one and of whether that acts (1 or 0).
+    """
     if tyre.curve is not None:
         elastic = curve_force(system, tyre.curve, "tyre.curve", deflection)
     else:
         elastic = system.parameter("tyre.stiffness") * deflection
     force = elastic + system.parameter("tyre.damping_coefficient") * rate
+    if law is not None:
+        force = law(force, deflection > 0.0 if tyre.lift_off else ca.SX(1.0))
     if tyre.lift_off:
         force *= system.switch("tyre contact", ca.fmin(force, _contact_stiffness(system, tyre) * deflection))
     return force

@@ -1,4 +1,4 @@
-"""A strut under control: an actuator in place of its damper or beside it."""
+"""A corner under control: an actuator in place of its damper or beside it, or a force in place of another element."""
 
 from __future__ import annotations
 
@@ -6,7 +6,15 @@ from collections.abc import Callable
 
 import casadi as ca
 
-from jounce.control.actuators import ActiveActuator, AnyActuator, MagnetorheologicalDamper, SemiActiveDamper
+from jounce.control.actuators import (
+    OWN,
+    RATE,
+    ActiveActuator,
+    AnyActuator,
+    MagnetorheologicalDamper,
+    Replaced,
+    SemiActiveDamper,
+)
 from jounce.mechanics import System
 from jounce.mechanics.elements import damper_force
 
@@ -23,7 +31,7 @@ def controlled_force(
     To be called within the place of the wheel; of the actuator only the structure matters. ``passive`` gives the force
     of the strut's own damper, and is called only where that damper is there.
     """
-    if actuator is None:
+    if actuator is None or (isinstance(actuator, ActiveActuator) and actuator.in_place_of):
         return passive()
     command = system.track("command").value
     system.output("command", command, actuator.unit, _COMMANDS[actuator.kind])
@@ -36,6 +44,33 @@ def controlled_force(
         force = total = _magnetorheological(system, actuator, command, deflection, velocity)
     system.output("actuator.force", force, "N", "force of the actuator, compression positive")
     return total
+
+
+def replaced(
+    system: System, actuator: AnyActuator | None, what: Replaced, own: ca.SX, rate: ca.SX, acting: ca.SX | float = 1.0
+) -> ca.SX:
+    """Force (N, compression positive) of an element, where an actuator is in its place: its own and the command.
+
+    The command is what the other force is more than the ``own`` one, which so bridges the time until the next command,
+    and lets statics and events see a stiffness. ``rate`` is that of the deflection (m/s); ``acting`` is 1 where the
+    element's own law holds, 0 where it is out of contact.
+    """
+    if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != what:
+        return own
+    command = system.track("command").value
+    system.output("command", command, actuator.unit, f"force in place of the {what}, less that of the rig's own")
+    system.output(f"actuator.{OWN}", acting * own, "N", f"force of the rig's own {what}, compression positive")
+    system.output(f"actuator.{RATE}", rate, "m/s", f"deflection rate of the {what}, compression positive")
+    if what != "tyre":  # whose force is ``tyre.force``, with lift-off
+        system.output("actuator.force", own + command, "N", f"force in place of the {what}, compression positive")
+    return own + command
+
+
+def replaced_tyre(system: System, actuator: AnyActuator | None, rate: ca.SX) -> Callable[[ca.SX, ca.SX], ca.SX] | None:
+    """What :func:`replaced` makes of a tyre's own force, as ``tyre_force`` wants it; None where the tyre stays."""
+    if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != "tyre":
+        return None
+    return lambda own, acting: replaced(system, actuator, "tyre", own, rate, acting)
 
 
 _COMMANDS = {

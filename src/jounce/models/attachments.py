@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 
+from jounce.control.actuators import AnyActuator
 from jounce.mechanics import System, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import (
@@ -19,6 +20,7 @@ from jounce.mechanics.elements import (
 )
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
+from jounce.models.actuation import replaced_tyre
 from jounce.models.bars import Swing, TBar, t_bar
 from jounce.models.linkage import Described, Linkage
 from jounce.parts.elements import CoilSpring, MapDamper
@@ -273,18 +275,23 @@ def wheel_down(linkage: Linkage) -> ca.SX:
     return unit(axis * ca.dot(axis, up) - up)
 
 
-def add_tyre(linkage: Linkage, road: Track) -> tuple[ca.SX, ca.SX]:
+def add_tyre(linkage: Linkage, road: Track, actuator: AnyActuator | None = None) -> tuple[ca.SX, ca.SX]:
     """Let the tyre carry the wheel; give its deflection (m) and force (N), compression positive."""
     rig, mechanism, centre, carrier = linkage.rig, linkage.mechanism, linkage.wheel_centre, linkage.carrier
     along = -wheel_down(linkage) if rig.tyre.law == "radial" else carrier.up
     height, climb = carrier.height(centre.value), ca.dot(carrier.up, carrier.velocity(centre))
-    deflection, force = tyre_law(linkage, road, height, climb, lambda _: ca.dot(along, carrier.up))
+    deflection, force = tyre_law(linkage, road, height, climb, lambda _: ca.dot(along, carrier.up), actuator)
     mechanism.apply_force(linkage.upright, force * along, centre)
     return deflection, force
 
 
 def tyre_law(
-    linkage: Described, road: Track, height: ca.SX, climb: ca.SX, upright: Callable[[Linkage], ca.SX]
+    linkage: Described,
+    road: Track,
+    height: ca.SX,
+    climb: ca.SX,
+    upright: Callable[[Linkage], ca.SX],
+    actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
     """Deflection (m) and force (N) of the tyre for the height of the wheel's centre (m) and its rate (m/s).
 
@@ -297,4 +304,4 @@ def tyre_law(
     else:
         deflection = radius - (height - road.value)
         rate = road.rate - climb
-    return deflection, tyre_force(mechanism, tyre, deflection, rate)
+    return deflection, tyre_force(mechanism, tyre, deflection, rate, replaced_tyre(mechanism, actuator, rate))

@@ -14,7 +14,7 @@ from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Mechanism, Model, System, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
-from jounce.models.actuation import controlled_force
+from jounce.models.actuation import controlled_force, replaced
 from jounce.models.attachments import (
     Stretch,
     add_rocker,
@@ -105,7 +105,7 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
     elements = {**add_strut(linkage, actuator), **add_both_alike(linkage)}
-    deflection, force = add_tyre(linkage, road)
+    deflection, force = add_tyre(linkage, road, actuator)
     show_tyre(mechanism, deflection, force)
     show_motions(linkage, linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]"))
     if detail:
@@ -134,6 +134,9 @@ def strut_forces(
     """Forces (N, compression positive) of spring and stops, and of the damper (or actuator); let the strut be seen."""
     mechanism = linkage.mechanism
     elastic, stops = spring_law(linkage, spring), stop_law(linkage, spring)
+    if "spring" not in linkage.rig.without:
+        elastic = replaced(mechanism, actuator, "spring", elastic, -spring.rate)
+    stops = replaced(mechanism, actuator, "stops", stops, -spring.rate)
     viscous = controlled_force(
         mechanism, actuator, damper.deflection, -damper.rate, lambda: damper_law(linkage, damper)
     )

@@ -112,7 +112,7 @@ def _corner(
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)
-        deflection, load = add_tyre(linkage, road)
+        deflection, load = add_tyre(linkage, road, actuator)
         show_tyre(mechanism, deflection, load)
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre

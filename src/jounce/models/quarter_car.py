@@ -10,7 +10,7 @@ import casadi as ca
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
-from jounce.models.actuation import controlled_force
+from jounce.models.actuation import controlled_force, replaced, replaced_tyre
 from jounce.models.channels import show_height, show_strut, show_tyre
 from jounce.parts import QuarterCar
 
@@ -43,7 +43,7 @@ def add_quarter_car(
         system.point_mass(mass, z)
         system.force(z, -mass * system.parameter("gravity"))
     _strut(system, rig, heights["sprung"], heights["unsprung"], actuator)
-    contact = _tyre(system, rig, road, heights["unsprung"])
+    contact = _tyre(system, rig, road, heights["unsprung"], actuator)
     _motions(system, road, heights["sprung"], heights["unsprung"])
     return heights["unsprung"], contact
 
@@ -53,6 +53,7 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
     deflection = ca.cos(system.parameter("strut.angle")) * (unsprung - sprung)
     velocity = system.rate_of(deflection)
     spring = spring_force(system, strut.spring, "strut.spring", deflection)
+    spring = replaced(system, actuator, "spring", spring, velocity)
     damper = controlled_force(
         system,
         actuator,
@@ -62,6 +63,7 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
     )
     friction = friction_force(system, strut.friction, "strut.friction", velocity)
     stop = bump_stop_force(system, strut.bump_stop, "strut.bump_stop", deflection)
+    stop = replaced(system, actuator, "stops", stop, velocity)
     force = spring + damper + friction + stop
     system.force(-deflection, force)
     guide = friction_force(system, rig.guide.friction, "guide.friction", system.rate_of(sprung))
@@ -71,9 +73,10 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
         system.output("guide.force", -guide, "N", "guide friction on the sprung mass, up positive")
 
 
-def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX) -> ca.SX:
+def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None) -> ca.SX:
     deflection = road - unsprung
-    force = tyre_force(system, rig.tyre, deflection, system.rate_of(deflection))
+    rate = system.rate_of(deflection)
+    force = tyre_force(system, rig.tyre, deflection, rate, replaced_tyre(system, actuator, rate))
     system.force(-deflection, force)
     show_tyre(system, deflection, force)
     return force

@@ -23,6 +23,7 @@ from jounce.core.types import Array, Complex
 from jounce.kernel.engine import Callback, Feedback, feedback
 from jounce.kernel.native import Native, compile_functions
 from jounce.parts import Rig
+from jounce.simulation.balance import balanced_commands
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.corner_models import corner_models
 from jounce.simulation.prepare import Prepared
@@ -33,6 +34,7 @@ AnyControl = Controller | str | Path | Callable[..., Any]
 _FAR, _AT_LEAST = 1e3, 10.0  # sizes of the usual motion, and m or rad, beyond which a closed loop counts as diverging
 _COMMAND = "command"
 _HALVES = 12  # periods halved in search of one that is short enough
+_NEARER, _DAMPED = "give the rig's own element numbers nearer to it", "let the rig's own damper stay"
 _GROWING = 1e-3  # 1/s below which a pole counts as rounding
 
 
@@ -87,27 +89,35 @@ class Loop:
                 found[path] = self.controllers[corner].actuator.plant_numbers[name]
         return found
 
-    def with_rest(self, compiled: Compiled, signals: Sequence[Segments]) -> list[Segments]:
-        """Signals of a run with the commands before the first control instant."""
+    @property
+    def element(self) -> str | None:
+        """The spring, stops or tyre whose force comes from outside; None where there is none."""
+        return self.actuator.in_place_of if isinstance(self.actuator, ActiveActuator) else None
+
+    def with_rest(self, compiled: Compiled, signals: Sequence[Segments], p: Array | None = None) -> list[Segments]:
+        """Signals of a run with the commands before the first control instant, of a model with the numbers ``p``."""
         found = list(signals)
-        for corner in self.corners:
-            track = compiled.facts.tracks.index(_command(corner))
-            end = float(found[track].edges[-1])
-            found[track] = flat(end, self.controllers[corner].actuator.rest)
+        tracks = _tracks(compiled, self)
+        for corner, track in zip(self.corners, tracks, strict=True):
+            found[track] = flat(float(found[track].edges[-1]), self.controllers[corner].actuator.rest)
+        if self.element is None or p is None:
+            return found
+        for track, force in zip(tracks, _in_balance(self, compiled, p, found), strict=True):
+            found[track] = flat(float(found[track].edges[-1]), force)
         return found
 
     def around(self, compiled: Compiled, prepared: Prepared, signals: Sequence[Segments]) -> Prepared:
         """Put the law around a run that is laid out."""
-        pieces = np.array([compiled.facts.tracks.index(_command(corner)) for corner in self.corners], dtype=np.int64)
-        law = _Law(self._paced(prepared), compiled, prepared, signals, pieces)
+        pieces = np.array(_tracks(compiled, self), dtype=np.int64)
+        law = _Law(self.paced(prepared.equilibrium), compiled, prepared, signals, pieces)
         control = prepared.control._replace(scale=self._scale(compiled, prepared.control.scale))
         return replace(prepared, control=control, feedback=law.feedback, begin=law.start)
 
-    def _paced(self, prepared: Prepared) -> Loop:
-        """The same with the rate that follows from the rig, where the controller leaves it open."""
-        if prepared.equilibrium is None:
+    def paced(self, rest: Equilibrium | None) -> Loop:
+        """The same with the rate that follows from the rig at rest, where the controller leaves it open."""
+        if rest is None:
             return self
-        fastest = prepared.equilibrium.fastest_oscillation
+        fastest = rest.fastest_oscillation
         return replace(self, controllers={corner: law.paced(fastest) for corner, law in self.controllers.items()})
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
@@ -131,6 +141,33 @@ def _split(path: str) -> tuple[str, str, str]:
 
 def _command(corner: str) -> str:
     return f"{corner}.{_COMMAND}" if corner else _COMMAND
+
+
+def _tracks(compiled: Compiled, loop: Loop) -> list[int]:
+    """Numbers of the tracks of all commands."""
+    tracks = compiled.facts.tracks
+    if loop.element is not None and any(_command(corner) not in tracks for corner in loop.corners):
+        raise SimulationError(
+            f"the rig has no {loop.element} that a force could take the place of",
+            where="control: actuator: in_place_of",
+            allowed="another rig, or another element",
+        )
+    return [tracks.index(_command(corner)) for corner in loop.corners]
+
+
+def _in_balance(loop: Loop, compiled: Compiled, p: Array, signals: Sequence[Segments]) -> Array:
+    """Commands (N) at which an element of another program and the rest of the rig are in balance."""
+    tracks = zip(compiled.facts.tracks, signals, strict=True)
+    still = compiled.inputs({name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks})
+    law = loop.paced(find_equilibrium(compiled, p, still))
+    assert isinstance(law.first, CallbackController)
+    setting = Setting(law.controllers, law.models, _units(compiled), 1, lambda _, times: np.zeros(len(times)))
+    columns = np.array(_tracks(compiled, loop), dtype=np.int64) * compiled.facts.track_order
+    return balanced_commands(law.first.regulator(setting), compiled, p, still, columns, law.first.place)[0]
+
+
+def _units(compiled: Compiled) -> dict[str, str]:
+    return {output.name: output.unit for output in compiled.facts.outputs}
 
 
 def close_loop(rig: Rig, control: AnyControl | None) -> Loop | None:
@@ -165,7 +202,7 @@ class _Law:
         tracks: NDArray[np.int64],
     ) -> None:
         self._loop, self._compiled, self._prepared, self._signals = loop, compiled, prepared, signals
-        self._rest_commands = np.array([controller.actuator.rest for controller in loop.controllers.values()])
+        self._rest_commands = prepared.still[tracks * compiled.facts.track_order]
         self._begin: list[Callable[[], None]] = []
         pieces = prepared.problem.tracks.first[tracks]
         first, times = loop.first, prepared.out.times
@@ -245,8 +282,8 @@ class _Law:
     def _python(self) -> Feedback:
         loop, first = self._loop, self._loop.first
         assert isinstance(first, CallbackController)
-        units = {output.name: output.unit for output in self._compiled.facts.outputs}
-        regulator = first.regulator(Setting(loop.controllers, loop.models, units, self._instants, self._road))
+        setting = Setting(loop.controllers, loop.models, _units(self._compiled), self._instants, self._road)
+        regulator = first.regulator(setting)
         loop.regulators[:] = [regulator]
         made: list[Feedback] = []
 
@@ -434,7 +471,7 @@ def check_coupling(loop: Loop, compiled: Compiled, p: Array, prepared: Prepared)
             where="control: rate",
             found=growing,
             allowed=f"{1.0 / finer:.6g} Hz and more",
-            hint="Or let the rig's own damper stay (check=False runs it all the same).",
+            hint=f"Or {_NEARER if loop.element else _DAMPED} (check=False runs it all the same).",
         )
     raise SimulationError(
         "the closed loop is unstable: small motions grow at any rate",

@@ -129,7 +129,7 @@ def solved(
     if loop and method == "implicit":
         raise SimulationError("controlled runs are explicit", where="method", found=method, allowed="auto, explicit")
     if loop:
-        signals, method = loop.with_rest(compiled, signals), "explicit"
+        signals, method = loop.with_rest(compiled, signals, p), "explicit"
     prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, offset=start, method=method)
     if loop:
         if check and prepared.equilibrium is not None:

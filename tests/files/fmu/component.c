@@ -1,5 +1,7 @@
 /* A component FMU for tests, FMI 2.0 or 3.0 by -DVERSION: a skyhook for a damper, and mistakes on request.
    Inputs: 0 v_body [mm/s], 1 v_strut [m/s], 6 spare. Parameters: 2 gain [kN*s/m], 3 mistake (integer), 7 is_on (Boolean).
+   A spring or tyre, too: inputs 9 deflection [mm], 10 rate [m/s]; parameters 11 stiffness [N/mm], 12 damping [N*s/m],
+   13 preload [N], 14 cubic [N/m^3], 15 pulls (1: also below zero); output 16 load [N].
    Outputs: 4 coefficient [N*s/m], 5 force [daN] of a damper with the gain, 8 a count of steps. */
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +24,7 @@ enum { GOOD = fmi3OK, BAD = fmi3Error };
 #endif
 
 typedef struct {
-    double x[9];
+    double x[17];
     int mistake, on;
     const void *callbacks, *logger, *environment;
 } It;
@@ -38,7 +40,7 @@ static void say(It *it, const char *text) {
 }
 static It *made(void) {
     It *it = calloc(1, sizeof *it);
-    it->x[2] = 1.0, it->on = 1;
+    it->x[2] = 1.0, it->x[15] = 1.0, it->on = 1;
     return it;
 }
 static S step(It *it) {
@@ -52,6 +54,9 @@ static S step(It *it) {
     it->x[4] = it->on && force * v > 0.0 ? force * v / fmax(v * v, 1e-12) : 0.0;
     if (it->mistake == 5) it->x[4] = NAN;
     it->x[5] = 0.1 * c * v;
+    double d = 1e-3 * it->x[9];
+    it->x[16] = it->x[13] + 1e3 * it->x[11] * d + it->x[14] * d * d * d + it->x[12] * it->x[10];
+    if (!it->x[15] && (d <= 0.0 || it->x[16] < 0.0)) it->x[16] = 0.0;
     it->x[8] += 1;
     return GOOD;
 }

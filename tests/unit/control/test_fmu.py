@@ -38,7 +38,7 @@ def test_what_an_fmu_says_of_itself(tmp_path, version) -> None:
     file = fmu_component.write(tmp_path / "a.fmu", version, b"no library")
     found = jn.read_fmu(file)
     assert (found.version, found.name, found.platforms) == (version, "component", (this_platform(),))
-    assert [v.name for v in found.inputs] == ["v_body", "v_strut", "spare"]
+    assert [v.name for v in found.inputs] == ["v_body", "v_strut", "spare", "deflection", "rate"]
     assert found.can_step
     assert not found.can_be_integrated
     assert not found.findings
@@ -239,12 +239,12 @@ def test_checking_reads_the_fmu_and_runs_nothing(tmp_path, monkeypatch, capsys) 
 def test_the_work_of_a_force_that_is_held() -> None:
     """10 N at 1 m/s become 20 N at 2 m/s within 1 s: 140/6 J along lines, and 15 J of the 10 N that are held."""
     work = _HeldWork(1.0, 1)
-    work.add([10.0], [10.0], [1.0])
+    work.add([10.0], [10.0], [10.0], [1.0])
     work.start()
-    work._last = ([10.0], [10.0], [1.0])
-    work.add([20.0], [20.0], [2.0])
+    work._last = ([10.0],) * 3 + ([1.0],)
+    work.add([20.0], [20.0], [20.0], [2.0])
     assert (work._through, work._made) == (pytest.approx(140.0 / 6.0), pytest.approx(15.0 - 140.0 / 6.0))
-    assert "23.3 J that went through it 8.3 J (36 %) were given" in str(work.findings("a.fmu")[0])
+    assert "23.3 J of its work 8.3 J (36 %) were given" in str(work.findings("a.fmu")[0])
 
 
 def test_a_force_keeps_to_the_fixed_step_of_its_fmu(tmp_path) -> None:
@@ -253,6 +253,39 @@ def test_a_force_keeps_to_the_fixed_step_of_its_fmu(tmp_path) -> None:
     law = FmuControl(file=str(fmu_component.write(tmp_path / "a.fmu", 3, b"", text)), actuator=jn.ActiveActuator(lag=0))
     assert [round(1.0 / law.paced(fastest).rate, 6) for fastest in (10.0, 80.0, 1e5)] == [0.0009, 0.0003, 0.0003]
     assert law.model_copy(update={"rate": 50.0}).paced(80.0).rate == 50.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "what"),
+    [
+        ({"lag": 0.01}, "in place of the tyre has no lag"),
+        ({"force_limit": 100.0}, "has no force_limit"),
+        ({"rate_limit": "1 kN/s"}, "has no rate_limit"),
+        ({"in_place_of_damper": True}, "has no in_place_of_damper"),
+        ({"in_place_of": "wheel"}, "in_place_of"),
+    ],
+)
+def test_a_force_in_place_of_an_element_has_no_limits(changes, what) -> None:
+    assert jn.ActiveActuator(in_place_of="tyre").order == 0
+    with pytest.raises(DescriptionError, match=what):
+        jn.ActiveActuator(**{"in_place_of": "tyre", **changes})
+
+
+def test_only_an_fmu_stands_in_place_of_an_element() -> None:
+    with pytest.raises(DescriptionError, match="'skyhook' cannot stand in place of the spring"):
+        jn.Skyhook(actuator=jn.ActiveActuator(in_place_of="spring"))
+
+
+@pytest.mark.parametrize(
+    "gain", [{"front": 1.0, "left": 2.0}, {"rear": 1.0}, {"": 1.0}, {}], ids=["unknown", "lacking", "none", "empty"]
+)
+def test_values_by_corner_that_do_not_fit(tmp_path, gain) -> None:
+    file = fmu_component.write(tmp_path / "a.fmu", 3, b"no library")
+    law = FmuControl(file=str(file), inputs=INPUTS, output="coefficient", parameters={"gain": gain})
+    with pytest.raises(DescriptionError, match="values by corner do not fit"):
+        jn.simulate(jn.load("audi-a6-half-car-4dof"), TRIAL, control=law)
+    with pytest.raises(DescriptionError, match="allowed: one value"):
+        run(file, parameters={"gain": {"front": 1.0}})
 
 
 def test_both_ways_of_output_are_refused() -> None:

@@ -17,7 +17,7 @@ from typing import Any, ClassVar, Literal, Protocol, Self
 import numpy as np
 from pydantic import model_validator
 
-from jounce.control.actuators import ActiveActuator
+from jounce.control.actuators import OWN, RATE, ActiveActuator
 from jounce.control.controller import CallbackController, Limits, Regulator, Setting
 from jounce.control.fmu import caller
 from jounce.control.fmu.component import FmuComponent, FmuVariable, read_fmu, unpacked
@@ -34,6 +34,7 @@ _TURN = 0.05  # rad of a rig's fastest mode in a period, where nobody says
 _USUAL, _MOST = 1000.0, 10  # Hz, and how many times that
 _PROBES = {"m": 1e-3, "rad": 1e-3}  # changes of a measurement that show what follows at once; of others:
 _PROBE = 1e-2
+_SHALLOW = 0.01  # of a tyre's deflection at rest
 _MUCH = 0.02  # share of a force's work that holding it may make
 _ROUND = 1e-6  # share of a step that rates may be off by rounding
 
@@ -44,7 +45,9 @@ class FmuControl(CallbackController):
     At an instant it is given the measurements, steps one control period on, and its outputs are the commands of this
     instant: what follows from its inputs at once is not late, and states inside are one period ahead. With an active
     actuator without lag its output is a force in the strut (compression positive), which is held for a period; where
-    ``rate`` is left out then, the rig's fastest mode at rest turns by at most 0.05 rad in one (1 to 10 kHz).
+    ``rate`` is left out then, the rig's fastest mode at rest turns by at most 0.05 rad in one (1 to 10 kHz). Such an
+    actuator may stand ``in_place_of`` a spring, stops or a tyre: the run starts where the FMU's force and the rig are
+    in balance, and between instants the force changes as that of the rig's own element.
 
     Attributes
     ----------
@@ -60,7 +63,8 @@ class FmuControl(CallbackController):
         Instead of ``output``, for one instance that controls the whole vehicle: corner to output. Channels have their
         corner then.
     parameters : dict
-        Start values by name, SI or text with a unit.
+        Start values by name, SI or text with a unit; a table of axles or corners where these differ
+        (``{"gain": {"front": "4 kN*s/m", "rear": "3 kN*s/m"}}``).
     from_rest : bool
         Whether channels are changes from static equilibrium instead of values.
     hold : {"zero", "first"}
@@ -88,6 +92,7 @@ class FmuControl(CallbackController):
     hold: Literal["zero", "first"] = "zero"
     trusted: bool = False
     from_file: ClassVar[str] = "fmu"
+    is_element: ClassVar[bool] = True
 
     @model_validator(mode="after")
     def _one_way(self) -> Self:
@@ -98,6 +103,11 @@ class FmuControl(CallbackController):
     def beside(self, folder: Path) -> Self:
         """Give the same with its file found from a folder."""
         return self.model_copy(update={"file": str(folder / self.file)})
+
+    @property
+    def place(self) -> str:
+        """Its file."""
+        return self.file
 
     @property
     def is_force(self) -> bool:
@@ -121,8 +131,12 @@ class FmuControl(CallbackController):
 
 @dataclass(frozen=True)
 class _Wires:
-    """What one instance is connected to: value references, channels, and conversions from SI and back to SI."""
+    """What one instance is connected to: value references, channels, and conversions from SI and back to SI.
 
+    ``starts`` are type, reference and value of what is set before a run.
+    """
+
+    starts: list[tuple[str, int, float]]
     inputs: list[int]
     channels: list[str]
     to_own: list[tuple[float, float]]
@@ -225,6 +239,7 @@ class _Connection:
             a, b = self._conversion(variable, unit)
             commands.append((1.0 / a, -b / a))
         return _Wires(
+            self._starts(corner),
             [v.reference for v in wanted],
             [given[v.name] for v in wanted],
             [self._conversion(v, channels[given[v.name]]) for v in wanted],
@@ -247,12 +262,12 @@ class _Connection:
         short = [channel.removeprefix(start) for channel in channels if not corner or channel.startswith(start)]
         raise unknown(name, short, what="channel", where="control: inputs")
 
-    def starts(self) -> list[tuple[str, int, float]]:
-        """Type, reference and value of what is set before a run."""
+    def _starts(self, corner: str) -> list[tuple[str, int, float]]:
         found = []
-        for name, value in self.law.parameters.items():
+        for name, given in self.law.parameters.items():
             variable = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
             where = f"control: parameters: {name}"
+            value = self._own_value(given, corner, where) if isinstance(given, Mapping) else given
             kind = "Int64" if variable.kind == "Enumeration" and self.component.version == 3 else variable.kind
             kind = "Integer" if kind == "Enumeration" else kind
             if kind not in caller._TYPES or variable.is_array:
@@ -273,6 +288,19 @@ class _Connection:
                 found.append((kind, variable.reference, int(value)))
         return found
 
+    def _own_value(self, given: Mapping[str, Any], corner: str, where: str) -> Any:
+        """The value of a corner, where a parameter has one for every corner or axle."""
+        corners = tuple(self.setting.controllers)
+        known = {*corners, *(name.partition("_")[0] for name in corners)} - {""}
+        if not corner or set(given) - known or not any(name in given for name in (corner, corner.partition("_")[0])):
+            raise DescriptionError(
+                "values by corner do not fit the corners that have an instance of their own",
+                where=where,
+                found=", ".join(map(str, given)),
+                allowed=", ".join(sorted(known)) if corner else "one value",
+            )
+        return given.get(corner, given.get(corner.partition("_")[0]))
+
 
 class _FmuRegulator:
     """Instances of an FMU as the loop calls them."""
@@ -292,18 +320,24 @@ class _FmuRegulator:
             "token": component.token,
             "resources": resources.as_uri() if component.version == 2 else f"{resources}/",
             "period": 1.0 / law.rate,
-            "starts": connection.starts(),
         }
-        told = [{**start, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
+        told = [{**start, "starts": one.starts, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
         self._notes = connection.findings
         self.from_rest = law.from_rest
         measured = [channel for one in wires for channel in one.channels]
-        speeds = [f"{corner}.{_SPEED}" if corner else _SPEED for corner in setting.controllers]
+        instead = getattr(law.actuator, "in_place_of", None)
+        own, speeds = _channels(setting, f"actuator.{OWN}"), _channels(setting, _SPEED)
+        if instead is not None:
+            speeds = _channels(setting, f"actuator.{RATE}")
+        else:
+            own = []
         is_seen = law.is_force and all(speed in setting.units for speed in speeds)
-        self._work = _HeldWork(1.0 / law.rate, len(speeds)) if is_seen else None
-        self._count = len(measured)
+        what = f"force beyond that of the rig's own {instead}" if instead else "force"
+        self._work = _HeldWork(1.0 / law.rate, len(speeds), what) if is_seen else None
+        self._count, self._own, self._place = len(measured), len(own), instead or ""
         self._probes = [_PROBES.get(setting.units[channel], _PROBE) for channel in measured]
-        self.channels = (*measured, *speeds) if is_seen else tuple(measured)
+        self.channels = (*measured, *own, *(speeds if is_seen else ()))
+        self._pushed, self._cut = False, 0
         self._extrapolates = law.hold == "first"
         self._before: list[float] = []
         self._to_own = _conversions([pair for one in wires for pair in one.to_own])
@@ -322,6 +356,12 @@ class _FmuRegulator:
         """What is not connected or has no unit, and what the FMU wrote."""
         written = self._instances.written() if isinstance(self._instances, _Child) else []
         told = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
+        if self._cut:
+            text = f"its force was beyond the limits of its actuator at {self._cut} instants: force_limit, rate_limit."
+            told.append(Finding(self._file, "warning", text))
+        if self._pushed:
+            text = "it gave a force while the tyre was off the road, which the wheel does not feel: compare the radii."
+            told.append(Finding(self._file, "warning", text))
         if not written:
             return told
         text = f"it wrote files, which go with the folder it ran in: {', '.join(written)}."
@@ -333,7 +373,7 @@ class _FmuRegulator:
         self._before = []
         if self._work is not None:
             self._work.start()
-        self._instant = 0
+        self._instant, self._cut, self._pushed = 0, 0, False
         try:
             if self._instances is None:
                 self._instances = caller.Instances(self._told) if self._is_trusted else _Child(self._told)
@@ -344,18 +384,28 @@ class _FmuRegulator:
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
-        speeds = values[self._count : -1]
+        rest = values[self._count : -1]
         del values[self._count :]  # the time, too
-        told = self._told_at(values)
+        told = forces = self._told_at(values)
         self._instant += 1
+        if self._own:
+            told = [self._beyond(*of_one) for of_one in zip(forces, rest, rest[self._own :], strict=False)]
         held = told
         if self._extrapolates:
             held = [1.5 * now - 0.5 * before for now, before in zip(told, self._before or told, strict=True)]
             self._before = told
-        held = self._limits.kept(held)
+        kept = self._limits.kept(held)
         if self._work is not None:
-            self._work.add(told, held, speeds)
-        return held
+            self._cut += kept != held
+            self._work.add(forces, told, kept, rest[self._own :])
+        return kept
+
+    def _beyond(self, force: float, own: float, rate: float) -> float:
+        """What a force (N) is more than that of the rig's own element, which is compressed at a rate (m/s)."""
+        if self._place == "tyre" and own == 0.0:  # off the ground: its own force begins where they meet
+            self._pushed = self._pushed or (rate <= 0.0 and force > _TOUCH)
+            return 0.0
+        return force - own
 
     def _told_at(self, values: list[float]) -> list[float]:
         """Commands (SI) of one step from its measurements."""
@@ -373,16 +423,18 @@ class _FmuRegulator:
     def answer(self, rest: Array) -> tuple[Array, Array]:
         """Slopes at rest of (commands, memory) along memory and measurements: of what follows from these at once."""
         columns = []
-        for i, probe in enumerate(self._probes):
+        for i, usual in enumerate(self._probes):
             ends = []
+            stays = self._place == "tyre" and rest[i]  # on the road
+            probe = min(usual, _SHALLOW * abs(float(rest[i]))) if stays else usual
             for sign in (1.0, -1.0):
                 self.start()
                 values = rest[: self._count].tolist()
                 values[i] += sign * probe
                 ends.append(self._told_at(values))
             columns.append((np.array(ends[0]) - np.array(ends[1])) / (2.0 * probe))
-        count, silent = len(self._limits.last), len(self.channels) - self._count
-        slopes = np.column_stack([*columns, *[np.zeros(count)] * silent])
+        count, silent = len(self._limits.last), len(self.channels) - self._count - self._own
+        slopes = np.column_stack([*columns, *-np.eye(count)[: self._own], *[np.zeros(count)] * silent])
         if not self._extrapolates:
             return np.zeros((count, 0)), slopes
         return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack([1.5 * slopes, slopes])
@@ -392,28 +444,36 @@ class _FmuRegulator:
 
 
 _SPEED = "strut.velocity"
+_TOUCH = 1e-6  # N that a tyre off the ground may give by rounding
+
+
+def _channels(setting: Setting, name: str) -> list[str]:
+    """A channel of every corner."""
+    return [f"{corner}.{name}" if corner else name for corner in setting.controllers]
 
 
 class _HeldWork:
-    """Work (J) of forces that are held for a period, beside that of the forces themselves."""
+    """Work (J) of forces of which all or a part is held for a period, beside that of the forces themselves."""
 
-    def __init__(self, period: float, count: int) -> None:
-        self._period, self._zeros = period, [0.0] * count
+    def __init__(self, period: float, count: int, what: str = "force") -> None:
+        self._period, self._zeros, self._what = period, [0.0] * count, what
         self.start()
 
     def start(self) -> None:
         """Begin a run."""
         self._through = self._made = 0.0
-        self._last = (self._zeros, self._zeros, self._zeros)
+        self._last = (self._zeros,) * 4
 
-    def add(self, told: list[float], held: list[float], speeds: list[float]) -> None:
-        """Add a period that ends with these forces (N, as the FMU gives them and as they are held) and speeds (m/s)."""
+    def add(self, forces: list[float], told: list[float], held: list[float], speeds: list[float]) -> None:
+        """Add a period that ends with these ``forces`` (N) of the FMU and speeds (m/s).
+
+        ``told`` is the part of the forces that is held, ``held`` what it is in the next period.
+        """
         half = 0.5 * self._period
-        for force, speed, f, h, v in zip(told, speeds, *self._last, strict=True):
-            of_lines = (2.0 * (f * v + force * speed) + f * speed + force * v) / 3.0  # between both instants
-            self._made += half * (h * (v + speed) - of_lines)
-            self._through += half * abs(of_lines)
-        self._last = (told, held, speeds)
+        for whole, force, speed, w, f, h, v in zip(forces, told, speeds, *self._last, strict=True):
+            self._made += half * (h * (v + speed) - _along_lines(f, v, force, speed))
+            self._through += half * abs(_along_lines(w, v, whole, speed))
+        self._last = (forces, told, held, speeds)
 
     def findings(self, where: str) -> list[Finding]:
         """What holding made of the work."""
@@ -422,12 +482,17 @@ class _HeldWork:
         share = abs(self._made) / self._through
         way = "taken" if self._made > 0.0 else "given"
         text = (
-            f"its force is held for {1e3 * self._period:.4g} ms: of {self._through:.3g} J that went through it "
+            f"its {self._what} is held for {1e3 * self._period:.4g} ms: of {self._through:.3g} J of its work "
             f"{abs(self._made):.2g} J ({100.0 * share:.2g} %) were {way} by holding"
         )
         if share <= _MUCH:
             return [Finding(where, "note", f"{text}.")]
         return [Finding(where, "warning", f"{text}; take a higher rate.")]
+
+
+def _along_lines(f: float, v: float, force: float, speed: float) -> float:
+    """Twice the mean power (W) of a force (N) and a speed (m/s) on straight lines from the first two values."""
+    return (2.0 * (f * v + force * speed) + f * speed + force * v) / 3.0
 
 
 def _conversions(pairs: list[tuple[float, float]]) -> list[tuple[float, float]] | None:
