@@ -244,7 +244,7 @@ def test_a_recording_stands_beside_a_run_on_its_time_and_as_spectra(ask):
     assert (status, answer["error"]["where"]) == (422, "begins")
     content, arrays = ask.straight("/api/simulate", asked | {"spectra": True})
     scene = content["viewers"][0]["scenes"][0]
-    assert (content["viewers"][0]["x"]["unit"], scene["panes"][0]["unit"]) == ("Hz", "m/s²/sqrt(Hz)")
+    assert (content["viewers"][0]["x"]["unit"], scene["panes"][0]["unit"]) == ("Hz", "m/s²/√Hz")
     one, two = (arrays[curve["y"]] for curve in scene["panes"][0]["curves"])
     seen = np.isfinite(two)
     assert two[seen].max() == pytest.approx(2.0 * one[seen].max(), rel=0.02)

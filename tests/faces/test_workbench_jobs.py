@@ -180,6 +180,58 @@ def test_python_of_rides_gives_what_its_command_gives(tmp_path, cli, asked, seco
 
 
 @pytest.mark.pages
+def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
+    """Of vehicles with one corner, two axles and four corners, what is alike stands in one pane."""
+    import jounce as jn
+    from jounce.web.rides import alike, overlaid
+
+    drive = {"road": "iso:C", "duration": "3 s", "seed": 2}
+    kart, car = {"vehicle": "kart-quarter-car", **drive}, {"vehicle": "audi-a6-half-car-4dof", **drive}
+    soft = kart | {"changes": {"strut.spring.rate": "15 N/mm"}, "control": "skyhook"}
+    task = task_of({"kind": "overlay", "rides": [kart, soft, car]})
+    doing, names = doing_of(task, Project(tmp_path)), {}  # type: tuple[Any, dict[str, Any]]
+    exec(doing.python, names)  # noqa: S102
+    assert doing.question is not None
+    found = overlaid(
+        doing.question | {"rides": [*doing.question["rides"], doing.question["rides"][0] | {"control": "none"}]}
+    )
+    assert list(found["failed"]) == ["kart-quarter-car, none"]
+    time, spectra = (
+        {pane["name"]: pane for pane in viewer["scenes"][0]["panes"]} for viewer in found["content"]["viewers"]
+    )
+    assert [curve["label"] for curve in time["body.az"]["curves"]] == list(names["rides"])
+    assert len(time["front.tyre.force"]["curves"]) == 3
+    assert len(time["rear.tyre.force"]["curves"]) == 1
+    assert [name for name, pane in time.items() if pane["shown"]] == [
+        "body.az",
+        "front.strut.deflection",
+        "front.tyre.force",
+    ]
+    assert spectra["front.strut.deflection"]["unit"] == "mm/√Hz"
+    assert len(found["notes"]) == 2
+    runs, _ = alike(names["runs"])
+    one, two, three = runs.values()
+    assert (one["body.az"] == names["rides"]["kart-quarter-car, passive"].settled["sprung.az"]).all()
+    assert float(abs(two["body.az"] - one["body.az"]).max()) > 0.1
+    assert "front.sprung.az" in three
+    for words in map(shlex.split, doing.command.splitlines()):
+        assert cli(*words[1:], "--json").exit_code == 0
+    for k, ride in enumerate(names["rides"].values(), 1):
+        written, _ = jn.read_recording(tmp_path / f"ride-{k}.nc")
+        assert (
+            float(
+                abs(
+                    written["road.z" if k < 3 else "front.road.z"] - ride.run["road.z" if k < 3 else "front.road.z"]
+                ).max()
+            )
+            == 0.0
+        )
+    same = doing_of(task_of({"kind": "overlay", "rides": [kart, soft]}), Project(tmp_path))
+    assert same.command.splitlines()[-1] == "jounce plot ride-1.nc ride-2.nc --figure=rides.png"
+    assert cli(*shlex.split(same.command.splitlines()[-1])[1:]).exit_code == 0
+
+
+@pytest.mark.pages
 def test_python_of_best_designs_gives_what_its_command_gives(tmp_path, cli):
     free = {"strut.damper.coefficient": "300..6000 N*s/m"}
     task = {"kind": "pareto", "vehicle": "audi-a6-quarter-car", "free": free, "points": 3, "road": "iso:B",

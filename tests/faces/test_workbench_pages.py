@@ -232,6 +232,26 @@ def test_controllers_are_compared_and_best_designs_open_as_rides(server, browser
         page.frame_locator("iframe.report").get_by_role("heading", name="Spectra").first.wait_for()
         one.fits()
         one.go("ride")
+        page.get_by_text("Drive first").wait_for(state="hidden")
+        page.get_by_label("Vehicle or rig").first.select_option("kart-quarter-car")
+        page.get_by_label("Duration").fill("3 s")
+        page.get_by_role("button", name="Drive", exact=True).click()
+        page.get_by_role("region", name="controllers").wait_for()
+        one.go("ride")
+        assert page.get_by_role("button", name="Draw them").is_disabled()
+        for rig, control in (
+            ("audi-a6-quarter-car", "passive"),
+            ("audi-a6-quarter-car", "skyhook"),
+            ("kart-quarter-car", "passive"),
+        ):
+            page.get_by_label(f"{rig} on iso:C at 20 m/s, {control}").check()
+        page.get_by_role("button", name="Draw them").click()
+        page.locator(".player .u-over").first.wait_for()
+        assert page.locator(".player .toggle, .player button", has_text="kart-quarter-car, passive, 3 s").count() == 1
+        page.get_by_label("Curves over").select_option("frequency (spectra)")
+        page.get_by_text("m/s²/√Hz").first.wait_for()
+        assert "rides['audi-a6-quarter-car, skyhook, 4 s']" in page.get_by_label("The same in Python").last.inner_text()
+        one.fits()
         page.get_by_label("its bounds").fill("600..6000 N*s/m")
         page.get_by_label("Designs").fill("4")
         page.get_by_role("button", name="Search").click()

@@ -1,4 +1,4 @@
-"""What no command answers, but the page asks: what would be read of a file, before it is read for good."""
+"""What no command answers, but the page asks: what would be read of a file, rides over each other."""
 
 from __future__ import annotations
 
@@ -24,6 +24,10 @@ def answer(question: Mapping[str, Any]) -> int:
             from jounce.web.levels import write_levels
 
             found = write_levels(Path(question["file"]), Path(question["folder"]))
+        elif question["kind"] == "overlay":
+            from jounce.web.rides import overlaid
+
+            found = overlaid(question)
         else:
             found = preview(question)
         sys.stdout.write(to_json(found))

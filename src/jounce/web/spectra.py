@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from jounce.core.display import display_unit
 from jounce.core.errors import JounceError
 
 if TYPE_CHECKING:
@@ -15,12 +16,16 @@ if TYPE_CHECKING:
 _HIGHEST = 60.0  # Hz: of what a car does, all is below
 
 
-def spectra_of(runs: Mapping[str, xr.Dataset]) -> dict[str, xr.Dataset]:
-    """Give the root of each channel's power spectral density, unit/sqrt(Hz), of one piece as long as the run."""
-    return {label: _spectra(run) for label, run in runs.items()}
+def spectra_of(runs: Mapping[str, xr.Dataset], *, shortest: float | None = None) -> dict[str, xr.Dataset]:
+    """Give the root of each channel's power spectral density, unit/√Hz in the units that are shown.
+
+    It is that of one piece as long as the run; with the ``shortest`` (s) piece that is wanted, of an eighth of the run,
+    as long as that at least, and half of the run at most.
+    """
+    return {label: _spectra(run, shortest) for label, run in runs.items()}
 
 
-def _spectra(run: xr.Dataset) -> xr.Dataset:
+def _spectra(run: xr.Dataset, shortest: float | None) -> xr.Dataset:
     import xarray as xr
 
     from jounce.ride.spectra import power_spectrum
@@ -29,6 +34,7 @@ def _spectra(run: xr.Dataset) -> xr.Dataset:
     even = np.linspace(time[0], time[-1], len(time))
     duration = float(time[-1] - time[0])
     rate = (len(time) - 1) / duration
+    segment = 0.999 * duration if shortest is None else min(max(duration / 8.0, shortest), duration / 2.0)
     found, frequency = {}, np.zeros(0)
     for name in run.data_vars:
         values = run.variables[name]
@@ -36,14 +42,18 @@ def _spectra(run: xr.Dataset) -> xr.Dataset:
             continue
         signal = np.interp(even, time, values.to_numpy())
         try:
-            spectrum = power_spectrum(signal, rate, segment=0.999 * duration)
+            spectrum = power_spectrum(signal, rate, segment=segment)
         except JounceError:  # a channel with gaps has none
             continue
         kept = spectrum.frequency <= _HIGHEST
         frequency = spectrum.frequency[kept]
-        unit = str(values.attrs.get("units", "1"))
+        unit = display_unit(str(values.attrs.get("units", "1")))
         words = f"{values.attrs.get('long_name', name)}, root of the power spectral density"
-        label = "1/sqrt(Hz)" if unit == "1" else f"{unit}/sqrt(Hz)"
-        found[str(name)] = ("frequency", np.sqrt(spectrum.density[kept]), {"units": label, "long_name": words})
+        label = f"{unit.name or 1}/√Hz"
+        found[str(name)] = (
+            "frequency",
+            unit.factor * np.sqrt(spectrum.density[kept]),
+            {"units": label, "long_name": words},
+        )
     axis = ("frequency", frequency, {"units": "Hz", "long_name": "frequency"})
     return xr.Dataset(found, coords={"frequency": axis})

@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from jounce.core.errors import DescriptionError
-from jounce.web.answers import arguments, changed_by, set_by
+from jounce.web.answers import arguments, changed_by, rig_of, set_by
 from jounce.web.project import Project
 
 _TO_SI = "from jounce.core.units import to_si\n"
@@ -153,41 +153,60 @@ class DesignTask(_Task):
         return Doing(f"Kinematic design {Path(study).stem}", words, python=python, out=out, page=f"{out}/report.html")
 
 
-class CompareTask(_Task):
-    """Drive a vehicle over a road with several controllers: comfort, travel, road holding, spectra."""
+class _Drive(BaseModel):
+    """A vehicle, as it is or changed, over a road."""
 
-    kind: Literal["compare"]
+    model_config = ConfigDict(extra="forbid")
+
     vehicle: Text
     road: Text = "iso:C"
     speed: Text = "20 m/s"
     duration: Text = ""
     seed: Annotated[int, Field(ge=0, le=2**31)] = 0
-    control: Annotated[list[Text], Field(max_length=40)] = Field(default_factory=lambda: ["passive"])
     changes: Changes
 
-    def _doing(self, project: Project) -> Doing:
+    @property
+    def _lasting(self) -> str:
+        """How long it is driven; as long as a road is long, where that is one that ends."""
+        from jounce.roads.loading import is_class
+        from jounce.web.rides import ISO_DURATION
+
+        return self.duration or (ISO_DURATION if is_class(self.road) else "")
+
+    def _options(self) -> list[str]:
+        words = [f"--road={self.road}", f"--speed={self.speed}"]
+        words += [f"--duration={self._lasting}"] if self._lasting else []
+        return words + ([f"--seed={self.seed}"] if self.seed else [])
+
+    def _python(self, vehicle: str) -> tuple[str, str]:
+        """Give the rig and its trial in Python, and what is imported for it."""
         from jounce.roads.loading import is_class
 
-        vehicle = _rig(project, self.vehicle)
-        words = ["compare", vehicle, f"--road={self.road}", f"--speed={self.speed}"]
-        words += [f"--duration={self.duration}"] if self.duration else []
-        words += [f"--seed={self.seed}"] if self.seed else []
-        words += [f"--control={one}" for one in self.control] + set_by(self.changes)
+        maker = "iso_trial" if is_class(self.road) else "road_trial"
+        lasting = f", duration={self._lasting!r}" if self._lasting else ""
         name, _, seed = self.road[4:].partition(":")
-        iso = is_class(self.road)
-        duration = self.duration or ("20 s" if iso else "")  # as the command has it
-        lasting = f", duration={duration!r}" if duration else ""
-        trial = (
-            f"iso_trial(rig, {name.upper()!r}, {self.speed!r}, seed={seed or self.seed}{lasting})"
-            if iso
-            else f"road_trial(rig, jn.load_road({self.road!r}), {self.speed!r}{lasting})"
-        )
+        road = repr(name.upper()) if maker == "iso_trial" else f"jn.load_road({self.road!r})"
+        which = f", seed={seed or self.seed}" if maker == "iso_trial" else ""
+        rig = f"rig = jn.load({vehicle!r}){changed_by(self.changes)}\n"
+        return f"{rig}trial = {maker}(rig, {road}, {self.speed!r}{which}{lasting})\n", maker
+
+
+class CompareTask(_Task, _Drive):
+    """Drive a vehicle over a road with several controllers: comfort, travel, road holding, spectra."""
+
+    kind: Literal["compare"]
+    control: Annotated[list[Text], Field(max_length=40)] = Field(default_factory=lambda: ["passive"])
+
+    def _doing(self, project: Project) -> Doing:
+        vehicle = _rig(project, self.vehicle)
+        words = ["compare", vehicle, *self._options(), *(f"--control={one}" for one in self.control)]
+        drive, maker = self._python(vehicle)
         python = (
-            f"import jounce as jn\nfrom jounce.ride.study import {'iso_trial' if iso else 'road_trial'}\n\n"
-            f"rig = jn.load({vehicle!r}){changed_by(self.changes)}\n"
-            f"study = jn.compare_rides(rig, {trial}, {self._named()!r})\nprint(study)\n"
+            f"import jounce as jn\nfrom jounce.ride.study import {maker}\n\n{drive}"
+            f"study = jn.compare_rides(rig, trial, {self._named()!r})\nprint(study)\n"
         )
-        return Doing(f"{Path(vehicle).stem} on {self.road} at {self.speed}", words, _REPORT, python)
+        title = f"{Path(vehicle).stem} on {self.road} at {self.speed}"
+        return Doing(title, words + set_by(self.changes), _REPORT, python)
 
     def _named(self) -> list[str]:
         """Controllers one by one, as the command reads them."""
@@ -196,6 +215,44 @@ class CompareTask(_Task):
         every = ("passive", *(name for name in CONTROLS if name != "passive"))
         texts = [part.strip() for text in self.control for part in text.split(",") if part.strip()]
         return list(dict.fromkeys(name for text in texts for name in (every if text == "all" else (text,))))
+
+
+class OneRide(_Drive):
+    """A ride with one controller."""
+
+    control: Text = "passive"
+
+
+class OverlayTask(_Task):
+    """Draw rides of several vehicles, controllers and roads over each other: over time, and as spectra."""
+
+    kind: Literal["overlay"]
+    rides: Annotated[list[OneRide], Field(min_length=1, max_length=6)]
+
+    def _doing(self, project: Project) -> Doing:
+        from jounce.web.rides import labels
+
+        names = labels([one.model_dump() for one in self.rides])
+        python, commands, makers = "rides = {}\n", [], set()
+        for k, (one, name) in enumerate(zip(self.rides, names, strict=True), 1):
+            vehicle = _rig(project, one.vehicle)
+            drive, maker = one._python(vehicle)
+            makers.add(maker)
+            python += f"{drive}rides[{name!r}] = jn.compare_rides(rig, trial, [{one.control!r}]).rides[0]\n"
+            words = ["jounce", "ride", vehicle, *one._options(), f"--control={one.control}", *set_by(one.changes)]
+            commands.append(shlex.join([*words, f"--out=ride-{k}.nc"]))
+        python = f"import jounce as jn\nfrom jounce.ride.study import {', '.join(sorted(makers))}\n\n{python}"
+        python += "runs = {name: ride.settled for name, ride in rides.items()}\n"
+        python += "spectra = {name: ride.spectra() for name, ride in rides.items()}\n"
+        if (
+            len({type(rig_of(project, one.vehicle)) for one in self.rides}) == 1
+        ):  # which have channels of the same names
+            python += "figure = jn.plots.compare(runs)\n"
+            files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
+            commands.append(shlex.join(["jounce", "plot", *files, "--figure=rides.png"]))
+        return Doing(
+            "Rides over each other", [], python=python, question=self.model_dump(), command="\n".join(commands)
+        )
 
 
 class ParetoTask(_Task):
@@ -476,8 +533,8 @@ class PreviewTask(_Reading):
 
 
 AnyTask = (
-    SweepTask | CampaignTask | DesignTask | CompareTask | ParetoTask | EvaluateTask | HistoryTask | SearchTask
-    | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
+    SweepTask | CampaignTask | DesignTask | CompareTask | OverlayTask | ParetoTask | EvaluateTask | HistoryTask
+    | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
 )  # fmt: skip
 Asked = Annotated[AnyTask, Field(discriminator="kind")]
 _READ: TypeAdapter[AnyTask] = TypeAdapter(Asked)

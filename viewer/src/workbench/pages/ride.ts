@@ -1,8 +1,10 @@
 /** Rides over rough roads with and without control: comfort, travel, road holding; and the best designs between them. */
 
+import { Store } from "../../data";
 import { make, written } from "../../page";
+import { Player } from "../../player";
 import * as api from "../api";
-import { begin, follow, type Job, JobCard, jobList, report, ways, whole } from "../jobs";
+import { begin, follow, type Job, JobCard, jobList, Question, report, ways, whole } from "../jobs";
 import { field, problem } from "../parts";
 import { address, type Page, RIGS, type Values } from "../shell";
 import type { Choices } from "./inspection";
@@ -48,7 +50,47 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   place.replaceChildren(make("h1", {}, "Ride and control"),
     make("p", { class: "muted" }, "A vehicle over a rough road, passive and with controllers: comfort beside travel and road holding, in numbers, over time and as spectra."), form,
     make("h2", {}, "Best designs"), pareto(rigs, roads),
-    make("h2", {}, "Rides and fronts"), jobList(["compare", "pareto"], (one) => { location.hash = address("ride", { job: one.id }); }, "Nothing was driven here yet."));
+    make("h2", {}, "Rides and fronts"), jobList(["compare", "pareto"], (one) => { location.hash = address("ride", { job: one.id }); }, "Nothing was driven here yet."),
+    make("h2", {}, "Rides over each other"), overlay());
+}
+
+/** Rides of any jobs that are done, up to six of any vehicles, over each other: over time, and as spectra. */
+function overlay(): HTMLElement {
+  interface One { vehicle: string; road: string; speed: string; duration: string; seed: number; changes: Record<string, unknown>; control: string }
+  interface Drawn { content: object; notes: string[]; failed: Record<string, string> }
+  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Rides that are done")), chosen = new Map<string, One>(), offered = new Set<string>();
+  const none = make("p", { class: "empty" }, "Drive first: every ride that is done can be chosen here."), over = make("select", {}, make("option", { value: "0" }, "time"), make("option", { value: "1" }, "frequency (spectra)"));
+  let draw = (): void => {};
+  over.addEventListener("change", () => draw());
+  const question = new Question<Drawn>("Draw them", () => ({ kind: "overlay", rides: [...chosen.values()] }), ({ result, ...told }) => {
+    const holder = make("div", {});
+    void Store.open(JSON.stringify(result.content)).then((store) => {
+      draw = () => { const model = store.content.viewers[Number(over.value)]; if (model) holder.replaceChildren(new Player(model, store).element); };
+      draw();
+    });
+    return [...Object.entries(result.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: ${reason}`)), ...result.notes.map((text) => make("p", { class: "muted" }, text)), holder, ways(told)];
+  });
+  const asking = make("div", { class: "form" }, field("Curves over", over), question.button), section = make("section", {}, none, boxes, asking, question.place);
+  boxes.hidden = asking.hidden = true;
+  follow(section, (jobs) => {
+    for (const job of jobs.filter((one) => one.kind === "compare" && one.state === "done").reverse()) {
+      const { control, ...drive } = job.asked as unknown as Omit<One, "control"> & { control: string[] };
+      for (const name of control) {
+        const one = { ...drive, control: name }, key = JSON.stringify(one);
+        delete (one as { kind?: string }).kind;
+        if (offered.has(key)) continue; // the same was driven before
+        offered.add(key);
+        const box = make("input", { type: "checkbox" });
+        box.addEventListener("change", () => { if (box.checked) chosen.set(key, one); else chosen.delete(key); question.button.disabled = !chosen.size; });
+        const changed = Object.entries(one.changes).map(([path, value]) => `, ${path} = ${typeof value === "number" ? written(value, 4) : String(value)}`).join("");
+        boxes.append(make("label", {}, box, ` ${job.title}${one.seed ? `, ${one.seed}` : ""}, ${name}${changed}`));
+      }
+    }
+    none.hidden = offered.size > 0;
+    boxes.hidden = asking.hidden = !offered.size;
+    question.button.disabled = !chosen.size;
+  });
+  return section;
 }
 
 function pareto(rigs: string[], roads: string[]): HTMLElement {

@@ -1,0 +1,125 @@
+"""Rides of several rigs, vehicles and controllers over each other: over time, and as spectra."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.errors import DescriptionError, JounceError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from jounce.ride.study import Ride
+
+ISO_DURATION = "20 s"
+"""Of a ride over a random road of which nothing is said, as for the command that compares."""
+_SHORTEST = 8.0  # s of a piece of a spectrum, as in the report of a ride
+_FIRST = (("body.az", "sprung.az"), ("strut.deflection",), ("tyre.force",))
+
+
+def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
+    """Drive all rides that are asked for; give their curves, what stands for what, and what could not be driven."""
+    from jounce.report.live import live_data
+    from jounce.report.recordings import curve_viewer
+    from jounce.web.spectra import spectra_of
+
+    found: dict[str, Ride] = {}
+    failed: dict[str, str] = {}
+    for one, label in zip(asked["rides"], labels(asked["rides"]), strict=True):
+        try:
+            found[label] = _driven(one)
+        except JounceError as error:
+            failed[label] = str(error)
+    if not found:
+        raise DescriptionError(f"none of them could be driven: {'; '.join(failed.values())}", where="rides")
+    runs, notes = alike({label: ride.settled for label, ride in found.items()})
+    spectra = spectra_of(runs, shortest=_SHORTEST)
+    viewers = [
+        curve_viewer({"": curves}, _first(curves), name=name) for name, curves in (("time", runs), ("spectra", spectra))
+    ]
+    return {"content": live_data(viewers), "notes": notes, "failed": failed}
+
+
+def _driven(asked: Mapping[str, Any]) -> Ride:
+    import jounce as jn
+    from jounce.ride.study import iso_trial, road_trial
+    from jounce.roads.loading import class_and_seed, is_class
+
+    rig = jn.load(asked["vehicle"])
+    if asked["changes"]:
+        rig = rig.with_changes(dict(asked["changes"]))
+    road, speed, duration = (asked[name] for name in ("road", "speed", "duration"))
+    if is_class(road):
+        name, seed = class_and_seed(road)
+        trial = iso_trial(
+            rig, name, speed, duration=duration or ISO_DURATION, seed=asked["seed"] if seed is None else seed
+        )
+    else:
+        trial = road_trial(rig, jn.load_road(road), speed, duration=duration or None)
+    return jn.compare_rides(rig, trial, [asked["control"]]).rides[0]
+
+
+def labels(rides: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Name rides by vehicle, controller, and what else tells them apart.
+
+    Examples
+    --------
+    >>> one = {"vehicle": "a.toml", "road": "iso:C", "speed": "20 m/s", "control": "passive", "changes": {}}
+    >>> labels([one, one | {"control": "skyhook", "speed": "30 m/s"}])
+    ['a, passive, 20 m/s', 'a, skyhook, 30 m/s']
+    """
+    apart = [name for name in ("road", "speed", "duration", "seed") if len({str(one.get(name)) for one in rides}) > 1]
+    found: list[str] = []
+    for one in rides:
+        changes = (f"{path} = {value}" for path, value in one["changes"].items())
+        words = [
+            one["vehicle"].removesuffix(".toml"),
+            one["control"],
+            *(str(one[name]) for name in apart if one[name]),
+            *changes,
+        ]
+        text = ", ".join(words)
+        found.append(text if text not in found else f"{text} ({len(found) + 1})")
+    return found
+
+
+def alike(runs: Mapping[str, xr.Dataset]) -> tuple[dict[str, xr.Dataset], list[str]]:
+    """Give runs of vehicles with two, four and no named corners the names of the finest, and say what stands for what.
+
+    A rig with one corner stands at the front (left) corner, its sprung mass for the body, too; axles stand for
+    their left corners.
+    """
+    kinds = {label: _corners(run) for label, run in runs.items()}
+    if len(set(kinds.values())) == 1:
+        return dict(runs), []
+    place = "front_left" if max(kinds.values()) == 4 else "front"
+    found, notes = {}, []
+    for label, run in runs.items():
+        names = [str(name) for name in run.data_vars]
+        if kinds[label] == 1:
+            body = {f"body.{name[7:]}": run[name].assign_attrs(long_name="") for name in names if name[:7] == "sprung."}
+            found[label] = run.rename({name: f"{place}.{name}" for name in names}).assign(body)
+            notes.append(f"{label}: it has one corner, which is drawn as {place}, its sprung mass as the body, too.")
+        elif kinds[label] == 2 and place == "front_left":
+            sides = {"front": "front_left", "rear": "rear_left"}
+            parts = {name: name.partition(".") for name in names}
+            found[label] = run.rename({name: f"{sides.get(a, a)}{dot}{b}" for name, (a, dot, b) in parts.items()})
+            notes.append(f"{label}: its axles are drawn as left corners.")
+        else:
+            found[label] = run
+    return found, notes
+
+
+def _corners(run: xr.Dataset) -> int:
+    names = [str(name) for name in run.data_vars]
+    if any(name.startswith("front_left.") for name in names):
+        return 4
+    return 2 if any(name.startswith(("front.", "rear.", "body.")) for name in names) else 1
+
+
+def _first(runs: Mapping[str, xr.Dataset]) -> list[str]:
+    """Name what is looked at first, of what all of them hold."""
+    held = [name for name in map(str, next(iter(runs.values())).data_vars) if all(name in one for one in runs.values())]
+    found = [next((name for end in ends for name in held if name.endswith(end)), "") for ends in _FIRST]
+    return [name for name in found if name] or held[:1]
