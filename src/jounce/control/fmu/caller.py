@@ -5,6 +5,7 @@ A child runs this very file, without jounce: it starts at once, and where the FM
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import json
 import os
@@ -18,6 +19,7 @@ _WORST = 1  # statuses above a warning: discard, error, fatal
 _FATAL = 4
 _STATUS = ("OK", "warning", "discard", "error", "fatal error", "pending")
 _MESSAGES = 5
+_MUCH = 1000  # messages without a mistake in them, behind which logging is switched off
 _POINTER, _SIZE, _DOUBLE, _TEXT = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
 _MORE = 3
 _LOGGER_2 = ctypes.CFUNCTYPE(None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE)
@@ -101,6 +103,7 @@ class _Instance:
         self._log_3(where, status, category, _written_out(text or b"", more))
 
     def _log_3(self, _where: Any, status: int, _category: bytes | None, text: bytes | None) -> None:
+        self._logged += status <= 0
         if status > 0 and text:
             self._messages.append(text.decode(errors="replace"))
 
@@ -115,7 +118,7 @@ class _Instance:
         """Begin at time 0, with another instance than before."""
         self.close()
         self._messages.clear()
-        self._steps = 0
+        self._steps = self._logged = 0
         self._instantiate()
         c = self._component
         for kind, reference, value in self._told["starts"]:
@@ -134,6 +137,13 @@ class _Instance:
             self._done("the begin of initialisation", enter(c, False, 0.0, 0.0, False, 0.0))
         self._done("the end of initialisation", self._function("ExitInitializationMode", _POINTER)(c))
 
+    def _hush(self) -> None:
+        """Ask it to log no more."""
+        self._logged = 0
+        truth = ctypes.c_int if self._version == 2 else ctypes.c_bool
+        with contextlib.suppress(FmuFailedError):
+            self._function("SetDebugLogging", _POINTER, truth, _SIZE, _POINTER)(self._component, 0, 0, None)
+
     def _instantiate(self) -> None:
         told, name, token = self._told, self._name, self._told["token"].encode()
         kind = "Instantiate" if self._version == 2 else "InstantiateCoSimulation"
@@ -143,13 +153,13 @@ class _Instance:
             c_library = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("msvcrt")
             allocate, free = (ctypes.cast(getattr(c_library, word), _POINTER) for word in ("calloc", "free"))
             self._callbacks = _Callbacks(self._logger, allocate, free, None, None)
-            found = make(name, 1, token, told["resources"].encode(), ctypes.addressof(self._callbacks), 0, 0)
+            found = make(name, 1, token, told["resources"].encode(), ctypes.addressof(self._callbacks), 0, 1)
         else:
             types = (_TEXT, _TEXT, _TEXT, *(ctypes.c_bool,) * 4, _POINTER, _SIZE, _POINTER, _LOGGER_3, _POINTER)
             make = self._function(kind, *types)
             make.restype = _POINTER
             resources = told["resources"].encode()
-            found = make(name, token, resources, False, False, False, False, None, 0, None, self._logger, None)
+            found = make(name, token, resources, False, True, False, False, None, 0, None, self._logger, None)
         if not found:
             said = " ".join(self._messages)
             raise FmuFailedError("it gives no instance" + (f": {said}" if said else ""))
@@ -168,6 +178,8 @@ class _Instance:
         if self._flags[1]:
             raise FmuFailedError(f"it asks for the end of the run at {self._steps * period:.6g} s")
         self._steps += 1
+        if self._logged > _MUCH:
+            self._hush()
         if (status := self._get(c, *self._take)) > _WORST:
             self._done("reading the outputs", status)
         return list(self._y)

@@ -107,6 +107,8 @@ class FmuComponent(Plain):
         Whether a process can have one instance only.
     fixed_step : float or None
         Step inside, s, of which the control period is a multiple; None where it has none.
+    needs_tool : bool
+        Whether what made it must be installed where it runs.
 
     Examples
     --------
@@ -118,7 +120,7 @@ class FmuComponent(Plain):
     [('road.z', 'm'), ('road.vz', 'm/s')]
     """
 
-    left_out: ClassVar[tuple[str, ...]] = ("token", "identifier", "units", "is_once", "fixed_step")
+    left_out: ClassVar[tuple[str, ...]] = ("token", "identifier", "units", "is_once", "fixed_step", "needs_tool")
     path: Path
     version: int
     name: str
@@ -135,6 +137,7 @@ class FmuComponent(Plain):
     units: Mapping[str, _Unit] = field(repr=False)
     is_once: bool
     fixed_step: float | None
+    needs_tool: bool = False
 
     def conversion(self, variable: FmuVariable, si: str) -> tuple[float, float]:
         """Factor and offset from SI values in ``si`` to the FMU's own: ``own = factor * value + offset``.
@@ -299,8 +302,10 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
         holds = f"it holds {', '.join(platforms)}" if platforms else "it holds sources only"
         message = f"no binary for this machine ({this_platform()}) is in it: {holds}."
         findings.append(Finding(where, "problem", message))
-    if options.get("needsExecutionTool") in ("true", "1"):
-        findings.append(Finding(where, "problem", "it runs only where the tool that made it is installed."))
+    needs_tool = options.get("needsExecutionTool") in ("true", "1")
+    if needs_tool:
+        text = f"it needs the tool {root.get('generationTool') or 'that made it'} on the machine that it runs on."
+        findings.append(Finding(where, "warning", text))
     if step is None:
         findings.append(Finding(where, "problem", "it is for model exchange only, and brings no integrator."))
     return FmuComponent(
@@ -320,6 +325,7 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
         _units(root, where),
         options.get("canBeInstantiatedOnlyOncePerProcess") in ("true", "1"),
         _number(options.get("fixedInternalStepSize"), where),
+        needs_tool,
     )
 
 

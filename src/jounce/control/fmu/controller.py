@@ -321,6 +321,7 @@ class _FmuRegulator:
             "resources": resources.as_uri() if component.version == 2 else f"{resources}/",
             "period": 1.0 / law.rate,
         }
+        self._tool = (component.tool or "the tool that made it") if component.needs_tool else ""
         told = [{**start, "starts": one.starts, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
         self._notes = connection.findings
         self.from_rest = law.from_rest
@@ -376,11 +377,14 @@ class _FmuRegulator:
         self._instant, self._cut, self._pushed = 0, 0, False
         try:
             if self._instances is None:
-                self._instances = caller.Instances(self._told) if self._is_trusted else _Child(self._told)
+                self._instances = self._made()
                 weakref.finalize(self, self._instances.close)
             self._instances.start()
         except caller.FmuFailedError as error:
             raise self._failed(error) from None
+
+    def _made(self) -> _Asked:
+        return caller.Instances(self._told) if self._is_trusted else _Child(self._told, whole=bool(self._tool))
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
@@ -440,7 +444,8 @@ class _FmuRegulator:
         return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack([1.5 * slopes, slopes])
 
     def _failed(self, error: Exception) -> SimulationError:
-        return SimulationError(str(error), where=f"{self._file} at t = {self._instant / self._rate:.6g} s")
+        hint = f"It needs {self._tool} on this machine." if self._tool and not self._instant else ""
+        return SimulationError(str(error), where=f"{self._file} at t = {self._instant / self._rate:.6g} s", hint=hint)
 
 
 _SPEED = "strut.velocity"
@@ -526,9 +531,12 @@ class _Asked(Protocol):
 
 
 class _Child:
-    """Instances in a process of their own, which works in a folder that goes with it."""
+    """Instances in a process of their own, which works in a folder that goes with it.
 
-    def __init__(self, told: list[dict[str, Any]]) -> None:
+    A ``whole`` Python has its packages, which FMUs import that are written in it.
+    """
+
+    def __init__(self, told: list[dict[str, Any]], *, whole: bool = False) -> None:
         self._inputs, self._outputs = (
             struct.Struct(f"={sum(len(one[word]) for one in told)}d") for word in ("inputs", "outputs")
         )
@@ -536,7 +544,7 @@ class _Child:
         self._folder = self._place.__enter__()
         try:
             self._process = subprocess.Popen(
-                [sys.executable, "-I", "-S", caller.__file__],
+                [sys.executable, "-I", *([] if whole else ["-S"]), caller.__file__],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
