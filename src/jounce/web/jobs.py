@@ -6,10 +6,10 @@ only begins jobs, reads how they are, and asks them to stop.
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 import secrets
+import select
 import shlex
 import shutil
 import subprocess
@@ -28,9 +28,10 @@ from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESUL
 
 PLACE = (".jounce", "jobs")
 _MOST_RUNNING, _MOST_KEPT = 8, 200
-_JUST_BEGUN = 5.0  # s in which a process has locked what says that it lives
+_JUST_BEGUN = 15.0  # s in which a process has locked what says that it lives
 _LONGEST_RESULT = 20_000_000  # bytes
 _FREE = 50  # looks at a file that nobody holds
+_BEHIND = 5  # by which a job is nicer than the page
 _LOOKED = 0.1  # s for which what was read of all jobs is new
 
 
@@ -61,7 +62,8 @@ class Jobs:
             begun = time.strftime("%Y%m%d-%H%M%S", time.localtime(now))
             name = f"{begun}-{int(1e3 * now) % 1000:03d}-{secrets.token_hex(3)}"
             folder = self._made(self.folder / name, doing, task)
-            self.processes[name] = _started(folder)
+            if not (self._has_loaded() and self._split(folder, _BEHIND)):
+                self.processes[name] = _started(folder)
             self.read = 0.0
             return self.state(name)
 
@@ -85,7 +87,7 @@ class Jobs:
             return {"result": _result(folder), "page": text, **ways(doing)}
 
     def prepare(self) -> None:
-        """Have a process ready from which others split off for quick questions: what takes long is its start."""
+        """Have a process ready from which others split off for what a page asks: what takes long is its start."""
         with self.lock:
             if _SPLITS and (self.ready is None or self.ready.poll() is not None):
                 self.ready = _waiting()
@@ -94,18 +96,31 @@ class Jobs:
         """Have a process work on a folder."""
         self.prepare()
         with self.lock:
-            if self.ready is not None and self.ready.stdin is not None:
-                with contextlib.suppress(OSError):  # it has ended
-                    self.ready.stdin.write(f"{folder}\n".encode())
-                    self.ready.stdin.flush()
-                    return
-        _started(folder, waited=True)
+            is_begun = self._split(folder, 0)
+        if not is_begun:
+            _started(folder, waited=True)
+
+    def _has_loaded(self) -> bool:
+        """Whether the process that is ready has loaded everything, as it says by a line; none is before a page is."""
+        said = None if self.ready is None else self.ready.stdout
+        return said is not None and bool(select.select([said], [], [], 0.0)[0])
+
+    def _split(self, folder: Path, behind: int) -> bool:
+        """Have the process that is ready split for a folder, so much behind others; False where none is."""
+        if self.ready is None or self.ready.stdin is None or self.ready.poll() is not None:
+            return False
+        try:
+            self.ready.stdin.write(f"{behind} {folder}\n".encode())
+            self.ready.stdin.flush()
+        except OSError:  # it has ended
+            return False
+        return True
 
     def end(self) -> None:
         """End what waits; jobs go on."""
         if self.ready is not None:
-            self.ready.kill()
-            self.ready.wait()
+            with self.ready:
+                self.ready.kill()
 
     def all(self) -> list[dict[str, Any]]:
         """How every job is, the newest first."""
@@ -252,7 +267,7 @@ def _started(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:
             apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP | behind}
         try:
             process = subprocess.Popen(
-                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path), str(folder), "0" if waited else "5"],
+                [sys.executable, "-P", "-c", _CHILD, json.dumps(sys.path), str(folder), str(0 if waited else _BEHIND)],
                 stdin=subprocess.DEVNULL, stdout=out, stderr=problems, env=os.environ | {"PYTHONUTF8": "1"}, **apart,
             )  # fmt: skip
         except OSError as error:
@@ -272,7 +287,7 @@ def _waiting() -> subprocess.Popen[bytes]:
     return subprocess.Popen(
         [sys.executable, "-P", "-c", _WAITING, json.dumps(sys.path)],
         stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         env=os.environ | threads | {"PYTHONUTF8": "1"},
         start_new_session=True,

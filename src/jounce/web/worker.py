@@ -13,6 +13,7 @@ import signal
 import sys
 import threading
 import time
+import traceback
 from collections import deque
 from collections.abc import Mapping
 from importlib import import_module
@@ -158,22 +159,31 @@ _USUAL = ("jounce.campaign", "jounce.identify.decay", "jounce.inspection.evaluat
 
 
 def split_when_told() -> None:
-    """Load what most commands need; then do the job of each folder that standard input names in a child of its own."""
+    """Load what most commands need, and say so; then do the job of each folder that standard input names.
+
+    Each is done in a child of its own; before its folder stands by how much that is nicer than others.
+    """
     from jounce.cli import main  # noqa: F401
 
     for name in ("xarray", "scipy.optimize", "scipy.signal", "pandas", "pydantic", "jounce.report.recordings", *_USUAL):
         import_module(name)
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody asks how they ended but by their files
-    while folder := sys.stdin.readline().strip():
+    sys.stdout.write("loaded\n")
+    sys.stdout.flush()
+    while line := sys.stdin.readline().strip():
         if os.fork():
             continue
-        code = 1
+        code, (behind, _, folder) = 1, line.partition(" ")
         try:
+            os.nice(int(behind))
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
             os.setsid()
             os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
             for stream, name in ((1, RESULT), (2, PROBLEMS)):
                 os.dup2(os.open(Path(folder) / name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), stream)
             code = work(Path(folder))
+        except Exception:  # noqa: BLE001 - its last line is the reason that the page shows
+            traceback.print_exc()
         finally:
+            sys.stderr.flush()
             os._exit(code)
