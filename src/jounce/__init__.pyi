@@ -35,6 +35,7 @@ from .core.writing import write_files as write_files
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for
+from .design.goal_front import design_front as design_front
 from .design.hardpoint_front import kinematic_front as kinematic_front
 from .design.kinematics import design_kinematics as design_kinematics
 from .design.lumping import lumped_from as lumped_from

@@ -161,3 +161,23 @@ def test_a_study_file_says_all_of_an_optimisation(cli, tmp_path):
     assert told.exit_code == 2
     assert "a study file says all" in told.err
     assert cli("design", "optimise", "audi-a6-quarter-car").exit_code == 2
+
+
+def test_a_study_of_three_metrics_is_a_front_of_them(cli, tmp_path):
+    (tmp_path / "study.toml").write_text(
+        'schema = "jounce.optimisation/1"\nrig = "audi-a6-quarter-car"\npoints = 3\n'
+        'free = {"strut.damper.coefficient" = ["500 N*s/m", "5000 N*s/m"]}\n'
+        'front = ["rough: sprung.az", "rough: tyre.force", "rough: strut.deflection"]\n'
+        'cases = {rough = {road = "C", speed = "20 m/s"}}\n',
+        encoding="utf-8",
+    )
+    outputs = ("--figure", "front.png", "--report", "front.html")
+    found = cli("design", "optimise", "study.toml", *outputs, "--json")
+    assert found.exit_code == 0, found.err
+    assert set(found.json["goals"]) == {"rough: sprung.az", "rough: tyre.force", "rough: strut.deflection"}
+    assert (tmp_path / "front.png").stat().st_size > 10_000
+    page = (tmp_path / "front.html").read_text(encoding="utf-8")
+    assert "as it is" in page
+    assert "designs on the front" in page
+    assert "as it is" in cli("design", "optimise", "study.toml").out
+    assert cli("design", "optimise", "study.toml", "--out", "best.toml").exit_code == 2

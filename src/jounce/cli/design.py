@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
+    from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign, TargetResult
     from jounce.design.optimise import Optimisation
@@ -214,6 +215,7 @@ def _from_study(
     study: Path, out: Path | None, figure: Path | None, report: Path | None, *, force: bool, as_json: bool
 ) -> Reply:
     """Search what a study asks for: the best design, or a front."""
+    from jounce.design.goal_front import DesignFront
     from jounce.design.optimise import Optimisation
 
     with progress() as say:
@@ -230,10 +232,12 @@ def _from_study(
     drawn, missing = write_picture(found, figure, study.stem, force=force)
 
     def page() -> Page:
-        from jounce.report import front_page, optimisation_page
+        from jounce.report import design_front_page, front_page, optimisation_page
 
         if isinstance(found, Optimisation):
             return optimisation_page(found, title=study.stem)
+        if isinstance(found, DesignFront):
+            return design_front_page(found, title=study.stem)
         return front_page(found, title=study.stem)
 
     document, undrawn = write_report(page, report, force=force)
@@ -243,6 +247,8 @@ def _from_study(
     def draw(console: Console) -> None:
         if isinstance(found, Optimisation):
             draw_optimisation(console, plain, found)
+        elif isinstance(found, DesignFront):
+            draw_design_front(console, plain, found)
         else:
             draw_front(console, plain, found)
 
@@ -617,6 +623,18 @@ def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisati
     end = "converged" if found.converged else "did not converge"
     console.print(f"{end} after {found.iterations} steps, {found.evaluations} designs, {slopes}")
     show_findings(console, found.findings)
+    show_written(console, plain)
+
+
+def draw_design_front(console: Console, plain: dict[str, Any], front: DesignFront) -> None:
+    """Print the designs of a front of several metrics, the rig as it is first."""
+    units = {**front.goal_units, **front.number_units}
+    columns, present = {**front.goals, **front.numbers}, {**front.present, **front.start}
+    rows = [("as it is", *present.values())]
+    rows += [(str(i + 1), *(float(column[i]) for column in columns.values())) for i in range(front.count)]
+    heads = [f"{name} [{'–' if units[name] == '1' else units[name]}]" for name in columns]
+    console.print(table(f"Best designs of {plain['rig']}: {front.driven}", ("", *heads), rows))
+    show_findings(console, front.findings)
     show_written(console, plain)
 
 

@@ -7,9 +7,8 @@ this finds the hollow parts of a front, too. Exact slopes take each search there
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -22,17 +21,16 @@ from jounce.core.types import Array
 from jounce.design.hardpoint_search import Search, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
 from jounce.design.kinematics import Task, moved_rigs, read_task, values_before
+from jounce.design.mixtures import MOST_GOALS, achieved, mixtures, undominated
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig
 
-_FEWEST, _MOST, _MOST_GOALS = 3, 500, 8
+_FEWEST, _MOST = 3, 500
 _SOFT = 1e-3  # tolerances below which a goal is as good as reached
 _SHARE = 1e-3  # of the other goals in each: a design that is worse in one for nothing is none
-_LEAST = 1e-3  # smallest part of a mixture
 _ROUNDS, _PRECISION, _FORBIDDEN = 150, 1e-10, 1e6
 _INSIDE = 0.95  # tolerances
-_SAME = 1e-3  # share of a goal's range below which two designs are one
 _HELD = 1.0 + 1e-6
 
 
@@ -167,13 +165,14 @@ def front_of(task: Task, points: int, starts: int, seed: int) -> KinematicFront:
     best, worst = reached.min(axis=0), reached.max(axis=0)
     span = np.maximum(worst - best, _SOFT)
     tried = list(corners)
-    for mixture in _mixtures(len(goals), points):
+    for mixture in mixtures(len(goals), points):
         aim = best, span, mixture
         near = sorted(tried, key=lambda x: race.missed(x, aim))[:2]
         ended = [race.run(x, np.full(len(goals), _SHARE), aim) for x in near]
         tried.append(min(ended, key=lambda x: race.missed(x, aim)))
-    kept = _undominated([x for x in tried if race.holds(x)], race, span)
-    designs = [design for design in (_design(race, x) for x in kept) if design is not None]
+    sound = [x for x in tried if race.holds(x)]
+    kept = undominated(np.array([race.goals_at(x) for x in sound]), span)
+    designs = [design for design in (_design(race, sound[i]) for i in kept) if design is not None]
     findings = []
     if len(designs) == 1:
         text = "one design is best in every goal: within the boxes there is nothing to trade."
@@ -199,12 +198,12 @@ def _goals(search: Search) -> tuple[dict[str, tuple[int, ...]], list[int]]:
         if not named and name in goals:
             name = f"{name} {i}"
         goals.setdefault(str(name), []).append(i)
-    if not 2 <= len(goals) <= _MOST_GOALS:
+    if not 2 <= len(goals) <= MOST_GOALS:
         raise DescriptionError(
             "goals compete from two on",
             where="target",
             found=", ".join(goals) or "none",
-            allowed=f"2 to {_MOST_GOALS} goals",
+            allowed=f"2 to {MOST_GOALS} goals",
             hint='Give targets that belong together the same goal = "...", and constraints must = true.',
         )
     return {name: tuple(members) for name, members in goals.items()}, held
@@ -263,7 +262,7 @@ class _Race:
 
     def missed(self, x: Array, aim: tuple[Array, Array, Array]) -> tuple[bool, float]:
         """Whether constraints are broken, and how bad the relatively worst goal is: the least is best."""
-        return not self.holds(x), _achieved(self.goals_at(x), *aim)
+        return not self.holds(x), achieved(self.goals_at(x), *aim)
 
     def run(self, x: Array, weights: Array, mixture: tuple[Array, Array, Array] | None = None) -> Array:
         """Least weighted sum of the goals from x; with a mixture, first of the goal that is relatively worst there."""
@@ -275,7 +274,7 @@ class _Race:
             mixture if mixture is not None else (np.zeros(len(weights)), np.ones(len(weights)), weights)
         )
         begin = np.clip(x, search.lower, search.upper)
-        reach = _achieved(self.goals_at(begin), best, span, shares) if extra else 0.0
+        reach = achieved(self.goals_at(begin), best, span, shares) if extra else 0.0
 
         def least(z: Array) -> float:
             return float(weights @ ((self.at(z[:size])[0] - best) / span) + z[size:].sum())
@@ -307,11 +306,6 @@ class _Race:
         return np.asarray(np.clip(found.x[:size], search.lower, search.upper), dtype=float)
 
 
-def _achieved(goals: Array, best: Array, span: Array, mixture: Array) -> float:
-    """How bad the relatively worst goal is."""
-    return float(np.max((goals - best) / (span * mixture)))
-
-
 def _corner(race: _Race, i: int, starts: int, seed: int) -> Array:
     """The least of one goal, from several places."""
     weights = np.full(len(race.goals), _SHARE)
@@ -326,31 +320,6 @@ def _corner(race: _Race, i: int, starts: int, seed: int) -> Array:
             hint="Widen the boxes, ask for less, or give more starts.",
         )
     return min(good, key=lambda x: float(weights @ race.goals_at(x)))
-
-
-def _mixtures(goals: int, points: int) -> Iterator[Array]:
-    """Mixtures of goals, evenly spread over those of all (a simplex lattice), about as many as points."""
-    steps = 2
-    while len(list(combinations(range(steps + goals), goals - 1))) <= points:
-        steps += 1
-    for bars in combinations(range(steps + goals - 1), goals - 1):
-        ends = (-1, *bars, steps + goals - 1)
-        shares = np.array([b - a - 1 for a, b in pairwise(ends)]) / steps
-        if np.count_nonzero(shares) > 1:  # the corners are known
-            yield np.maximum(shares, _LEAST)
-
-
-def _undominated(tried: list[Array], race: _Race, span: Array) -> list[Array]:
-    """Places of which none is better in every goal than another, each once."""
-    goals = np.array([race.goals_at(x) for x in tried])
-    kept: list[int] = []
-    for i, one in enumerate(goals):
-        near = _SAME * span
-        worse = np.any(np.all(goals <= one + near, axis=1) & np.any(goals < one - near, axis=1))
-        again = any(np.all(np.abs(goals[k] - one) <= near) for k in kept)
-        if not worse and not again:
-            kept.append(i)
-    return [tried[i] for i in kept]
 
 
 def _design(race: _Race, x: Array) -> FrontDesign | None:

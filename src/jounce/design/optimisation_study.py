@@ -11,6 +11,8 @@ from jounce.core.description import Description, Seed, Whole, line_of, misplaced
 from jounce.core.errors import JounceError
 from jounce.core.units import Unit
 from jounce.design.cases import Case, cases_problem
+from jounce.design.goal_front import DesignFront, design_front
+from jounce.design.mixtures import MOST_GOALS
 from jounce.design.optimise import Optimisation, optimise
 from jounce.design.pareto import ParetoFront, pareto
 from jounce.design.problem import DesignProblem
@@ -19,15 +21,16 @@ from jounce.parts.files import rig_named_in
 from jounce.variants.study import read_trial
 
 Weight = Annotated[float, Unit("1", above=0.0)]
+_PAIR = 2
 SCHEMA: Literal["jounce.optimisation/1"] = "jounce.optimisation/1"
 
 
 class OptimisationStudy(Description):
-    """A study of the best design, or with ``front`` of those of which none is better in two metrics at once.
+    """A study of the best design, or with ``front`` of those of which none is better in several metrics at once.
 
     ``rig`` is a file or a shipped one, ``free`` has the bounds of what may vary. ``objective`` has metrics with their
-    weights; ``front`` two metrics instead, and a third that is shown if wanted. ``constraints`` are limits of any
-    metric. ``cases`` are judged at once, by name: the keys of a trial, ``road`` and ``speed`` of a random road, or
+    weights; ``front`` two to eight metrics instead; beside two, one more is ``shown``. ``constraints`` are limits of
+    any metric. ``cases`` are judged at once, by name: the keys of a trial, ``road`` and ``speed`` of a random road, or
     ``travel`` of kinematics; metrics have the name before them. ``spread`` is that of production or use, over
     ``samples`` drawn with ``seed``. ``starts`` searches are made, a front has ``points``.
     """
@@ -36,7 +39,8 @@ class OptimisationStudy(Description):
     rig: str
     free: dict[str, Any] = Field(min_length=1)
     objective: dict[str, Weight] | str | None = None
-    front: tuple[str, ...] | None = Field(default=None, min_length=2, max_length=3)
+    front: tuple[str, ...] | None = Field(default=None, min_length=2, max_length=MOST_GOALS)
+    shown: str | None = None
     constraints: dict[str, Any] = {}
     cases: dict[str, dict[str, Any]] = Field(min_length=1)
     spread: dict[str, Any] = {}
@@ -48,7 +52,9 @@ class OptimisationStudy(Description):
     @model_validator(mode="after")
     def _wants_one_thing(self) -> OptimisationStudy:
         if (self.objective is None) == (self.front is None):
-            raise misplaced(("objective",), "give either objective, or front = [two metrics]")
+            raise misplaced(("objective",), "give either objective, or front = [two metrics or more]")
+        if self.shown is not None and len(self.front or ()) != _PAIR:
+            raise misplaced(("shown",), "is a metric beside a front of two; those of a larger front are all shown")
         return self
 
 
@@ -72,12 +78,12 @@ def check_optimisation(path: Path | str) -> tuple[OptimisationStudy, DesignProbl
     """Read a study and all that it names, without searching."""
     study, rig, given = read_optimisation(path)
     objective = study.objective if study.objective is not None else (study.front or ("",))[0]
-    more = study.front[1:] if study.front is not None else ()
+    more = [*(study.front or ())[1:], *([study.shown] if study.shown is not None else [])]
     with _placed(path):
         return study, cases_problem(rig, study.free, objective, more=more, **given)
 
 
-def run_optimisation(path: Path | str) -> Optimisation | ParetoFront:
+def run_optimisation(path: Path | str) -> Optimisation | ParetoFront | DesignFront:
     """Search what a study file asks for.
 
     Parameters
@@ -87,8 +93,8 @@ def run_optimisation(path: Path | str) -> Optimisation | ParetoFront:
 
     Returns
     -------
-    Optimisation or ParetoFront
-        SI; a front where the study has one.
+    Optimisation, ParetoFront or DesignFront
+        SI; a front where the study has one, the last of three metrics or more.
 
     Raises
     ------
@@ -117,8 +123,10 @@ def run_optimisation(path: Path | str) -> Optimisation | ParetoFront:
         if study.front is None:
             assert study.objective is not None
             return optimise(rig, study.free, study.objective, starts=study.starts, **given)
-        first, second, *third = study.front
-        shown = third[0] if third else first
+        if len(study.front) > _PAIR:
+            return design_front(rig, study.free, study.front, points=study.points, **given)
+        first, second = study.front
+        shown = study.shown or first
         return pareto(rig, study.free, comfort=first, holding=second, travel=shown, points=study.points, **given)
 
 

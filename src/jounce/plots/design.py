@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import number, quantity
 from jounce.plots.labels import name_points
+from jounce.plots.parallel import between_ends, draw_uprights
 from jounce.plots.style import (
     AFTER,
     BEFORE,
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.core.types import Array
+    from jounce.design.goal_front import DesignFront
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront, ParetoMark
     from jounce.ride.stationary import StationaryResponse
@@ -83,6 +87,81 @@ def pareto_front(front: ParetoFront) -> Figure:
         axes.tick_params(labelbottom=axes is column[-1])
     column[-1].set_xlabel(_label(front, "comfort"))
     return figure
+
+
+@styled
+def design_front(front: DesignFront) -> Figure:
+    """Draw a front of several metrics: each pair of the first four, then all metrics and numbers as parallel axes.
+
+    A design has the same colour everywhere, by the first metric; the rig as it is is a diamond, and a dashed line.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> free, goals = {"strut.damper.coefficient": (300.0, 6000.0)}, ["sprung.az", "tyre.force", "strut.deflection"]
+    >>> figure = design_front(jn.design_front("audi-a6-quarter-car", free, goals, "C", "20 m/s", points=4))
+    >>> len(figure.axes)   # three pairs, parallel axes
+    4
+    """
+    from matplotlib import colormaps
+
+    colours = colormaps["viridis"](np.linspace(0.0, 0.92, front.count))
+    pairs = list(combinations(list(front.goals)[:_MOST_PAIRED], 2))
+    across = min(len(pairs), _ACROSS)
+    down = -(-len(pairs) // across)
+    figure = new_figure(2.7 * down + 3.0, 9.2)
+    grid = figure.add_gridspec(down + 1, across, height_ratios=[*[2.7] * down, 2.4])
+    for k, (one, other) in enumerate(pairs):
+        axes = figure.add_subplot(grid[k // across, k % across])
+        units = [
+            display_unit(front.goal_units[name], float(np.max(np.abs(front.goals[name])))) for name in (one, other)
+        ]
+        x, y = (front.goals[name] * unit.factor for name, unit in zip((one, other), units, strict=True))
+        axes.scatter(x, y, c=colours, s=26, zorder=3, linewidths=0)
+        marker, face = _MARKERS["present"]
+        here = [front.present[name] * unit.factor for name, unit in zip((one, other), units, strict=True)]
+        axes.scatter(
+            here[0],
+            here[1],
+            marker=marker,
+            s=40,
+            facecolor=face,
+            edgecolor=INK,
+            linewidths=1.2,
+            zorder=4,
+            label="as it is",
+        )
+        axes.set(xlabel=units[0].label(one), ylabel=units[1].label(other))
+        if not k:
+            axes.legend(loc="best", fontsize=8)
+    _parallel_front(figure.add_subplot(grid[down, :]), front, colours)
+    figure.suptitle(at_tick(front.driven.replace("m^3", "m³"), 110), fontsize=8, color=MUTED)
+    return figure
+
+
+_MOST_PAIRED, _ACROSS = 4, 3
+
+
+def _parallel_front(axes: Axes, front: DesignFront, colours: Array) -> None:
+    """Draw designs as lines over upright axes: metrics, then numbers."""
+    columns, labels = [], []
+    units = {**front.goal_units, **front.number_units}
+    present = {**front.present, **front.start}
+    for name, values in {**front.goals, **front.numbers}.items():
+        every = np.append(values, present[name])
+        unit = display_unit(units[name], float(np.max(np.abs(every))))
+        columns.append(every * unit.factor)
+        labels.append(unit.label(name))
+    shares, ends = zip(*map(between_ends, columns), strict=True)
+    lines = np.array(shares).T
+    for row, colour in zip(lines[:-1], colours, strict=True):
+        axes.plot(range(len(labels)), row, color=colour, lw=1.2, alpha=0.9, zorder=2.0)
+    axes.plot(range(len(labels)), lines[-1], color=INK, lw=1.2, ls="--", zorder=3.0)
+    draw_uprights(axes, ends)
+    axes.set_title(
+        "designs of the front; as it is, dashed" if front.count > 1 else "the design; as it is, dashed", loc="left"
+    )
+    axes.set_xticks(range(len(labels)), labels, rotation=25, ha="right", rotation_mode="anchor", fontsize=8)
 
 
 def _by_unit(front: ParetoFront) -> dict[str, list[str]]:

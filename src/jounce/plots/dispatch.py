@@ -93,6 +93,7 @@ def _registered() -> Callable[..., Figure]:
     import xarray as xr
 
     from jounce.campaign.result import CampaignResult, StrategyResult, TrialResult
+    from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign
     from jounce.design.measured_poses import HardpointFit
@@ -167,6 +168,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(CampaignResult, lambda result, **options: campaign.trial_matrix(result.trials, **options))
     draw.register(Optimisation, design.optimisation)
     draw.register(ParetoFront, design.pareto_front)
+    draw.register(DesignFront, design.design_front)
     draw.register(RideStudy, design.trade_off)
     draw.register(ModelComparison, lambda result, **options: signals.sweep(result.curves(), along="travel", **options))
     draw.register(Ride, lambda result, **options: design.ride_spectra([result], **options))

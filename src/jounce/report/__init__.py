@@ -10,7 +10,7 @@ from __future__ import annotations
 from jounce.plots.style import write_figure
 from jounce.report.animation import animate
 from jounce.report.campaign import campaign_page, write_campaign
-from jounce.report.decisions import front_page, optimisation_page
+from jounce.report.decisions import design_front_page, front_page, optimisation_page
 from jounce.report.equivalence import equivalence_page
 from jounce.report.fits import damper_page, decay_page, stiffness_page
 from jounce.report.history import history_page
@@ -56,6 +56,7 @@ __all__ = [
     "campaign_page",
     "damper_page",
     "decay_page",
+    "design_front_page",
     "equivalence_page",
     "front_page",
     "history_page",

@@ -12,6 +12,7 @@ from jounce.report.page import Block, Cell, Fact, Facts, Findings, Page, Picture
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from jounce.design.goal_front import DesignFront
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront
 
@@ -170,3 +171,52 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
         answer.append(Findings(front.findings))
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
     return Page(title, sections, f"Pareto front on {_cubed(front.driven)}")
+
+
+def design_front_page(front: DesignFront, *, title: str) -> Page:
+    """Put a front of several metrics on a page: how far each goes, the picture, and every design.
+
+    Parameters
+    ----------
+    front : DesignFront
+        As :func:`jounce.design_front` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    ends = [
+        Fact(
+            name,
+            f"{quantity(float(values.min()), front.goal_units[name])} to "
+            f"{quantity(float(values.max()), front.goal_units[name])}",
+            f"{quantity(front.present[name], front.goal_units[name])} as it is",
+        )
+        for name, values in front.goals.items()
+    ]
+    state = "all searches came to rest" if front.converged else "some searches did not come to rest"
+    tone: Tone = "good" if front.converged else "bad"
+    facts = Facts((*ends, Fact("designs on the front", str(front.count), state, tone)))
+    columns = {**front.goals, **front.numbers}
+    si = {**front.goal_units, **front.number_units}
+    units = {name: display_unit(si[name], float(abs(values).max())) for name, values in columns.items()}
+    present = {**front.present, **front.start}
+    rows = [("as it is", *(number(present[name] * unit.factor) for name, unit in units.items()))]
+    rows += [
+        (str(i + 1), *(number(float(values[i]) * units[name].factor) for name, values in columns.items()))
+        for i in range(front.count)
+    ]
+    header = ("", *(unit.label(name) for name, unit in units.items()))
+    first = next(iter(front.goals))
+    every = Table(f"From the least {first} on", header, tuple(rows), "r" * len(header))
+    words = (
+        "Designs, none of them better in every metric than another: pairs of metrics, and all of them with the numbers."
+    )
+    answer: list[Block] = [facts, Picture(figure_of(front), "front", words, words)]
+    if front.findings:
+        answer.append(Findings(front.findings))
+    sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
+    return Page(title, sections, f"Best designs on {_cubed(front.driven)}")

@@ -1,0 +1,323 @@
+"""Several metrics that compete: designs of which none is better in every one of them, from the best in one to others.
+
+The corners of the front are the least of each metric. Between them the metric that is relatively worst is made as good
+as it can be (the achievement function of the reference-point method), along directions spread evenly over all mixtures:
+this finds the hollow parts of a front, too. Exact slopes take each search there in tens of designs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding
+from jounce.core.serialise import Plain
+from jounce.core.text import aligned
+from jounce.core.types import Array
+from jounce.design.cases import Case
+from jounce.design.mixtures import MOST_GOALS, achieved, mixtures, undominated
+from jounce.design.optimise import Scale, check_kept, driven_over, search, task_of, violation_of
+from jounce.design.problem import DesignProblem, Limit, LimitGiven
+from jounce.identify.fit_problem import Bounds
+from jounce.parts import Rig, as_rig
+from jounce.parts.rig import unit_of
+from jounce.ride.surface import Density
+from jounce.variants.designs import Spread
+
+_FEWEST, _MOST, _FEWEST_GOALS = 3, 500, 2
+_HELD = 1e-6  # share by which the least of one metric may be left while the others are made less
+_SHARE = 1e-3  # of all metrics beside the one that is relatively worst: what is worse in one for nothing is not best
+_ROUNDS, _PRECISION, _AGAIN = 200, 1e-10, 3
+_STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
+_KEPT = 1e-6
+_NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
+
+
+@dataclass(frozen=True)
+class DesignFront(Plain):
+    """Designs of which none is better in every one of several metrics, SI.
+
+    Attributes
+    ----------
+    goals : dict
+        Metric to its values, ndarray of shape (points,), ascending in the first one.
+    goal_units : dict
+        Metric to SI unit.
+    numbers : dict
+        Path to the values of the free numbers, ndarray of shape (points,), SI.
+    number_units : dict
+        Path to SI unit.
+    present : dict
+        Metric to its value of the rig as it is, SI.
+    start : dict
+        Path to the value of the rig as it is, SI.
+    converged : bool
+        Whether all searches came to rest.
+    evaluations : int
+        Designs that were judged.
+    driven : str
+        What was driven over, in words.
+    findings : tuple of Finding
+        What to know of it.
+    """
+
+    goals: dict[str, Array]
+    goal_units: dict[str, str]
+    numbers: dict[str, Array]
+    number_units: dict[str, str]
+    present: dict[str, float]
+    start: dict[str, float]
+    converged: bool
+    evaluations: int
+    driven: str
+    findings: tuple[Finding, ...]
+
+    @property
+    def count(self) -> int:
+        """Number of designs."""
+        return len(next(iter(self.goals.values())))
+
+    def __str__(self) -> str:
+        heads = [f"{name} [{self.goal_units[name]}]" for name in self.goals]
+        heads += [f"{path} [{self.number_units[path]}]" for path in self.numbers]
+        columns = [*self.goals.values(), *self.numbers.values()]
+        present = [*self.present.values(), *self.start.values()]
+        rows = [["", *heads], ["as it is", *(f"{value:.5g}" for value in present)]]
+        rows += [[str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(self.count)]
+        return "\n".join([f"Best designs on {self.driven}", *aligned(rows), *map(str, self.findings)])
+
+
+def design_front(  # noqa: PLR0913 - each is a choice of its own
+    rig: Rig | str | Path,
+    free: Mapping[str, Bounds],
+    goals: Sequence[str],
+    road: str | float | Density | None = None,
+    speed: float | str | None = None,
+    *,
+    constraints: Mapping[str, LimitGiven] | None = None,
+    points: int = 25,
+    band: tuple[float, float] | Literal["iso"] | None = None,
+    cases: Mapping[str, Case] | None = None,
+    spread: Mapping[str, Spread] | None = None,
+    samples: int = 32,
+    seed: int = 1,
+) -> DesignFront:
+    """Find designs between metrics that compete: none is better in every one of them than another.
+
+    Each metric is to be as near to zero as can be. For comfort against road holding, with best dampers beside it,
+    there is :func:`pareto`; for kinematics :func:`kinematic_front`.
+
+    Parameters
+    ----------
+    rig : Rig, str or Path
+        Rig or vehicle, its file or its name in the library: where the search starts.
+    free : mapping
+        Path to its bounds, SI or texts with units, as for :func:`optimise`.
+    goals : sequence of str
+        Metrics as for :func:`optimise`, 2 to 8 of them.
+    road : str, float or callable
+        Random road: class, degree of roughness in m^3, or density.
+    speed : float or str
+        m/s.
+    constraints : mapping, optional
+        Limits for all designs, SI or texts with units, as for :func:`optimise`.
+    points : int
+        About how many designs, 3 to 500; those that others surpass are left out.
+    band : tuple of float or "iso", optional
+        Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
+    cases : mapping, optional
+        Several cases instead of one road, by name, as for :func:`optimise`.
+    spread : mapping, optional
+        Path to its spread, SI or texts with units, as for :func:`optimise`, for designs that are robust.
+    samples, seed : int
+        Of the spread, as for :func:`optimise`.
+
+    Returns
+    -------
+    DesignFront
+        SI.
+
+    Raises
+    ------
+    DescriptionError, FitError
+        As for :func:`optimise`, and for less than two metrics.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> free = {"strut.damper.coefficient": ("300 N*s/m", "6000 N*s/m"), "strut.spring.rate": "±40 %"}
+    >>> goals = ["sprung.az", "tyre.force", "strut.deflection"]
+    >>> front = design_front("audi-a6-quarter-car", free, goals, "C", "20 m/s", points=6)
+    >>> bool(front.goals["sprung.az"][0] < front.present["sprung.az"])   # the most comfortable design
+    True
+    """
+    if not _FEWEST <= points <= _MOST:
+        raise DescriptionError("not a number of points", where="points", found=points, allowed=f"{_FEWEST} to {_MOST}")
+    names = [goals] if isinstance(goals, str) else [str(goal) for goal in goals]
+    if not _FEWEST_GOALS <= len(names) <= MOST_GOALS or len(set(names)) < len(names):
+        allowed = f"{_FEWEST_GOALS} to {MOST_GOALS} different metrics"
+        raise DescriptionError("goals compete from two on", where="front", found=", ".join(names), allowed=allowed)
+    rig = as_rig(rig)
+    given = {name: value for name, value in (("road", road), ("speed", speed), ("band", band)) if value is not None}
+    objective = dict.fromkeys(names, 1.0)
+    problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
+    race = _Race(problem, names)
+    corners = [_corner(problem, name) for name in names]
+    reached = np.array([race.goals_at(values) for values in corners])
+    best, span = reached.min(axis=0), np.ptp(reached, axis=0)
+    span = np.where(span > 0.0, span, np.maximum(np.abs(best), 1e-300))
+    tried, settled = list(corners), True
+    for mixture in mixtures(len(names), points):
+        aim = _Aim(best, span, mixture)
+        near = sorted(tried, key=lambda values: achieved(race.goals_at(values), *aim))[:2]
+        ended = [race.run(values, aim) for values in near]
+        values, rested = min(
+            ended, key=lambda one: (max(violation_of(problem, one[0]), _KEPT), achieved(race.goals_at(one[0]), *aim))
+        )
+        tried.append(values)
+        settled &= rested
+    sound = [values for values in tried if violation_of(problem, values) <= _KEPT]
+    found = np.array([race.goals_at(values) for values in sound])
+    kept = sorted(undominated(found, span), key=lambda i: tuple(found[i]))
+    designs = np.array([sound[i] for i in kept])
+    paths, units = [number.path for number in problem.free], {name: problem.metrics[name].unit for name in names}
+    whole = {name: np.array([problem.whole(name, values)[0] for values in designs]) for name in names}
+    return DesignFront(
+        whole, units,
+        {path: designs[:, i] for i, path in enumerate(paths)},
+        {path: unit_of(rig, path) for path in paths},
+        {name: problem.base[name] for name in names},
+        dict(zip(paths, problem.start.tolist(), strict=True)),
+        settled, problem.evaluations, driven_over(problem),
+        (*problem.notes, *_findings(len(designs), settled=settled)),
+    )  # fmt: skip
+
+
+def _findings(count: int, *, settled: bool) -> list[Finding]:
+    found = []
+    if not settled:
+        text = "some searches did not come to rest; narrow the bounds or choose fewer points."
+        found.append(Finding("front", "warning", text))
+    if count == 1:
+        text = "one design is best in every metric: within the bounds and limits there is nothing to trade."
+        found.append(Finding("front", "note", text))
+    return found
+
+
+def _corner(problem: DesignProblem, name: str) -> Array:
+    """The least of one metric; among equals there the least of the others."""
+    alone = replace(problem, weights={name: 1.0})
+    first = search(alone)
+    check_kept(alone, first)
+    least = problem.whole(name, first.values)[0]
+    others = {other: 1.0 for other in problem.weights if other != name}
+    held = Limit(problem.metrics[name], None, least + _HELD * abs(least), is_whole=True)
+    if least < 0.0:
+        held = Limit(problem.metrics[name], least - _HELD * abs(least), None, is_whole=True)
+    second = search(replace(problem, weights=others, limits=(*problem.limits, held)), begin=first.values)
+    return second.values if second.violation <= _KEPT else first.values
+
+
+class _Aim(NamedTuple):
+    """Where a search between the corners goes: least values of the goals, their ranges, and the mixture of them."""
+
+    best: Array
+    span: Array
+    mixture: Array
+
+
+class _Race:
+    """Goals of a task and its limits in scaled numbers, with their slopes."""
+
+    def __init__(self, problem: DesignProblem, names: Sequence[str]) -> None:
+        self.problem, self.names, self.scale = problem, names, Scale(problem)
+
+    def goals_at(self, values: Array) -> Array:
+        """Distance of each metric from zero (SI)."""
+        return np.array([abs(self.problem.whole(name, values)[0]) for name in self.names])
+
+    def _rows(self, u: Array) -> tuple[Array, Array, list[int]]:
+        """Goals, one row each, or one for each channel where the worst counts; slopes; to which goal each belongs."""
+        values, chain = self.scale.values(u), self.scale.slopes(u)
+        found, slopes, of = [], [], []
+        for k, name in enumerate(self.names):
+            numbers, along = self.problem.numbers(values)[name]
+            if not self.problem.metrics[name].is_worst:
+                number, slope = self.problem.whole(name, values)
+                numbers, along = np.array([number]), slope[:, None]
+            for i, number in enumerate(numbers.tolist()):
+                sign = -1.0 if number < 0.0 else 1.0
+                found.append(sign * number)
+                slopes.append(sign * along[:, i] * chain)
+                of.append(k)
+        return np.array(found), np.array(slopes), of
+
+    def _limits(self, u: Array) -> tuple[Array, Array]:
+        margins = self.problem.margins(self.scale.values(u))
+        chain = self.scale.slopes(u)
+        table = np.array([slope * chain for _, _, _, _, slope in margins]).reshape(len(margins), len(u))
+        return np.array([margin for _, _, _, margin, _ in margins]), table
+
+    def run(self, begin: Array, aim: _Aim) -> tuple[Array, bool]:
+        """Make the relatively worst goal as good as it can be from some values (SI); tell whether it came to rest."""
+        from scipy.optimize import minimize
+
+        u, size = self.scale.scaled(begin), len(begin)
+        reach = achieved(self.goals_at(begin), *aim)
+
+        def least(z: Array) -> tuple[float, Array]:
+            goals, slopes, of = self._rows(z[:size])
+            span = aim.span[of]
+            shares = (
+                _SHARE * float(np.sum((goals - aim.best[of]) / span)),
+                _SHARE * (slopes / span[:, None]).sum(axis=0),
+            )
+            return float(z[size]) + shares[0], np.append(shares[1], 1.0)
+
+        def room(z: Array) -> tuple[Array, Array]:
+            goals, slopes, of = self._rows(z[:size])
+            width = (aim.span * aim.mixture)[of]
+            firm, table = self._limits(z[:size])
+            rows = np.hstack([-slopes / width[:, None], np.ones((len(goals), 1))])
+            found = np.concatenate([z[size] - (goals - aim.best[of]) / width, firm])
+            return found, np.vstack([rows, np.hstack([table, np.zeros((len(firm), 1))])])
+
+        z, rested = np.append(u, reach), False
+        for _ in range(_AGAIN):  # SLSQP forgets its curvature at a new start, which helps where it stalled
+            found = minimize(
+                least, z, jac=True, method="SLSQP", bounds=[*[(0.0, 1.0)] * size, (None, None)],
+                constraints={"type": "ineq", "fun": lambda z: room(z)[0], "jac": lambda z: room(z)[1]},
+                options={"ftol": _PRECISION, "maxiter": _ROUNDS},
+            )  # fmt: skip
+            moved = float(np.max(np.abs(found.x - z)))
+            z, rested = np.asarray(found.x), bool(found.success) or moved < _STILL
+            if rested:
+                break
+        values = self.scale.values(np.clip(z[:size], 0.0, 1.0))
+        return self._settled(values, aim) if self.problem.has_kinks else (values, rested)
+
+    def _settled(self, values: Array, aim: _Aim) -> tuple[Array, bool]:
+        """Look around where a search by slopes ended, without them (COBYLA): it may have stopped at a kink."""
+        from scipy.optimize import minimize
+
+        def worst(u: Array) -> float:
+            goals = self.goals_at(self.scale.values(u))
+            return achieved(goals, *aim) + _SHARE * float(np.sum((goals - aim.best) / aim.span))
+
+        def kept(u: Array) -> Array:
+            return np.concatenate([self._limits(u)[0], u, 1.0 - u])
+
+        begin = self.scale.scaled(values)
+        result = minimize(
+            worst, begin, method="COBYLA", constraints=[{"type": "ineq", "fun": kept}], tol=_NEARER,
+            options={"rhobeg": _NEAR, "maxiter": _MOST_NEAR * len(values)},
+        )  # fmt: skip
+        u = np.clip(np.asarray(result.x), 0.0, 1.0)
+        around = self.scale.values(u)
+        better = worst(u) < worst(begin) and violation_of(self.problem, around) <= _KEPT
+        return (around if better else values), bool(result.success)
