@@ -169,6 +169,8 @@ def test_what_the_server_refuses_is_said_in_the_language_of_the_page(workbench, 
     assert opened.troubles == []
 
 
+CHANGED = ("Timeout", "not attached", "not visible", "Element is not an")
+"""What is said of an element that the page has changed, or put another one in the place of, between two questions."""
 BEGINS = "begin,run the campaign,search,fit,simulate,compare,evaluate,find,resume,again,start,test,check"
 """Words of buttons that begin long work, which two processors do not do beside a browser."""
 TYPED = [
@@ -211,7 +213,7 @@ def _clicked_at_random(opened: Opened, seed: int, seconds: float, held: Callable
         try:
             _use(control, drawn)
         except Exception as error:
-            if "Timeout" not in str(error) and "not attached" not in str(error) and "not visible" not in str(error):
+            if not any(words in str(error) for words in CHANGED):
                 raise
         page.wait_for_timeout(drawn.choice((20, 60, 200)))
     opened.go("project")
