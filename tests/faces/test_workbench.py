@@ -9,6 +9,7 @@ import shutil
 import socket
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -540,6 +541,19 @@ def test_a_port_can_be_had_again_at_once():
         first.accept()[0].close()
         first.close()
     _listening(port).close()
+
+
+def test_a_kept_connection_answers_at_once(ask):
+    """A browser keeps its connections: an answer of two packets must not wait for word of the first, 40 ms."""
+    connection = http.client.HTTPConnection("127.0.0.1", ask.port, timeout=60)
+    took = []
+    for _ in range(15):
+        begin = time.perf_counter()
+        connection.request("GET", "/api/health", headers={"Authorization": f"Bearer {TOKEN}"})
+        assert b"ok" in connection.getresponse().read()
+        took.append(time.perf_counter() - begin)
+    connection.close()
+    assert sorted(took)[7] < 0.025
 
 
 def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):

