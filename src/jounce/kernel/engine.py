@@ -267,7 +267,7 @@ def feedback(
     return Feedback(law, period, pieces, select, offset, noise, bound, p, *scratch)
 
 
-_PROTOTYPE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
+_PROTOTYPE = ctypes.CFUNCTYPE(None)  # what a law is given lies in arrays that it has; arguments would be made objects
 
 
 class Callback:
@@ -286,7 +286,7 @@ class Callback:
     def __init__(self, function: Callable[[], None], failed: Callable[[], None]) -> None:
         self.raised: BaseException | None = None
 
-        def call(*_: object) -> None:
+        def call() -> None:
             try:
                 function()
             except BaseException as error:  # noqa: BLE001 - also an interrupt must wait for the loop to end

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -288,7 +289,7 @@ class _Law:
         made: list[Feedback] = []
 
         def call() -> None:
-            made[0].result[0, :] = regulator(made[0].measured.tolist())
+            put(result, 0, *regulator(measured()))
 
         def failed() -> None:
             made[0].result[:] = np.nan
@@ -296,6 +297,8 @@ class _Law:
 
         callback = Callback(call, failed)
         made.append(self._around(callback.address, regulator.channels, np.zeros(1), 0, from_rest=regulator.from_rest))
+        result, measured = made[0].result.ravel().data, made[0].measured.tolist
+        put = struct.Struct(f"{len(result)}d").pack_into
         self._begin += [regulator.start, loop.raised.clear]
         self._callback = callback
         return made[0]

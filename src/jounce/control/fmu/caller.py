@@ -34,6 +34,14 @@ _TYPES: dict[str, Any] = {
 """C types of the values that can be set before a run; a Boolean of FMI 2 is an integer."""
 
 
+_time = _DOUBLE.from_param
+
+
+def _place(of: Any) -> Any:
+    """Where something is, as an argument: an instance, or the begin of an array."""
+    return _POINTER.from_param(of if of is None or isinstance(of, int) else ctypes.addressof(of))
+
+
 class FmuFailedError(Exception):
     """What an FMU refused, in its own words as far as it said any."""
 
@@ -68,27 +76,11 @@ class _Instance:
         self._component: int | None = None
         self._broken = False
         real = "Real" if self._version == 2 else "Float64"
-        more = () if self._version == 2 else (_SIZE,)  # FMI 3.0 says how many values there are, too
-        self._set = self._function(f"Set{real}", _POINTER, _POINTER, _SIZE, _POINTER, *more)
-        self._get = self._function(f"Get{real}", _POINTER, _POINTER, _SIZE, _POINTER, *more)
-        self._put = (ctypes.addressof(self._in), len(inputs), ctypes.addressof(self._x), *(len(inputs),) * len(more))
-        self._take = (
-            ctypes.addressof(self._out),
-            len(outputs),
-            ctypes.addressof(self._y),
-            *(len(outputs),) * len(more),
-        )
+        self._set, self._get, self._step = (self._quick(word) for word in (f"Set{real}", f"Get{real}", "DoStep"))
+        self._fill = struct.Struct(f"{len(inputs)}d").pack_into
         self._flags = (ctypes.c_bool * 3)()
         self._last = _DOUBLE()
-        if self._version == 2:
-            self._step = self._function("DoStep", _POINTER, _DOUBLE, _DOUBLE, ctypes.c_int)
-            self._logger: Any = _LOGGER_2(self._log_2)
-            self._rest: tuple[int, ...] = (1,)
-        else:
-            self._step = self._function("DoStep", _POINTER, _DOUBLE, _DOUBLE, ctypes.c_bool, *(_POINTER,) * 4)
-            self._logger = _LOGGER_3(self._log_3)
-            at = ctypes.addressof(self._flags)
-            self._rest = (1, at, at + 1, at + 2, ctypes.addressof(self._last))
+        self._logger: Any = _LOGGER_2(self._log_2) if self._version == 2 else _LOGGER_3(self._log_3)
 
     def _function(self, name: str, *types: Any) -> Any:
         try:
@@ -97,6 +89,30 @@ class _Instance:
             raise FmuFailedError(f"the binary has no function fmi{self._version}{name}") from None
         found.argtypes, found.restype = types, ctypes.c_int
         return found
+
+    def _quick(self, name: str) -> Any:
+        """A function whose arguments are C values already: what is always the same is converted once a run."""
+        self._function(name)
+        found = self._library[f"fmi{self._version}{name}"]
+        found.restype = ctypes.c_int
+        return found
+
+    def _values(self, references: Any, values: Any) -> tuple[Any, ...]:
+        """Arguments that get or set some values."""
+        many = _SIZE.from_param(len(references))
+        more = () if self._version == 2 else (many,)  # FMI 3.0 says how many values there are, too
+        return (_place(self._component), _place(references), many, _place(values), *more)
+
+    def _arguments(self) -> None:
+        """What the functions of a step are given, but for the time."""
+        self._put, self._take = self._values(self._in, self._x), self._values(self._out, self._y)
+        self._which, period = _place(self._component), _DOUBLE.from_param(self._told["period"])
+        if self._version == 2:
+            self._rest: tuple[Any, ...] = (period, ctypes.c_int.from_param(1))
+            return
+        at = ctypes.addressof(self._flags)
+        told = (at, at + 1, at + 2, ctypes.addressof(self._last))
+        self._rest = (period, ctypes.c_bool.from_param(True), *map(_POINTER.from_param, told))
 
     def _log_2(self, *told: Any) -> None:
         where, _name, status, category, text, *more = told
@@ -120,6 +136,7 @@ class _Instance:
         self._messages.clear()
         self._steps = self._logged = 0
         self._instantiate()
+        self._arguments()
         c = self._component
         for kind, reference, value in self._told["starts"]:
             held = (_TYPES["Boolean2" if (kind, self._version) == ("Boolean", 2) else kind] * 1)(value)
@@ -167,12 +184,11 @@ class _Instance:
 
     def step(self, values: list[float]) -> list[float]:
         """Set the inputs, step one period on, give the outputs."""
-        c = self._component
-        self._x[:] = values  # type: ignore[assignment] # numbers become those of C
-        if self._count and (status := self._set(c, *self._put)) > _WORST:
+        self._fill(self._x, 0, *values)
+        if self._count and (status := self._set(*self._put)) > _WORST:
             self._done("setting the inputs", status)
         period = self._told["period"]
-        status = self._step(c, self._steps * period, period, *self._rest)
+        status = self._step(self._which, _time(self._steps * period), *self._rest)
         if status > _WORST:
             self._done(f"the step from {self._steps * period:.6g} s", status)
         if self._flags[1]:
@@ -180,9 +196,9 @@ class _Instance:
         self._steps += 1
         if self._logged > _MUCH:
             self._hush()
-        if (status := self._get(c, *self._take)) > _WORST:
+        if (status := self._get(*self._take)) > _WORST:
             self._done("reading the outputs", status)
-        return list(self._y)
+        return self._y[:]
 
     def close(self) -> None:
         """Free the instance; one that failed for good is left alone."""
