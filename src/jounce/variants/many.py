@@ -353,7 +353,7 @@ class _Group:
         parameters = self._parameters(own, len(rows))
         careful = np.ones(len(rows), dtype=bool)
         summed = not results.channels and not any(metric.needs_course for metric in results.metrics)
-        if summed and self.study.settings.method == "auto":
+        if summed and self.study.settings.method == "auto" and len(rows) >= LEAST:
             careful = self._side_by_side(results, parameters, rows, threads)
         if careful.all():
             careful = self._stepped(results, parameters, rows, threads)
