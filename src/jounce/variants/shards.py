@@ -50,6 +50,8 @@ _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
 _MOST_NUMBERS = 400_000_000  # numbers that are given at once: 3.2 GB
 _COUNTED = ("side_by_side", "outside")  # attributes that add up over shards
 _MOST_DIFFERENCES = 5
+_COLUMN = re.compile(r"(\d+) from (\S+) to (\S+), [0-9a-f]{16}")  # values of a number, as `study_of` writes them
+_NEAR = 0.02  # of its range: by which the ends of a number move where its values are drawn anew
 _LONG_LIST = 50
 
 
@@ -131,7 +133,7 @@ def keep_in_shards(
     if kept is not None:
         _check_same(kept, study)
     else:
-        check_folder(folder, force=force)
+        _refuse_taken(folder, force=force)
     pace = _pace(work, columns) if kept is None or workers is None else _Pace(0.0, is_alone=False)
     if workers is None:
         lasts = pace.seconds * len(next(iter(columns.values())))
@@ -161,10 +163,32 @@ def keep_in_shards(
             results = here(work, tasks, threads)
         with closing(results):  # at once, whatever ends the loop: nobody works for a folder that takes nothing
             for number, content in results:
-                kept.write(number, content)
+                _write(kept, number, content)
                 finished += kept.spans[number][1] - kept.spans[number][0]
                 say(finished, kept.count)
     return load_sweep(folder)
+
+
+def _refuse_taken(folder: Path, *, force: bool) -> None:
+    """Refuse a folder with something in it, telling how to go on where that is a sweep."""
+    if not force and (folder / MANIFEST).is_file():
+        kept = read_kept(folder)
+        raise OutputError(
+            "the folder holds a sweep",
+            where=str(folder),
+            found=f"{len(kept.names())} of {len(kept.spans)} shards",
+            hint="Go on with --resume (in Python resume=True), or choose another folder; --force drops what is there.",
+        )
+    check_folder(folder, force=force)
+
+
+def _write(kept: Kept, number: int, content: bytes) -> None:
+    """Put a shard in its place; where the disk takes no more, tell what is left of the work."""
+    try:
+        kept.write(number, content)
+    except OutputError as error:
+        hint = f"What is finished is kept: make room, then resume. {error.hint}".rstrip()
+        raise OutputError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint) from None
 
 
 def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Dataset:
@@ -345,13 +369,32 @@ def _check_same(kept: Kept, study: Mapping[str, Any]) -> None:
     changed = [path for path in dict.fromkeys([*before, *now]) if before.get(path) != now.get(path)]
     if not changed:
         return
-    told = [f"{path}: {_short(before.get(path))} before, {_short(now.get(path))} now" for path in changed]
+    drawn_anew = bool({"variants.seed", "variants.design"} & set(changed))
+    told = [_told(path, before.get(path), now.get(path), drawn_anew=drawn_anew) for path in changed]
+    told = list(dict.fromkeys(filter(None, told)))
     more = f" and {len(told) - _MOST_DIFFERENCES} more" if len(told) > _MOST_DIFFERENCES else ""
     raise OutputError(
         "the sweep that is to be resumed was another one",
         where=str(kept.folder),
         found=f"{'; '.join(told[:_MOST_DIFFERENCES])}{more}",
         hint="Take back what was changed, or begin in another folder.",
+    )
+
+
+def _told(path: str, before: Any, now: Any, *, drawn_anew: bool) -> str:
+    """What changed at a path; nothing where the values of a variant follow from what is told already."""
+    columns = [_COLUMN.fullmatch(str(value)) for value in (before, now)]
+    if columns[0] is None or columns[1] is None:
+        return f"{path}: {_short(before)} before, {_short(now)} now"
+    (count, *ends), (others, *other_ends) = (one.groups()[:3] for one in columns if one is not None)
+    low, high, other_low, other_high = map(float, (*ends, *other_ends))
+    near = _NEAR * max(high - low, other_high - other_low)
+    if count == others and abs(low - other_low) <= near and abs(high - other_high) <= near:
+        return "" if drawn_anew else f"{path}: other values"
+    return (
+        f"{path}: {' to '.join(ends)} before, {' to '.join(other_ends)} now"
+        if count == others
+        else (f"variants: {count} before, {others} now")
     )
 
 
@@ -442,10 +485,19 @@ def _check_disk(kept: Kept, work: Work, spans: list[tuple[int, int]]) -> None:
         raise OutputError(
             "the results are more than the disk has room for",
             where=str(kept.folder),
-            found=f"{needed / 1e9:.3g} GB",
-            allowed=f"{free / 1e9:.3g} GB",
+            found=_bytes_told(needed),
+            allowed=_bytes_told(free),
             hint="Keep metrics, fewer outputs, or a longer output step.",
         )
+
+
+def _bytes_told(count: float) -> str:
+    """Bytes in words.
+
+    >>> _bytes_told(1_200_000), _size_of(3.2e9)
+    ('1.2 MB', '3.2 GB')
+    """
+    return f"{count / 1e9:.3g} GB" if count >= 1e9 else f"{count / 1e6:.3g} MB"
 
 
 @contextmanager

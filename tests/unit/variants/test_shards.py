@@ -21,8 +21,8 @@ TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="1 m"), speed="10 m/s",
 METRICS = ["rms sprung.az", "max tyre.force"]
 
 
-def design(count: int = 40, seed: int = 1) -> jn.sobol:
-    return jn.sobol({"strut.damper.coefficient": "40 %", "sprung.mass": ["400 kg", "520 kg"]}, count, seed=seed)
+def design(count: int = 40, seed: int = 1, heaviest: str = "520 kg") -> jn.sobol:
+    return jn.sobol({"strut.damper.coefficient": "40 %", "sprung.mass": ["400 kg", heaviest]}, count, seed=seed)
 
 
 def sweep(out: Path, variants=None, **options):
@@ -118,7 +118,9 @@ def test_what_is_full_keeps_what_is_finished(tmp_path: Path, small, monkeypatch)
         return write(path, content, **options)
 
     monkeypatch.setattr(shards, "write_atomically", full)
-    with pytest.raises(OutputError, match="No space"):
+    with pytest.raises(OutputError, match=r"No space left on device'\. What is finished is kept: make room"):
+        sweep(tmp_path)
+    with pytest.raises(OutputError, match=r"holds a sweep; found '3 of 5 shards'\. Go on with --resume"):
         sweep(tmp_path)
     assert len(files(tmp_path)) == 3
     monkeypatch.undo()
@@ -145,8 +147,12 @@ def changed_rig(out: Path) -> None:
     ("change", "named"),
     [
         (changed_rig, "rig.tyre.stiffness: 300000.0 before, 310000.0 now"),
-        (lambda out: sweep(out, design(seed=2), resume=True), "variants.seed: 1 before, 2 now"),
-        (lambda out: sweep(out, design(48), resume=True), "sprung.mass: 40 from"),
+        (lambda out: sweep(out, design(seed=2), resume=True), r"found 'variants.seed: 1 before, 2 now'\."),
+        (lambda out: sweep(out, design(48), resume=True), r"found 'variants: 40 before, 48 now'\."),
+        (
+            lambda out: sweep(out, design(heaviest="600 kg"), resume=True),
+            r"found 'variants.sprung.mass: 40\S+ to 5[12]\S+ before, 40\S+ to 59\S+ now'\.",
+        ),
         (lambda out: sweep(out, resume=True, output_step=2e-3), "settings.output_step: 0.001 before, 0.002 now"),
         (
             lambda out: jn.simulate_many(RIG, TRIAL, design(), metrics=METRICS[:1], out=out, resume=True),
