@@ -21,7 +21,6 @@ from jounce.kinematics.sweeps import Values, no_pose, prepare_sweep, sweep_value
 from jounce.kinematics.view import CornerView
 from jounce.mechanics import Track
 from jounce.mechanics.driven import Quasistatic, Statics
-from jounce.models.attachments import push
 from jounce.models.corner import add_both_alike, add_torsion_bar, suspension
 from jounce.parts import Corner, Rig
 from jounce.parts.rig import structure_of
@@ -162,7 +161,7 @@ def _build(rig: Corner) -> ElasticModel:
     linkage = suspension(rig, mechanism, guide="fixed", rack=rack)
     still = Track(*(ca.SX(0.0) for _ in range(3)))
     view = CornerView(mechanism, linkage, still, None, None)
-    push(linkage, view.spring, view.springs.force + view.stops.force)
+    linkage.push(view.spring, view.springs.force + view.stops.force)
     add_torsion_bar(linkage)
     add_both_alike(linkage, damped=False)
     mechanism.condition("ground", view.contact[2] - mechanism.parameter("compliance.ground"))

@@ -18,11 +18,9 @@ from jounce.mechanics.elements import curve_force, damper_force, damper_map_forc
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import turned, unit
 from jounce.models.attachments import (
-    Line,
     bar_angle,
     bar_axis,
     bar_stiffness,
-    line_of,
     link_end,
     spring_law,
     stop_law,
@@ -33,7 +31,7 @@ from jounce.models.attachments import (
     undeformed_radius,
     winding,
 )
-from jounce.models.linkage import Linkage
+from jounce.models.linkage import Line, Linkage
 from jounce.parts.elements import MapDamper
 
 _UP = ca.SX([0.0, 0.0, 1.0])
@@ -271,12 +269,12 @@ class CornerView:
     @cached_property
     def spring(self) -> Line:
         """Line of the spring."""
-        return line_of(self.linkage, "spring")
+        return self.linkage.line("spring")
 
     @cached_property
     def damper(self) -> Line:
         """Line of the damper."""
-        return line_of(self.linkage, "damper")
+        return self.linkage.line("damper")
 
     @cached_property
     def springs(self) -> Elastic:

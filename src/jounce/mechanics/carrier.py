@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import casadi as ca
 
@@ -62,12 +63,31 @@ class MovingCarrier(Carrier):
         """Angular velocity of an orientation against the ground, rad/s, in these axes."""
         return self.turning + orientation.ground_spin
 
-    def masses(self, masses: Sequence[Carried]) -> CarriedMasses:
-        """Inertia of all that these axes carry, the field in it."""
-        turn = self._turn
-        start = turn.unrotate(self._origin.bias - self._field)
-        steady = skew(turn.spin_bias) + skew(turn.spin) @ skew(turn.spin)
-        return CarriedMasses(self, masses, start, steady)
+    @property
+    def start(self) -> ca.SX:
+        """Acceleration of the origin when no speed changes, less the field, m/s^2, in these axes."""
+        return self._turn.unrotate(self._origin.bias - self._field)
+
+    @property
+    def steady(self) -> ca.SX:
+        """What makes of an arm the rest of its acceleration when no speed changes, 1/s^2."""
+        return skew(self.turning_bias) + skew(self.turning) @ skew(self.turning)
+
+    def matrix(self, v: ca.SX, total: ca.SX, moment: ca.SX, tensor: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
+        """Mass matrix of what these axes carry along: mass, first moment and inertia about their origin.
+
+        ``push`` and ``twist`` are the momenta that each speed makes in these axes, linear and about their origin.
+        """
+        linear, angular = ca.jacobian(self.rate, v), ca.jacobian(self.turning, v)
+        swept = skew(moment)
+        coupling = linear.T @ push + angular.T @ twist
+        own = linear.T @ (total * linear - swept @ angular) + angular.T @ (swept @ linear + tensor @ angular)
+        return coupling + coupling.T + own
+
+    def force(self, v: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
+        """What a force (N) and a torque (N m) about the origin, in these axes, are on the speeds."""
+        linear, angular = ca.jacobian(self.rate, v), ca.jacobian(self.turning, v)
+        return linear.T @ push + angular.T @ twist
 
 
 @dataclass(frozen=True)
@@ -85,8 +105,8 @@ class Carried:
 class CarriedMasses:
     """Inertia of all bodies that one carrier moves; what they add to the carrier's motion is summed up first."""
 
-    def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried], start: ca.SX, steady: ca.SX) -> None:
-        self._carrier, self._masses, self._start, self._steady = carrier, masses, start, steady
+    def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried]) -> None:
+        self._carrier, self._masses, self._start, self._steady = carrier, masses, carrier.start, carrier.steady
         self._arms = [carrier.arm(one.centre.value) for one in masses]
         self._tensors = [one.orientation.turned(one.inertia) for one in masses]
 
@@ -104,11 +124,7 @@ class CarriedMasses:
             total, moment = total + one.mass, moment + weighed
             outer = symmetric(weighed @ arm.T)
             tensor += turned + ca.trace(outer) * ca.SX.eye(3) - outer
-        linear, angular = ca.jacobian(self._carrier.rate, v), ca.jacobian(self._carrier.turning, v)
-        swept = skew(moment)
-        coupling = linear.T @ push + angular.T @ twist
-        own = linear.T @ (total * linear - swept @ angular) + angular.T @ (swept @ linear + tensor @ angular)
-        return alone + coupling + coupling.T + own
+        return alone + self._carrier.matrix(v, total, moment, tensor, push, twist)
 
     def bias(self, v: ca.SX) -> ca.SX:
         """Generalised inertial force that is left when no speed changes, less that of the field."""
@@ -120,8 +136,7 @@ class CarriedMasses:
             force, torque = one.mass * acceleration, self._torque(one, tensor)
             found += ca.jacobian(one.centre.rate, v).T @ force + ca.jacobian(one.orientation.ground_spin, v).T @ torque
             push, twist = push + force, twist + ca.cross(arm, force) + torque
-        linear, angular = ca.jacobian(carrier.rate, v), ca.jacobian(carrier.turning, v)
-        return found + linear.T @ push + angular.T @ twist
+        return found + carrier.force(v, push, twist)
 
     def _torque(self, one: Carried, tensor: ca.SX) -> ca.SX:
         """Rate of a body's angular momentum about its centre when no speed changes."""
@@ -129,3 +144,61 @@ class CarriedMasses:
         spin = turning + seen
         rate = self._carrier.turning_bias + ca.cross(turning, seen) + one.orientation.rotate(one.orientation.spin_bias)
         return tensor @ rate + ca.cross(spin, tensor @ spin)
+
+
+class Shifting(NamedTuple):
+    """A quantity of one coordinate, and how it changes with that coordinate."""
+
+    value: ca.SX
+    slope: ca.SX
+
+
+@dataclass(frozen=True)
+class TravellingMasses:
+    """All masses in moving axes that one coordinate moves; the rest, about the origin of the axes, follows from it.
+
+    Attributes
+    ----------
+    carrier : MovingCarrier
+        The axes.
+    rate : casadi.SX
+        Of the coordinate, m/s.
+    mass : casadi.SX
+        kg.
+    moment, momentum, angular_momentum : Shifting
+        First moment (kg m); linear (kg) and angular momentum (kg m) at unit rate. ``momentum`` is the slope of
+        ``moment``.
+    tensor, inertia : Shifting
+        Inertia (kg m^2, shape (3, 3)), and twice the energy at unit rate (kg).
+    """
+
+    carrier: MovingCarrier
+    rate: ca.SX
+    mass: ca.SX
+    moment: Shifting
+    momentum: Shifting
+    angular_momentum: Shifting
+    tensor: Shifting
+    inertia: Shifting
+
+    def matrix(self, v: ca.SX) -> ca.SX:
+        """Mass matrix for the speeds ``v``."""
+        along = ca.jacobian(self.rate, v)
+        push, twist = self.momentum.value @ along, self.angular_momentum.value @ along
+        carried = self.carrier.matrix(v, self.mass, self.moment.value, self.tensor.value, push, twist)
+        return self.inertia.value * (along.T @ along) + carried
+
+    def bias(self, v: ca.SX) -> ca.SX:
+        """Generalised inertial force that is left when no speed changes, less that of the field."""
+        carrier, rate = self.carrier, self.rate
+        start, turning, bent = carrier.start, carrier.turning, carrier.turning_bias
+        moment, momentum, angular, tensor = self.moment, self.momentum, self.angular_momentum, self.tensor
+        push = self.mass * start + carrier.steady @ moment.value
+        push += rate * (2.0 * ca.cross(turning, momentum.value) + rate * momentum.slope)
+        spinning = tensor.value @ turning + rate * angular.value
+        twist = ca.cross(moment.value, start) + tensor.value @ bent + ca.cross(turning, spinning)
+        swung = tensor.slope @ turning
+        twist += rate * (swung + rate * angular.slope)
+        along = ca.dot(momentum.value, start) + ca.dot(angular.value, bent)
+        along += 0.5 * (rate**2 * self.inertia.slope - ca.dot(turning, swung))
+        return carrier.force(v, push, twist) + ca.jacobian(self.rate, v).T * along

@@ -23,7 +23,7 @@ from jounce.core.units import to_si
 from jounce.mechanics import joints, listing, loads, outputs
 from jounce.mechanics.assembly import removable
 from jounce.mechanics.bodies import Body, BodyPoint, MassProperties, Poses, RigidMass, tensor_elements
-from jounce.mechanics.carrier import Carried, MovingCarrier
+from jounce.mechanics.carrier import Carried, CarriedMasses, MovingCarrier
 from jounce.mechanics.descriptions import Description, Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
 from jounce.mechanics.expressions import check_name, expression_of, vector_of
@@ -944,7 +944,7 @@ class Mechanism(Structure):
                 whole.act(loads.PointForce("", body, weight, body.frame.point(properties.centre)))
         for carrier in carriers.values():
             for group in _by_place(body for body in self.bodies.values() if body.carrier is carrier):
-                whole.inertia(carrier.masses([_carried(body) for body in group]))
+                whole.inertia(CarriedMasses(carrier, [_carried(body) for body in group]))
         whole.collection.loops = self.loops()
         return whole
 

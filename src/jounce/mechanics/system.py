@@ -171,6 +171,10 @@ class System:
             self.collection.parameters[path] = ca.SX.sym(path)
         return self.collection.parameters[path]
 
+    def parameter_at(self, path: str) -> ca.SX:
+        """Give the symbol of the number at a whole path, whatever is being built."""
+        return self.collection.parameters.setdefault(path, ca.SX.sym(path))
+
     def switch(self, name: str, expression: ca.SX) -> ca.SX:
         """Give the mode symbol that is 1 where ``expression`` is above zero and 0 elsewhere."""
         name, decides = self._unused(name, self.collection.switches), expression_of(expression, f"switch {name}")

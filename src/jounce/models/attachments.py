@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import casadi as ca
 
@@ -22,46 +21,9 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.actuation import replaced_tyre
 from jounce.models.bars import Swing, TBar, t_bar
-from jounce.models.linkage import Described, Linkage
+from jounce.models.linkage import Described, Linkage, Stretch, Suspension
 from jounce.parts.elements import CoilSpring, MapDamper
 from jounce.parts.leverage import AXES
-
-
-@dataclass(frozen=True)
-class Stretch:
-    """Length of an element, its rate, and the length at design."""
-
-    length: ca.SX
-    rate: ca.SX
-    design: ca.SX
-
-    @property
-    def deflection(self) -> ca.SX:
-        """Design length minus length, m."""
-        return self.design - self.length
-
-
-@dataclass(frozen=True)
-class Line(Stretch):
-    """The line between the two ends of an element."""
-
-    bottom: Moving
-    top: Moving
-
-
-def design_length(linkage: Described, element: str) -> ca.SX:
-    """Length of ``"spring"`` or ``"damper"`` at design, m."""
-    design = linkage.end_of(element, "top") - linkage.end_of(element, "bottom")
-    return ca.sqrt(ca.dot(design, design))
-
-
-def line_of(linkage: Linkage, element: str) -> Line:
-    """Give the line of ``"spring"`` or ``"damper"``."""
-    bottom, top = linkage.end_of(element, "bottom"), linkage.end_of(element, "top")
-    lower, upper = linkage.carriers[linkage.rig.strut.on].frame.point(bottom), linkage.chassis.frame.point(top)
-    reach = upper - lower
-    length = linkage.of_pose(f"{element}.length", lambda _: ca.sqrt(ca.dot(reach.value, reach.value)))
-    return Line(length, ca.dot(reach.value, reach.rate) / length, design_length(linkage, element), lower, upper)
 
 
 def add_rocker(linkage: Linkage) -> None:
@@ -141,10 +103,11 @@ def torsion_law(linkage: Described, angle: ca.SX) -> ca.SX:
     return number("torsion_bar.preload") + number("torsion_bar.stiffness") * angle
 
 
-def third_end(linkage: Linkage) -> Moving:
+def third_end(linkage: Suspension) -> Moving:
     """End of the third spring on this side."""
-    assert linkage.rig.third_spring is not None
-    return linkage.carriers[linkage.rig.third_spring.on].frame.point(linkage.hardpoint("third_spring_end"))
+    on = linkage.rig.third_spring.on if linkage.rig.third_spring is not None else ""
+    end = linkage.hardpoint("third_spring_end")
+    return linkage.moving("third_spring_end", lambda whole: whole.carriers[on].frame.point(end))
 
 
 def third_law(linkage: Described, length: ca.SX) -> ca.SX:
@@ -181,9 +144,10 @@ def bar_carrier(linkage: Linkage) -> Body:
     return linkage.carriers[str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))]
 
 
-def link_end(linkage: Linkage) -> Moving:
+def link_end(linkage: Suspension) -> Moving:
     """End of the anti-roll bar's link on the suspension."""
-    return bar_carrier(linkage).frame.point(linkage.hardpoint("arb_link_end"))
+    end = linkage.hardpoint("arb_link_end")
+    return linkage.moving("arb_link_end", lambda whole: bar_carrier(whole).frame.point(end))
 
 
 def bar_axis(linkage: Described) -> ca.SX:
@@ -206,7 +170,7 @@ def bar_angle(linkage: Linkage) -> ca.SX:
     return Swing.of(bar_axis(linkage), arm - pivot, far - pivot, end).angle
 
 
-def t_bar_of(left: Linkage, right: Linkage) -> tuple[TBar, ca.SX]:
+def t_bar_of(left: Suspension, right: Suspension) -> tuple[TBar, ca.SX]:
     """T-bar between two suspensions that hang in the same axes, and the rate of its twist, rad/s."""
     pivot = left.hardpoint("arb_pivot")
     arms, far = ([one.hardpoint(f"arb_{name}") - pivot for one in (left, right)] for name in ("arm_end", "link_end"))
@@ -257,25 +221,19 @@ def damper_law(linkage: Described, line: Stretch) -> ca.SX:
     return force + friction_force(mechanism, strut.friction, "strut.friction", -line.rate)
 
 
-def push(linkage: Linkage, line: Line, force: ca.SX) -> None:
-    """Let a force push the ends of a line apart."""
-    body = linkage.carriers[linkage.rig.strut.on]
-    linkage.mechanism.push_apart(linkage.chassis, body, line.top, line.bottom, force)
-
-
 def undeformed_radius(linkage: Described) -> ca.SX:
     """Radius of the unloaded tyre, m."""
     given = linkage.rig.tyre.undeformed_radius is not None
     return linkage.number("tyre.undeformed_radius" if given else "wheel.radius")
 
 
-def wheel_down(linkage: Linkage) -> ca.SX:
+def wheel_down(linkage: Suspension) -> ca.SX:
     """Unit vector in the wheel's plane towards the road."""
     axis, up = linkage.spin_direction.value, linkage.carrier.up
     return unit(axis * ca.dot(axis, up) - up)
 
 
-def add_tyre(linkage: Linkage, road: Track, actuator: AnyActuator | None = None) -> tuple[ca.SX, ca.SX]:
+def add_tyre(linkage: Suspension, road: Track, actuator: AnyActuator | None = None) -> tuple[ca.SX, ca.SX]:
     """Let the tyre carry the wheel; give its deflection (m) and force (N), compression positive."""
     rig, mechanism, centre, carrier = linkage.rig, linkage.mechanism, linkage.wheel_centre, linkage.carrier
     along = -wheel_down(linkage) if rig.tyre.law == "radial" else carrier.up
@@ -290,7 +248,7 @@ def tyre_law(
     road: Track,
     height: ca.SX,
     climb: ca.SX,
-    upright: Callable[[Linkage], ca.SX],
+    upright: Callable[[Suspension], ca.SX],
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
     """Deflection (m) and force (N) of the tyre for the height of the wheel's centre (m) and its rate (m/s).
@@ -299,7 +257,7 @@ def tyre_law(
     """
     mechanism, tyre, radius = linkage.mechanism, linkage.rig.tyre, undeformed_radius(linkage)
     if tyre.law == "radial":
-        deflection = radius - (height - road.value) / linkage.of_pose("tyre.upright", upright)
+        deflection = radius - (height - road.value) / linkage.of_wheel("tyre.upright", upright)
         rate = mechanism.rate_of(deflection)
     else:
         deflection = radius - (height - road.value)

@@ -16,15 +16,12 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.elements import friction_force
 from jounce.models.actuation import controlled_force, replaced
 from jounce.models.attachments import (
-    Stretch,
     add_rocker,
     add_strut_points,
     add_tyre,
     bar_angle,
     bar_stiffness,
     damper_law,
-    line_of,
-    push,
     spring_law,
     stop_law,
     third_damper_law,
@@ -42,7 +39,7 @@ from jounce.models.channels import (
     show_strut,
     show_tyre,
 )
-from jounce.models.linkage import Described, Linkage, guided
+from jounce.models.linkage import Described, Linkage, Stretch, Suspension, guided
 from jounce.models.templates import double_wishbone, five_link, mcpherson, trailing_arm
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
 
@@ -119,12 +116,12 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     return mechanism.finish()
 
 
-def add_strut(linkage: Linkage, actuator: AnyActuator | None = None) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_strut(linkage: Suspension, actuator: AnyActuator | None = None) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add spring, stops and damper (or actuator); give force and deflection rate of each element."""
-    spring, damper = line_of(linkage, "spring"), line_of(linkage, "damper")
+    spring, damper = linkage.line("spring"), linkage.line("damper")
     sprung, damped = strut_forces(linkage, spring, damper, actuator)
-    push(linkage, spring, sprung)
-    push(linkage, damper, damped)
+    linkage.push(spring, sprung)
+    linkage.push(damper, damped)
     return {"spring": (sprung, -spring.rate), "damper": (damped, -damper.rate), **add_torsion_bar(linkage)}
 
 
@@ -218,15 +215,15 @@ def _guide_friction(linkage: Described, heave: ca.SX) -> None:
 
 def show_wheel(linkage: Described) -> None:
     """Let the angles of the wheel be seen."""
-    show, of_pose = linkage.mechanism.output, linkage.of_pose
-    show("wheel.camber", of_pose("wheel.camber", _camber), "rad", "camber, positive top outward")
-    show("wheel.steer", of_pose("wheel.steer", _steer), "rad", "steer about +z")
+    show, of_wheel = linkage.mechanism.output, linkage.of_wheel
+    show("wheel.camber", of_wheel("wheel.camber", _camber), "rad", "camber, positive top outward")
+    show("wheel.steer", of_wheel("wheel.steer", _steer), "rad", "steer about +z")
 
 
-def _camber(linkage: Linkage) -> ca.SX:
+def _camber(linkage: Suspension) -> ca.SX:
     return -ca.asin(linkage.carrier.outward(linkage.spin_direction.value)[2])
 
 
-def _steer(linkage: Linkage) -> ca.SX:
+def _steer(linkage: Suspension) -> ca.SX:
     axis = linkage.carrier.outward(linkage.spin_direction.value)
     return ca.atan2(-linkage.side * axis[0], linkage.side * axis[1])

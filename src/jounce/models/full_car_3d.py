@@ -6,6 +6,7 @@ the wheels by their loads. What keeps the body from sliding and yawing takes the
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import casadi as ca
@@ -26,7 +27,7 @@ from jounce.models.attachments import (
 )
 from jounce.models.channels import show_height, show_turn, show_tyre
 from jounce.models.corner import add_strut, build_linkage, show_bar, show_third_spring, show_wheel
-from jounce.models.linkage import Linkage
+from jounce.models.linkage import Suspension
 from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
@@ -38,7 +39,7 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 class _Wheel:
     """A corner on the road; travel against the body, undeformed radius and deflection in m, the tyre's load in N."""
 
-    linkage: Linkage
+    linkage: Suspension
     centre: Moving
     travel: ca.SX
     radius: ca.SX
@@ -46,24 +47,30 @@ class _Wheel:
     load: ca.SX
 
 
-def full_car_3d(vehicle: FullCar3D, *, actuator: AnyActuator | None = None) -> Model:
-    """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure."""
+def full_car_3d(
+    vehicle: FullCar3D, *, actuator: AnyActuator | None = None, hang: Callable[..., Suspension] = build_linkage
+) -> Model:
+    """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure.
+
+    ``hang`` hangs a corner into the axes of the body, with arguments as ``build_linkage`` has them.
+    """
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
     body = _body(mechanism, vehicle)
     drive = _driving(mechanism, body)
     frame = mechanism.moving_frame(body, drive - mechanism.gravity * _UP)
     axles = {name: getattr(vehicle, name) for name in _ENDS}
-    wheels = [_corner(mechanism, frame, name, axles[name], side, actuator) for name in axles for side in _SIDES]
+    wheels = [_corner(mechanism, frame, name, axles[name], side, actuator, hang) for name in axles for side in _SIDES]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
         with mechanism.within(name, f"{name}.corner"):
             _third_spring(mechanism, pair)
             _described_bar(mechanism, pair)
-    _grip(mechanism, drive, wheels)
-    equal = structure_of(axles["front"]) == structure_of(axles["rear"])
+    _grip(mechanism, body, drive, wheels)
+    # Without their linkages, axles differ in little.
+    alike = hang is not build_linkage or structure_of(axles["front"]) == structure_of(axles["rear"])
     names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
-    mechanism.alike(names, [(0, 1, 2, 3)] if equal else [(0, 1), (2, 3)])
+    mechanism.alike(names, [(0, 1, 2, 3)] if alike else [(0, 1), (2, 3)])
     return mechanism.finish()
 
 
@@ -101,14 +108,20 @@ def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -
 
 
 def _corner(
-    mechanism: Mechanism, frame: Body, name: str, axle: SpatialAxle, side: str, actuator: AnyActuator | None
+    mechanism: Mechanism,
+    frame: Body,
+    name: str,
+    axle: SpatialAxle,
+    side: str,
+    actuator: AnyActuator | None,
+    hang: Callable[..., Suspension],
 ) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
         end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage: Linkage = build_linkage(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
+        linkage = hang(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)
@@ -144,7 +157,7 @@ def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
         mechanism.load(rate, -torque)
         show_bar(mechanism, held.twist, torque)
         return
-    one, other = (bar_angle(wheel.linkage) for wheel in pair)
+    one, other = (wheel.linkage.of_pose("anti_roll_bar.angle", bar_angle) for wheel in pair)
     twist = other + one if bar.kind == "z" else other - one
     torque = bar_stiffness(pair[0].linkage) * twist
     mechanism.force(twist, -torque)
@@ -153,8 +166,7 @@ def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
 
 def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     """Let a third spring and damper push the left and the right side apart."""
-    third = pair[0].linkage.rig.third_spring
-    if third is None:
+    if pair[0].linkage.rig.third_spring is None:
         return
     one, other = (wheel.linkage for wheel in pair)
     ends = third_end(one), third_end(other)
@@ -162,7 +174,7 @@ def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     length = ca.sqrt(ca.dot(reach.value, reach.value))
     deflection = 2.0 * one.side * one.hardpoint("third_spring_end")[1] - length
     force = third_law(one, length) + third_damper_law(one, deflection, mechanism.rate_of(deflection))
-    mechanism.push_apart(one.carriers[third.on], other.carriers[third.on], *ends, force)
+    mechanism.load(ca.dot(reach.value, reach.rate) / length, force)
     show_third_spring(mechanism, deflection, force)
 
 
@@ -178,11 +190,12 @@ def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
     return inertia
 
 
-def _grip(mechanism: Mechanism, drive: ca.SX, wheels: list[_Wheel]) -> None:
+def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_Wheel]) -> None:
     """Let the road hold the car against the inertia of driving (m/s^2), each wheel by its share of the load."""
-    masses = (body.mass_properties.mass for body in mechanism.bodies.values() if body.mass_properties is not None)
+    assert body.mass_properties is not None
+    mass = sum((wheel.linkage.mass for wheel in wheels), body.mass_properties.mass)
     loads = sum((wheel.load for wheel in wheels), ca.SX(0.0))
-    needed = -sum(masses, ca.SX(0.0)) * drive / ca.fmax(loads, 1.0)
+    needed = -mass * drive / ca.fmax(loads, 1.0)
     for wheel in wheels:
         upright, centre, carrier = wheel.linkage.upright, wheel.centre, wheel.linkage.carrier
         force = carrier.inward(needed * wheel.load)

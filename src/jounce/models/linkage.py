@@ -31,6 +31,10 @@ class Described(ABC):
         All that forces and channels see of the pose goes through here.
         """
 
+    def of_wheel(self, name: str, formula: Callable[[Suspension], ca.SX]) -> ca.SX:
+        """Give what the wheel's axis and centre and the ground say of the pose: on a body that turns, no more of it."""
+        return self.of_pose(name, formula)
+
     @property
     def side(self) -> ca.SX | float:
         """1 for a left suspension, -1 for a right one."""
@@ -50,6 +54,17 @@ class Described(ABC):
         own = f"{element}_{end}"
         return self.hardpoint(own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}")
 
+    def design_length(self, element: str) -> ca.SX:
+        """Length of ``"spring"`` or ``"damper"`` at design, m."""
+        design = self.end_of(element, "top") - self.end_of(element, "bottom")
+        return ca.sqrt(ca.dot(design, design))
+
+    @property
+    def damper_stands_apart(self) -> bool:
+        """Whether the damper has ends of its own."""
+        ends = (f"{element}_{end}" for element in ("spring", "damper") for end in ("bottom", "top"))
+        return any(getattr(self.rig.hardpoints, name) is not None for name in ends)
+
     def triple(self, path: str) -> ca.SX:
         """Three parameters ``path[0]`` to ``path[2]``."""
         return ca.vertcat(*(self.mechanism.parameter(f"{path}[{i}]") for i in range(3)))
@@ -59,8 +74,76 @@ class Described(ABC):
         return self.mechanism.parameter(path)
 
 
+@dataclass(frozen=True)
+class Stretch:
+    """Length of an element, its rate, and the length at design."""
+
+    length: ca.SX
+    rate: ca.SX
+    design: ca.SX
+
+    @property
+    def deflection(self) -> ca.SX:
+        """Design length minus length, m."""
+        return self.design - self.length
+
+
+@dataclass(frozen=True)
+class Line(Stretch):
+    """The line between the two ends of an element."""
+
+    bottom: Moving
+    top: Moving
+
+
+class Suspension(Described):
+    """A suspension whose points have their places in the axes of what carries it."""
+
+    mechanism: Mechanism
+    upright: Body  # carries the wheel
+
+    @abstractmethod
+    def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:
+        """Give a point or a direction, by its formula or by its name."""
+
+    @abstractmethod
+    def line(self, element: str) -> Stretch:
+        """Give the length of ``"spring"`` or ``"damper"``."""
+
+    @abstractmethod
+    def push(self, line: Stretch, force: ca.SX) -> None:
+        """Let a force (N) push the ends of an element apart."""
+
+    @property
+    @abstractmethod
+    def mass(self) -> ca.SX:
+        """Mass of all its bodies, kg."""
+
+    @property
+    @abstractmethod
+    def carrier(self) -> Carrier:
+        """What the suspension's axes belong to: the ground, or the body it hangs on."""
+
+    @property
+    def spin_axis(self) -> ca.SX:
+        """Axis of the wheel at design, pointing outboard."""
+        camber, toe = self.number("wheel.camber"), self.number("wheel.toe")
+        level = ca.cos(camber)
+        return ca.vertcat(ca.sin(toe) * level, self.side * ca.cos(toe) * level, -ca.sin(camber))
+
+    @property
+    def wheel_centre(self) -> Moving:
+        """The wheel's centre."""
+        return self.moving("wheel_centre", lambda whole: whole.upright.frame.point(whole.hardpoint("wheel_centre")))
+
+    @property
+    def spin_direction(self) -> Moving:
+        """The wheel's axis, pointing outboard, as it moves with the upright."""
+        return self.moving("spin_direction", lambda whole: whole.upright.frame.direction(whole.spin_axis))
+
+
 @dataclass
-class Linkage(Described):
+class Linkage(Suspension):
     """A suspension under construction: the mechanism, its bodies by name, and what the templates say of them."""
 
     rig: Corner
@@ -79,6 +162,30 @@ class Linkage(Described):
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has its pose
         """Give a quantity of the pose by its formula."""
         return formula(self)
+
+    def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:  # noqa: ARG002
+        """Give a point or a direction by its formula."""
+        return formula(self)
+
+    def line(self, element: str) -> Line:
+        """Give the line of ``"spring"`` or ``"damper"``."""
+        bottom, top = self.end_of(element, "bottom"), self.end_of(element, "top")
+        lower, upper = self.carriers[self.rig.strut.on].frame.point(bottom), self.chassis.frame.point(top)
+        reach = upper - lower
+        length = self.of_pose(f"{element}.length", lambda _: ca.sqrt(ca.dot(reach.value, reach.value)))
+        return Line(length, ca.dot(reach.value, reach.rate) / length, self.design_length(element), lower, upper)
+
+    def push(self, line: Stretch, force: ca.SX) -> None:
+        """Let a force (N) push the ends of an element apart."""
+        assert isinstance(line, Line)
+        body = self.carriers[self.rig.strut.on]
+        self.mechanism.push_apart(self.chassis, body, line.top, line.bottom, force)
+
+    @property
+    def mass(self) -> ca.SX:
+        """Mass of all its bodies, kg."""
+        bodies = {body.name: body.mass_properties for body in self.carriers.values()}
+        return sum((each.mass for each in bodies.values() if each is not None), ca.SX(0.0))
 
     def body(self, name: str, path: str | None = None) -> Body:
         """Add the body that the description holds under ``bodies``."""
@@ -170,23 +277,6 @@ class Linkage(Described):
     def carrier(self) -> Carrier:
         """What the suspension's axes belong to: the ground, or the body it hangs on."""
         return self.chassis.carrier
-
-    @property
-    def spin_axis(self) -> ca.SX:
-        """Axis of the wheel at design, pointing outboard."""
-        camber, toe = self.number("wheel.camber"), self.number("wheel.toe")
-        level = ca.cos(camber)
-        return ca.vertcat(ca.sin(toe) * level, self.side * ca.cos(toe) * level, -ca.sin(camber))
-
-    @property
-    def wheel_centre(self) -> Moving:
-        """The wheel's centre."""
-        return self.upright.frame.point(self.hardpoint("wheel_centre"))
-
-    @property
-    def spin_direction(self) -> Moving:
-        """The wheel's axis, pointing outboard, as it moves with the upright."""
-        return self.upright.frame.direction(self.spin_axis)
 
 
 def guided(mechanism: Mechanism, guide: str) -> Body:

@@ -16,7 +16,7 @@ import casadi as ca
 from jounce.mechanics import Model, System
 from jounce.mechanics.driven import Driven, Quasistatic
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
-from jounce.models.attachments import Stretch, design_length, line_of, tyre_law, wheel_down
+from jounce.models.attachments import tyre_law, wheel_down
 from jounce.models.channels import show_tyre
 from jounce.models.corner import (
     add_both_alike,
@@ -26,7 +26,7 @@ from jounce.models.corner import (
     show_wheel,
     strut_forces,
 )
-from jounce.models.linkage import Described, Linkage, guided
+from jounce.models.linkage import Described, Linkage, Stretch, guided
 from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
@@ -52,12 +52,13 @@ class SampledCorner:
 
 
 @dataclass
-class _Watched(Linkage):
+class Watched(Linkage):
     """A linkage that keeps what is asked of its pose."""
 
     seen: dict[str, ca.SX] = field(default_factory=dict)
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
+        """Give a quantity of the pose by its formula."""
         self.seen[name] = formula(self)
         return self.seen[name]
 
@@ -67,7 +68,7 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     travel, heave = mechanism.track("travel"), mechanism.track("heave")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
-    linkage = build_linkage(rig, mechanism, guided(mechanism, "vertical"), rack=rack, kind=_Watched)
+    linkage = build_linkage(rig, mechanism, guided(mechanism, "vertical"), rack=rack, kind=Watched)
     height = mechanism.coordinate_named("sprung.distance")
     mechanism.condition("heave", height - heave.value)
     centre = linkage.wheel_centre
@@ -82,7 +83,12 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     masses = {MASS: up.T @ matrix @ up, MOMENTUM: up.T @ matrix @ one, INERTIA: one.T @ matrix @ one}
     body = linkage.number("sprung.mass")  # no part of what hangs on it
     quantities = {**{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()}, **linkage.seen}
-    output = along(ca.vertcat(*quantities.values()))
+    return sampled(mechanism, driven, quantities)
+
+
+def sampled(mechanism: Quasistatic, driven: Driven, quantities: dict[str, ca.SX]) -> SampledCorner:
+    """Make the functions that sample quantities of a driven pose, rates in them those of unit travel rate."""
+    output = driven.along(0)(ca.vertcat(*quantities.values()))
     made = {"pose": driven.pose(), "output": output}
     used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*made.values()))}
     parameters = {path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used}
@@ -100,16 +106,16 @@ def sampled_corner(rig: Corner) -> SampledCorner:
         slopes = ca.cse(ca.densify(driven.followed(output, numbers, change)))
         return ca.Function("tangent", [ca.vertcat(arguments[0], change), *arguments[1:]], [slopes])
 
-    tracks = ("travel", "heave", "rack")[: len(driven.tracks)]
+    tracks = tuple(track.value.name() for track in driven.tracks)
     named = tuple(quantities), tracks, tuple(parameters), tuple(driven.statics.start)
     return SampledCorner(functions["pose"], functions["output"], *named, tangent)
 
 
-def _see(linkage: _Watched) -> None:
+def _see(linkage: Watched) -> None:
     """Ask for all that the reduced corner asks for."""
-    line_of(linkage, "spring")
-    if _damper_stands_apart(linkage.rig):
-        line_of(linkage, "damper")
+    linkage.line("spring")
+    if linkage.damper_stands_apart:
+        linkage.line("damper")
     add_torsion_bar(linkage)
     add_both_alike(linkage)
     show_wheel(linkage)
@@ -117,13 +123,6 @@ def _see(linkage: _Watched) -> None:
         up = -wheel_down(linkage)
         linkage.of_pose("tyre.upright", lambda _: up[2])
         linkage.of_pose("tyre.lever", lambda whole: ca.dot(up, whole.wheel_centre.rate))
-
-
-def _damper_stands_apart(rig: Corner) -> bool:
-    """Tell whether the damper has ends of its own."""
-    points = rig.hardpoints
-    ends = (f"{element}_{end}" for element in ("spring", "damper") for end in ("bottom", "top"))
-    return any(getattr(points, name) is not None for name in ends)
 
 
 @dataclass
@@ -152,8 +151,8 @@ class _Tabulated(Described):
 
     def stretch(self, element: str) -> Stretch:
         """Length of the spring or the damper."""
-        length = self.quantity(f"{element if _damper_stands_apart(self.rig) else 'spring'}.length")
-        return Stretch(length, self.mechanism.rate_of(length), design_length(self, element))
+        length = self.quantity(f"{element if self.damper_stands_apart else 'spring'}.length")
+        return Stretch(length, self.mechanism.rate_of(length), self.design_length(element))
 
 
 @dataclass(frozen=True)

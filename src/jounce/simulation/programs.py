@@ -42,6 +42,7 @@ def plain_program(model: Model) -> Program:
 
     ``slopes`` takes lanes of (states, inputs) behind the states, and gives the lanes of ``SLOPES``.
     """
+    turns_linear = bool(model.switches) and model.facts.linear_without is not None
     generic, model = model.generic, model.generic.model if model.generic else model
     dx, du = (ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xu")
     along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
@@ -58,7 +59,7 @@ def plain_program(model: Model) -> Program:
     else:
         functions["slopes"] = hoisted.lanes("slopes", model, ca.vertcat(dx, du), lanes, 0)
     functions |= hoisted.derived(0)
-    if model.switches and model.facts.linear_without is not None:
+    if turns_linear:
         functions["switch_many"] = hoisted.function("switch", model)
     n = model.x.shape[0]
     step = Step("rate", n, n, model.u.shape[0], model.switch.shape[0])

@@ -8,10 +8,9 @@ full mechanism has to be asked.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -22,7 +21,7 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.kernel.native import Native, Source, kept_code
-from jounce.kernel.poses import Walk, space_for, walk_poses, walk_variants
+from jounce.kernel.poses import space_for, walk_poses
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
 from jounce.parts import Rig
 from jounce.parts.corners import Corner
@@ -31,78 +30,44 @@ from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_described, sources
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.result import Solution, held_to_its_branch
+from jounce.simulation.sampled import (
+    BESIDE,
+    COARSEST,
+    DEGREES,
+    FLAT,
+    OFF,
+    ROUNDINGS,
+    SHARE,
+    SHOWN,
+    STEPS_SHARE,
+    TIGHTEST,
+    TRIES,
+    TURNED,
+    Sampling,
+    Table,
+    basis,
+    first_range,
+    may_reduce,
+    sampling_of,
+)
 from jounce.simulation.settings import RunSettings
 
 if TYPE_CHECKING:
     from jounce.mechanics.model import Model
+    from jounce.models.reduced import SampledCorner
 
-DEGREES = (10, 18)
-"""Of the polynomials; the second where a wheel travels far or the tolerance is tight."""
-_SHARE = 1e-3  # of the tolerance, that a lever or a mass may be wrong by: the static load counts a hundred motions
-_SHOWN = 0.1  # the same for a channel that nothing feels
-_SLOPES_SHARE = 0.1  # the same for the change of a lever or a mass with a number of the description
-_ROUNDINGS = 8.0 * float(np.finfo(float).eps)  # of a slope of a quantity at a pose, relative
+_SLOPES_SHARE = 0.1  # of the tolerance, that the change of a lever or a mass with a number may be wrong by
 _UNFELT = 1e-4  # relative change of any quantity by a unit (SI) of a number, below which its error counts as that of it
-_TIGHTEST = 1e-7
-_COARSEST = 5e-3  # s: between samples farther apart a wheel may leave the range and come back unseen
-STEPS_SHARE = 0.9
-"""Of the tolerance, that is left for the integration."""
-_NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: the range of travel on either side to begin with
-_BESIDE = 0.25  # share of the range that a wheel has used, by which it becomes wider on either side
-_FLAT = 1e-3  # slope (1, rad/m) of a quantity below which its error counts as that of this slope
-_OFF = 0.5  # share of the range, by which the pose at rest may lie off its middle
-_TRIES = 3
 _LANES = 8  # numbers of a description whose slopes are computed at once
-_TURNED = 0.5  # rad
 _RACK = "steering.rack_travel"
 _MASSES = ("mass", "momentum", "inertia")
 
 
-class Basis(NamedTuple):
-    """Points from -1 to 1, what makes Chebyshev coefficients of values there, and powers of the first of them."""
-
-    points: Array
-    coefficients: Array
-    powers: Array
-    squares: Array
-
-
-@cache
-def basis(degree: int) -> Basis:
-    """Points and matrices of a degree: twice as many points as coefficients that are kept."""
-    count = 2 * (degree + 1)
-    angles = np.pi * (np.arange(count)[::-1] + 0.5) / count
-    orders = np.arange(count)
-    made = 2.0 / count * np.cos(orders[:, None] * angles)
-    made[0] *= 0.5
-    powers = np.zeros((degree + 1, degree + 1))
-    for k in range(degree + 1):
-        powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(np.eye(degree + 1)[k])[: k + 1]
-    return Basis(np.cos(angles), made, powers, orders.astype(float) ** 2)
-
-
-class Table(NamedTuple):
-    """Numbers of a reduced corner for one range of travel (m), and the bound of their relative error."""
-
-    low: float
-    high: float
-    numbers: Array
-    error: float
-
-
 @dataclass(frozen=True)
-class Reduction:
-    """Corners of one structure, reduced: what samples their poses, and the model with polynomials of each degree.
-
-    ``names`` are the quantities sampled, the mass first; ``tracks``, ``parameters`` and ``start`` belong to the poses.
-    """
+class Reduction(Sampling):
+    """Corners of one structure, reduced: what samples their poses, and the model with polynomials of each degree."""
 
     rig: Corner
-    native: Native
-    names: tuple[str, ...]
-    tracks: tuple[str, ...]
-    parameters: tuple[str, ...]
-    start: Array
     placed: dict[int, _Places] = field(default_factory=dict)
 
     def compiled(self, degree: int) -> Compiled:
@@ -154,14 +119,14 @@ class Reduction:
         """
         points, made, powers, squares = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
-        values = self._sampled(p, rack, middle + half * points)
+        values = self.sampled(p, rack, middle + half * points)
         series = values[1:] @ made.T
         kept, left = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
         size = self._sizes(kept, half)
         # Forces and masses feel the slope of a quantity, channels the quantity itself.
-        felt, shown = left @ squares[degree + 1 :], _SHARE / _SHOWN * left.sum(axis=-1)
+        felt, shown = left @ squares[degree + 1 :], SHARE / SHOWN * left.sum(axis=-1)
         errors = np.where(self.only_shown[:, None], shown, felt) / size
-        turned = self.only_shown[:, None] & ((kept[..., 1:].sum(axis=-1) > _TURNED) | (kept[..., 0] > _TURNED))
+        turned = self.only_shown[:, None] & ((kept[..., 1:].sum(axis=-1) > TURNED) | (kept[..., 0] > TURNED))
         errors[turned] = np.inf  # a wheel that turns so far may flip over, which the mechanism finds out
         coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
@@ -172,31 +137,10 @@ class Reduction:
 
         ``kept`` are the sizes of its coefficients along the last axis.
         """
-        levers = np.maximum(kept[..., 1:].sum(axis=-1), _FLAT * half)
+        levers = np.maximum(kept[..., 1:].sum(axis=-1), FLAT * half)
         size = np.where(self.are_factors.reshape(-1, *[1] * (kept.ndim - 2)), kept[..., 0], levers)
         size[0] = size[1]  # momentum and inertia belong to one matrix
         return size
-
-    def _walk(self, p: Array, rack: float, travel: Array) -> tuple[Walk, NDArray[np.intp]]:
-        """The way to poses at ascending travels (m), and the place of each of its targets among them."""
-        up, down = np.flatnonzero(travel >= 0.0), np.flatnonzero(travel < 0.0)[::-1]  # from design to both sides
-        place = np.concatenate([up, down])
-        targets = np.zeros((len(travel), len(self.tracks)))
-        targets[:, 0] = travel[place]
-        if len(self.tracks) > 2:  # travel and height of the body, then the rack
-            targets[:, 2] = rack
-        before = np.arange(-1, len(travel) - 1, dtype=np.int64)
-        before[len(up) : len(up) + 1] = -1
-        address, origin = self.native.address, np.zeros(len(self.tracks))
-        return Walk(address["pose"], address["output"], p, self.start, origin, targets, before), place
-
-    def _sampled(self, p: Array, rack: float, travel: Array) -> Array:
-        """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
-        walk, place = self._walk(p[0].copy(), rack, travel)
-        values = np.empty((len(self.names), len(p), len(travel)))
-        every = np.arange(len(self.names), dtype=np.int64)
-        walk_variants(walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values)
-        return values
 
     def slopes(self, table: Table, degree: int, p: Array, rack: float, free: Sequence[str]) -> tuple[Array, float]:
         """How the numbers of a table change with numbers of the description, a column each; and bound its error.
@@ -210,7 +154,7 @@ class Reduction:
         moves, series = along[1:] @ made.T, values[1:] @ made.T
         kept, left = np.abs(moves[..., : degree + 1]), np.abs(moves[..., degree + 1 :])
         size = self._sizes(np.abs(series[..., : degree + 1]), half)[:, None]
-        rounding = _ROUNDINGS * np.abs(along[1:]).max(axis=-1)
+        rounding = ROUNDINGS * np.abs(along[1:]).max(axis=-1)
         felt = np.maximum(left @ squares[degree + 1 :] - rounding * squares[degree + 1 :].sum(), 0.0) / size
         shown = np.maximum(left.sum(axis=-1) - rounding * len(points), 0.0)
         first = np.where(self.are_factors, 0, 1)  # a constant in a length moves nothing but what it is added to
@@ -218,7 +162,7 @@ class Reduction:
         largest = (changes / size)[~self.only_shown].max(axis=0)
         errors = np.where(
             self.only_shown[:, None],
-            _SLOPES_SHARE / _SHOWN * shown / np.maximum(kept.sum(axis=-1), _UNFELT),
+            _SLOPES_SHARE / SHOWN * shown / np.maximum(kept.sum(axis=-1), _UNFELT),
             felt / np.maximum(largest, _UNFELT),
         )
         numbers = np.zeros((len(table.numbers), len(free)))
@@ -228,7 +172,7 @@ class Reduction:
 
     def _along(self, p: Array, rack: float, travel: Array, free: Sequence[str]) -> tuple[Array, Array]:
         """Quantities at ascending travels, and their slopes along numbers: shape (quantities, numbers, travels)."""
-        walk, place = self._walk(p, rack, travel)
+        walk, place = self.walk(p, rack, travel)
         found, work = space_for(walk, len(self.names))
         walk_poses(walk, found, work)
         tracks, count, poses = len(self.tracks), len(self.names), len(travel)
@@ -309,12 +253,7 @@ _reductions: dict[str, Reduction | None] = {}
 
 def reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> Reduction | None:
     """Give the reduction of a rig where runs on a trial may be reduced; None where the mechanism has to run."""
-    # Below this tolerance rounding alone is more than a table may be wrong by.
-    if settings.method != "auto" or settings.tolerance < _TIGHTEST or settings.output_step > _COARSEST:
-        return None
-    if trial.actuator_force is not None:
-        return None
-    return reduction_of(rig)
+    return reduction_of(rig) if may_reduce(trial, settings) else None
 
 
 def reduction_of(rig: Rig) -> Reduction | None:
@@ -328,17 +267,13 @@ def reduction_of(rig: Rig) -> Reduction | None:
 
 
 def _reduction(rig: Corner, structure: str) -> Reduction:
-    def source() -> Source:
+    def make() -> SampledCorner:
         from jounce.models.reduced import sampled_corner
 
-        made = sampled_corner(rig)
-        notes = {"names": made.names, "tracks": made.tracks, "parameters": made.parameters, "start": made.start}
-        return Source({"pose": made.pose, "output": made.output}, None, json.dumps(notes))
+        return sampled_corner(rig)
 
-    native, notes = kept_code(f"{sources()} sampled {type(rig).__name__} {structure}", source)
-    told = json.loads(notes)
-    names, tracks, parameters = (tuple(told[name]) for name in ("names", "tracks", "parameters"))
-    return Reduction(rig, native, names, tracks, parameters, np.array(told["start"], dtype=float))
+    made = sampling_of(f"sampled {type(rig).__name__} {structure}", make)
+    return Reduction(made.native, made.names, made.tracks, made.parameters, made.start, rig)
 
 
 def _sensitive(rig: Corner, structure: str, degree: int, moved: tuple[str, ...], count: int) -> Compiled:
@@ -401,7 +336,7 @@ class ReducedCorner:
     def run(self) -> tuple[Solution, Prepared] | None:
         """Run it, over a wider range of travel where the wheel leaves the first; None where that does not do."""
         laid_out = self.lay_out()
-        for _ in range(_TRIES):
+        for _ in range(TRIES):
             if laid_out is None:
                 return None
             solution = laid_out.prepared.run()
@@ -411,20 +346,20 @@ class ReducedCorner:
             if laid_out.holds(solution.states):
                 return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
             low, high = laid_out.travelled(solution.states)
-            wider = _BESIDE * (high - low)
+            wider = BESIDE * (high - low)
             laid_out = self.over(float(low - wider), float(high + wider))
         return None
 
     @property
     def limit(self) -> float:
         """How large the error of a table may be."""
-        return _SHARE * self.tolerance
+        return SHARE * self.tolerance
 
     def lay_out(self) -> ReducedRun | None:
         """Lay out a run for a range about the pose at rest; None where no polynomials do, or nothing comes to rest."""
-        around = min(_NARROW + _FOLLOWED * max(signal.extent for signal in self.signals), _WIDE)
+        around = first_range(max(signal.extent for signal in self.signals))
         about_design = self.over(-around, around)
-        if about_design is None or abs(about_design.rest) < _OFF * around:
+        if about_design is None or abs(about_design.rest) < OFF * around:
             return about_design
         return self.over(about_design.rest - around, about_design.rest + around)
 
@@ -480,7 +415,7 @@ def with_slopes(
     ``values`` are the numbers of the description, of which some are ``free``; ``signals`` has every track.
     """
     longest = float(np.diff(times).max(initial=0.0))
-    if longest > _COARSEST or tolerance < _TIGHTEST or trial.actuator_force is not None or not free:
+    if longest > COARSEST or tolerance < TIGHTEST or trial.actuator_force is not None or not free:
         return None
     reduction = reduction_of(rig)
     if reduction is None or not all(map(reduction.feels, free)):

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import SimulationError, nearest
+from jounce.core.segments import Segments
 from jounce.core.types import Array
+from jounce.mechanics.facts import Facts
 from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import recording
 from jounce.roads import Trial
@@ -149,14 +151,20 @@ def solved(
 
 
 def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> Solved | None:
-    """Run a corner by its one internal coordinate; None where that does not do, and the full mechanism has to run."""
-    from jounce.simulation.reduced import DEGREES, ReducedCorner, reduction_for
+    """Run corners by one coordinate each; None where that does not do, and the full mechanism has to run."""
+    from jounce.simulation.reduced import ReducedCorner, reduction_for
+    from jounce.simulation.reduced_car import ReducedCar, car_reduction_for
+    from jounce.simulation.sampled import DEGREES
 
-    reduction = reduction_for(rig, trial, settings)
-    if reduction is None:
+    def course(facts: Facts) -> tuple[dict[str, float], list[Segments], Array, float]:
+        return rig.parameters(), excitation(facts, rig, trial), times, settings.tolerance
+
+    if (corner := reduction_for(rig, trial, settings)) is not None:
+        found = ReducedCorner(corner, *course(corner.compiled(DEGREES[0]).facts)).run()
+    elif (car := car_reduction_for(rig, trial, settings)) is not None:
+        found = ReducedCar(car, *course(car.compiled(DEGREES[0]).facts)).run()
+    else:
         return None
-    signals = excitation(reduction.compiled(DEGREES[0]).facts, rig, trial)
-    found = ReducedCorner(reduction, rig.parameters(), signals, times, settings.tolerance).run()
     if found is None:
         return None
     return _solved(found[1].compiled, found[0], len(times))

@@ -36,9 +36,9 @@ class RunSettings:
     method : {"auto", "explicit", "implicit"}
         How to integrate: explicitly, with steps as small as the fastest motion asks, or implicitly, where that motion
         is stiff and matters little. ``"auto"`` takes what is likely to be faster, propagates exactly what is linear
-        between its switches, and runs a corner that only travels as one coordinate of its body (``"reduced explicit"``,
-        ``"reduced implicit"``); asked for by name, both run the whole mechanism. ``attrs["method"]`` of a run says
-        which ran.
+        between its switches, and runs corners that only travel, alone or four of them under a car, as one coordinate
+        of their body each (``"reduced explicit"``, ``"reduced implicit"``); asked for by name, both run the whole
+        mechanism. ``attrs["method"]`` of a run says which ran.
 
     Raises
     ------

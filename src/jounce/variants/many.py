@@ -25,8 +25,10 @@ from jounce.roads.trial import is_lasting
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
-from jounce.simulation.reduced import STEPS_SHARE, ReducedCorner, Reduction, reduction_for
+from jounce.simulation.reduced import ReducedCorner, Reduction, reduction_for
+from jounce.simulation.reduced_car import CarReduction, ReducedCar, car_reduction_for
 from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, samples_reached, turns_little
+from jounce.simulation.sampled import STEPS_SHARE
 from jounce.simulation.settings import RunSettings
 from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
@@ -202,6 +204,11 @@ class Study:
     def reduction(self) -> Reduction | None:
         """The rig by its one internal coordinate, where it has one and runs may be made by it."""
         return reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
+
+    @cached_property
+    def car(self) -> CarReduction | None:
+        """The same of a car, with a coordinate for each wheel."""
+        return car_reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
 
     @cached_property
     def units(self) -> dict[str, str]:
@@ -569,12 +576,16 @@ class _Group:
         return solution.outputs, compiled.evaluate("output", at.x, prepared.still, p, at.modes)
 
     def _reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
-        """The same by the one internal coordinate of a corner; None where that does not do."""
+        """The same by one coordinate for each corner; None where that does not do."""
         study = self.study
-        if study.reduction is None:
-            return None
         values = dict(zip(study.compiled.facts.parameters, p.tolist(), strict=True))
-        found = ReducedCorner(study.reduction, values, signals, times, study.settings.tolerance).run()
+        course = values, signals, times, study.settings.tolerance
+        if study.reduction is not None:
+            found = ReducedCorner(study.reduction, *course).run()
+        elif study.car is not None:
+            found = ReducedCar(study.car, *course).run()
+        else:
+            return None
         if found is None:
             return None
         solution, prepared = found

@@ -10,6 +10,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import jounce as jn
+from jounce.mechanics.bodies import RigidMass
+from jounce.mechanics.carrier import Carried, CarriedMasses, Shifting, TravellingMasses
 
 TENSOR = (0.5, 0.7, 0.4, 0.05, -0.1, 0.08)
 FIELD, PUSH = (0.7, -1.3, -9.81), (30.0, -50.0, 400.0)
@@ -197,3 +199,50 @@ def test_heights_and_directions_are_those_of_the_ground() -> None:
     for watch in (lambda: mechanism.watch_body(upright), lambda: mechanism.watch_point("p", upright, (0.0, 0.0, 0.0))):
         with pytest.raises(jn.AssemblyError, match=r"not for what hangs in a moving frame; found 'left\.upright'"):
             watch()
+
+
+def test_masses_that_one_coordinate_moves_weigh_as_their_bodies():
+    """Arm and tip as two bodies, and as functions of the hinge's angle: inertia, and what steady speeds leave of it."""
+    mechanism = jn.mechanics.Mechanism(gravity=9.81)
+    body = mechanism.body("body", 5.0, (0.1, 0.0, 0.3), (1.0, 2.0, 1.5))
+    mechanism.free("body", body)
+    frame = mechanism.moving_frame(body, ca.SX([*FIELD]))
+    arm = mechanism.body("arm", 0.8, (0.0, 0.4, 0.1), TENSOR)
+    tip = mechanism.body("tip", 0.3, (0.1, 0.7, 0.3), TENSOR)
+    angle = mechanism.revolute("hinge", frame, arm, at=(0.0, 0.2, 0.1), axis=ARM_AXIS)
+    mechanism.fixed("weld", arm, tip)
+    carrier, v, q = frame.carrier, mechanism.collection.v, mechanism.collection.q
+    speed = mechanism.rate_of(angle)
+    moment, angular, tensor, energy = ca.SX(3, 1), ca.SX(3, 1), ca.SX(3, 3), ca.SX(0.0)
+    bodies = []
+    for one in (arm, tip):
+        mass, design, inertia = (getattr(one.mass_properties, name) for name in ("mass", "centre", "inertia"))
+        centre, orientation = one.frame.point(design), one.frame.orientation
+        bodies.append(Carried(mass, centre, orientation, inertia, RigidMass(one.frame, one.mass_properties)))
+        place, turned = carrier.arm(centre.value), orientation.turned(inertia)
+        rate, spin = (ca.substitute(each, speed, 1.0) for each in (centre.rate, orientation.ground_spin))
+        moment += mass * place
+        angular += mass * ca.cross(place, rate) + turned @ spin
+        tensor += turned + mass * (ca.dot(place, place) * ca.SX.eye(3) - place @ place.T)
+        energy += mass * ca.dot(rate, rate) + ca.dot(spin, turned @ spin)
+
+    def shifting(value: ca.SX) -> Shifting:
+        return Shifting(value, ca.reshape(ca.jacobian(value, angle), value.shape))
+
+    first, total = shifting(moment), sum(one.mass for one in bodies)
+    momenta = (first, shifting(first.slope), shifting(angular), shifting(tensor), shifting(energy))
+    both = CarriedMasses(carrier, bodies), TravellingMasses(carrier, speed, total, *momenta)
+    p = ca.vertcat(*mechanism.collection.parameters.values())
+    f = ca.Function("f", [q, v, p], [part for one in both for part in (one.matrix(v), one.bias(v))])
+    random = np.random.default_rng(3)
+    values = np.array([mechanism.values[path] for path in mechanism.parameters])
+    for _ in range(3):
+        turn = random.normal(size=4)
+        found = f(
+            np.concatenate([random.normal(size=3), turn / np.linalg.norm(turn), random.normal(size=1)]),
+            random.normal(size=7),
+            values,
+        )
+        matrix, bias, other, rest = (each.full() for each in found)
+        assert np.max(np.abs(matrix - other)) < 1e-13 * np.max(np.abs(matrix))
+        assert np.max(np.abs(bias - rest)) < 1e-13 * np.max(np.abs(bias))

@@ -1,0 +1,302 @@
+"""Runs of a full car on 3-D corners whose wheels are one coordinate each; see ``reduced`` for single corners.
+
+Every corner has a table of its own: polynomials of its travel, from poses that are sampled when the run is prepared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from jounce.core.errors import SimulationError
+from jounce.core.segments import Segments
+from jounce.core.types import Array
+from jounce.kernel.engine import Status
+from jounce.mechanics.facts import HALF, MIDDLE, is_road, of_travel, speed_of
+from jounce.parts import Rig
+from jounce.parts.corners import Corner
+from jounce.parts.rig import structure_of
+from jounce.parts.vehicles import FullCar3D
+from jounce.roads import Trial
+from jounce.simulation.compiled import Compiled, compile_described
+from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.result import Solution, held_to_its_branch
+from jounce.simulation.sampled import (
+    BESIDE,
+    DEGREES,
+    FLAT,
+    OFF,
+    ROUNDINGS,
+    SHARE,
+    SHOWN,
+    STEPS_SHARE,
+    TRIES,
+    TURNED,
+    Sampling,
+    Table,
+    basis,
+    first_range,
+    may_reduce,
+    sampling_of,
+)
+from jounce.simulation.settings import RunSettings
+from jounce.simulation.statics import find_equilibrium
+
+if TYPE_CHECKING:
+    from jounce.mechanics.model import Model
+    from jounce.models.reduced import SampledCorner
+
+_ENDS, _SIDES = {"front": 1.0, "rear": -1.0}, {"left": 1.0, "right": -1.0}
+PLACES = tuple(f"{end}_{side}" for end in _ENDS for side in _SIDES)
+"""Of the corners, in the order of the model."""
+
+Ranges = tuple[tuple[float, float], ...]
+"""Of the travel (m) of each corner."""
+
+
+class _Places(NamedTuple):
+    """Numbers of a vehicle, and those of the tables, among the parameters of a model; names of a table's quantities."""
+
+    given: dict[str, int]
+    own: list[list[int]]
+    names: list[list[str]]
+
+
+@dataclass(frozen=True)
+class CarReduction:
+    """Cars of one structure, reduced: what samples the corners of each axle, and the model of each degree."""
+
+    rig: FullCar3D
+    axles: Mapping[str, Sampling]
+    placed: dict[int, _Places] = field(default_factory=dict)
+
+    def compiled(self, degree: int) -> Compiled:
+        """Native code of the reduced car."""
+
+        def model() -> Model:
+            from jounce.models.reduced_car import reduced_car
+
+            return reduced_car(self.rig, degree)
+
+        return compile_described(("reduced", type(self.rig).__name__, structure_of(self.rig), degree), model)
+
+    def places(self, degree: int) -> _Places:
+        """Where numbers belong among the parameters of the model of a degree."""
+        if degree not in self.placed:
+            place = {path: i for i, path in enumerate(self.compiled(degree).facts.parameters)}
+            own, names = [], []
+            for corner in PLACES:
+                sampled = self.axles[corner.partition("_")[0]].names
+                asked = [name for name in sampled[1:] if f"{corner}.{of_travel(name, 0)[0]}" in place]
+                paths = [MIDDLE, HALF, *of_travel(sampled[0], 0)]
+                paths += [path for name in asked for path in of_travel(name, degree)]
+                own.append([place.pop(f"{corner}.{path}") for path in paths])
+                names.append(asked)
+            self.placed[degree] = _Places(place, own, names)
+        return self.placed[degree]
+
+    def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> Table | None:
+        """Sample the poses of a corner over a range of travel (m); None where it does not reach all of the range.
+
+        ``values`` are the numbers of the vehicle by path.
+        """
+        end = PLACES[which].partition("_")[0]
+        sampling, numbers = self.axles[end], self.numbers(values, which)
+        p = np.array([numbers[path] for path in sampling.parameters])
+        points, made, powers, _ = basis(degree)
+        middle, half = 0.5 * (high + low), 0.5 * (high - low)
+        rack = numbers.get("steering.rack_travel", 0.0)
+        sampled = dict(
+            zip(sampling.names, sampling.sampled(p[None, :], rack, middle + half * points)[:, 0], strict=True)
+        )
+        names = self.places(DEGREES[0]).names[which]
+        series = np.array([sampled[name] for name in names]) @ made.T
+        mass = float(sampled[sampling.names[0]][0])
+        error = error_of(getattr(self.rig, end).corner, names, series, degree, half, mass)
+        if not np.isfinite(series).all():
+            return None
+        return Table(low, high, np.array([middle, half, mass, *(series[:, : degree + 1] @ powers).ravel()]), error)
+
+    def numbers(self, values: Mapping[str, float], which: int) -> dict[str, float]:
+        """Numbers of a corner by path, and where it stands on the car; ``values`` are those of the vehicle."""
+        end, _, side = PLACES[which].partition("_")
+        before = f"{end}.corner."
+        found = {path.removeprefix(before): value for path, value in values.items() if path.startswith(before)}
+        found["ahead"] = _ENDS[end] * values[f"{end}.distance"] - found["hardpoints.wheel_centre[0]"]
+        found["turned"] = _SIDES[side]
+        centre = (0.0, 0.0, values["body.height"])
+        for i in range(3):  # the joint that the body turns about
+            found[f"origin[{i}]"] = values.get(f"body.joint[{i}]", centre[i])
+        return found
+
+
+def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half: float, mass: float) -> float:
+    """Bound the error of polynomials whose Chebyshev coefficients are ``series``, a row a quantity.
+
+    It is relative to what each quantity does to the car. ``half`` is half the range of travel (m), ``mass`` that of the
+    corner (kg).
+    """
+    orders = np.arange(series.shape[1], dtype=float)[degree + 1 :]
+    kept, left = np.abs(series[:, : degree + 1]), np.abs(series[:, degree + 1 :])
+    ways = np.maximum(kept[:, 1:].sum(axis=1), FLAT * half)
+    value, slope = left.sum(axis=1), left @ orders**2
+    beyond = np.maximum(left - ROUNDINGS * kept.max(axis=1, initial=0.0)[:, None], 0.0)
+    bend = beyond @ (orders**2 * (orders**2 - 1.0) / 3.0)
+    rows: dict[str, list[int]] = {}
+    for i, name in enumerate(names):
+        rows.setdefault(name if name.endswith((".length", ".angle")) else name.partition(".")[0], []).append(i)
+    worst, in_motion = 0.0, SHARE / SHOWN  # what no static load counts
+    for name, group in rows.items():
+        error, size = slope[group], kept[group, 0].max()
+        if name in ("inertia", "angular", "tensor"):
+            error = in_motion * slope[group]
+        elif name == "moment":  # by a metre it moves by the mass; its second derivative is felt, too
+            error, size = np.maximum(slope[group], in_motion * bend[group]), mass * half
+        elif name == "turning":
+            error, size = value[group], 1.0
+        elif name == "spin_direction":
+            turns = kept[[group[0], group[2]]]
+            if max(turns[:, 0].max(), turns[:, 1:].sum(axis=1).max()) > TURNED:
+                return float("inf")  # a wheel that turns so far may flip over, which the mechanism finds out
+            error, size = in_motion * value[group], ways[group].max()
+            if rig.tyre.law == "radial":
+                error, size = np.maximum(error / size, slope[group]), 1.0
+        elif name in ("wheel_centre", "arb_link_end", "third_spring_end"):
+            size = half
+        else:
+            size = ways[group].max()
+        worst = max(worst, float(np.max(error) / size))
+    return worst
+
+
+_reductions: dict[str, CarReduction | None] = {}
+
+
+def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduction | None:
+    """Give the reduction of a rig where runs on a trial may be reduced; None where the mechanism has to run."""
+    return car_reduction_of(rig) if isinstance(rig, FullCar3D) and may_reduce(trial, settings) else None
+
+
+def car_reduction_of(rig: FullCar3D) -> CarReduction | None:
+    """Give the reduction of a car; None where the poses of its corners are not told by one coordinate each."""
+    structure = structure_of(rig)
+    if structure not in _reductions:
+        corners = {end: getattr(rig, end).corner for end in _ENDS}
+        ideal = all(corner.only_travels for corner in corners.values())
+        sampled = {end: _sampling(corner) for end, corner in corners.items()} if ideal else {}
+        _reductions[structure] = CarReduction(rig, sampled) if ideal else None
+    return _reductions[structure]
+
+
+def _sampling(corner: Corner) -> Sampling:
+    def make() -> SampledCorner:
+        from jounce.models.reduced_car import sampled_suspension
+
+        return sampled_suspension(corner)
+
+    return sampling_of(f"sampled suspension {type(corner).__name__} {structure_of(corner)}", make)
+
+
+@dataclass(frozen=True)
+class CarRun:
+    """A run that is laid out, with the tables that it holds for."""
+
+    prepared: Prepared
+    ranges: Ranges
+
+    def travelled(self, which: int, states: Array) -> tuple[float, float]:
+        """Bounds of a corner's travel (m) at and between the samples."""
+        facts, name = self.prepared.compiled.facts, f"{PLACES[which]}.travel"
+        travel, rate = states[facts.states.index(name)], np.abs(states[facts.states.index(speed_of(name))])
+        between = float(rate.max() * np.diff(self.prepared.out.times).max(initial=0.0))
+        return float(travel.min()) - between, float(travel.max()) + between
+
+
+@dataclass(frozen=True)
+class ReducedCar:
+    """A car with its numbers, on a course: signals of the tracks, sample times (s) and tolerance."""
+
+    reduction: CarReduction
+    values: Mapping[str, float]
+    signals: Sequence[Segments]
+    times: Array
+    tolerance: float
+    tables: dict[tuple[int, float, float, int], Table | None] = field(default_factory=dict)
+
+    def run(self) -> tuple[Solution, Prepared] | None:
+        """Run it, over wider ranges of travel where wheels leave the first; None where that does not do."""
+        laid_out = self.lay_out()
+        for _ in range(TRIES):
+            if laid_out is None:
+                return None
+            solution = laid_out.prepared.run()
+            if solution.status is not Status.COMPLETED:
+                return None
+            if held_to_its_branch(laid_out.prepared.compiled, solution) is not solution:
+                return None
+            wanted = []
+            for which, (low, high) in enumerate(laid_out.ranges):
+                least, most = laid_out.travelled(which, solution.states)
+                wider = BESIDE * (most - least)
+                wanted.append((low, high) if low <= least and most <= high else (least - wider, most + wider))
+            if tuple(wanted) == laid_out.ranges:
+                return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
+            laid_out = self.over(tuple(wanted))
+        return None
+
+    def lay_out(self) -> CarRun | None:
+        """Lay out a run for ranges about the pose at rest; None where no polynomials do, or nothing comes to rest."""
+        compiled = self.reduction.compiled(DEGREES[0])
+        courses = dict(zip(compiled.facts.tracks, self.signals, strict=True))
+        leaning = any(not is_road(name) and signal.extent > 0.0 for name, signal in courses.items())
+        road = max(signal.extent for name, signal in courses.items() if is_road(name))
+        around = first_range(np.inf if leaning else road)
+        about_design = ((-around, around),) * len(PLACES)
+        found = self._numbers(about_design)
+        if found is None:
+            return None
+        compiled, p = found
+        still = compiled.inputs({name: float(each.evaluate(self.times[:1])[0][0]) for name, each in courses.items()})
+        try:
+            x = find_equilibrium(compiled, p, still).x
+        except SimulationError:  # the full mechanism says why
+            return None
+        rests = [float(x[compiled.facts.states.index(f"{place}.travel")]) for place in PLACES]
+        if max(map(abs, rests)) < OFF * around:
+            return self.over(about_design)
+        return self.over(tuple((rest - around, rest + around) for rest in rests))
+
+    def over(self, ranges: Ranges) -> CarRun | None:
+        """Lay out a run for ranges of travel, m."""
+        found = self._numbers(ranges)
+        if found is None:
+            return None
+        try:
+            return CarRun(prepare(*found, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance), ranges)
+        except SimulationError:
+            return None
+
+    def _numbers(self, ranges: Ranges) -> tuple[Compiled, Array] | None:
+        """Model of the lowest degree that does for all ranges, and its parameters."""
+        for degree in DEGREES:
+            tables = [self._table(which, *each, degree) for which, each in enumerate(ranges)]
+            found = [table for table in tables if table is not None]
+            if len(found) < len(tables):
+                return None
+            if max(table.error for table in found) <= SHARE * self.tolerance:
+                compiled, places = self.reduction.compiled(degree), self.reduction.places(degree)
+                p = np.empty(len(compiled.facts.parameters))
+                p[list(places.given.values())] = [self.values[path] for path in places.given]
+                for place, table in zip(places.own, found, strict=True):
+                    p[place] = table.numbers
+                return compiled, p
+        return None
+
+    def _table(self, which: int, low: float, high: float, degree: int) -> Table | None:
+        key = which, low, high, degree
+        if key not in self.tables:
+            self.tables[key] = self.reduction.table(self.values, which, low, high, degree)
+        return self.tables[key]

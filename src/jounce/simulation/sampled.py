@@ -1,0 +1,139 @@
+"""Poses of a suspension sampled over its travel, and polynomials through what is seen of them.
+
+Samples are taken at Chebyshev points of a range of travel, each pose exact to rounding. A polynomial keeps the first
+coefficients; those that follow, sampled as well, bound what it leaves out.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.types import Array
+from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.poses import Walk, space_for, walk_variants
+from jounce.roads import Trial
+from jounce.simulation.compiled import sources
+from jounce.simulation.settings import RunSettings
+
+if TYPE_CHECKING:
+    from jounce.models.reduced import SampledCorner
+
+
+DEGREES = (10, 18)
+"""Of the polynomials; the second where a wheel travels far or the tolerance is tight."""
+SHARE, SHOWN = 1e-3, 0.1
+"""Of the tolerance, that a lever or a mass may be wrong by, as the static load counts a hundred motions; and what no
+static load feels, or nothing at all, such as a channel."""
+STEPS_SHARE = 0.9
+"""Of the tolerance, that is left for the integration."""
+TIGHTEST, COARSEST = 1e-7, 5e-3
+"""Tolerance below which rounding alone is more than a table may be wrong by; distance of samples (s), above which a
+wheel may leave its range and come back unseen."""
+ROUNDINGS = 8.0 * float(np.finfo(float).eps)
+"""Of a quantity or its slope at a pose, relative."""
+FLAT, TURNED = 1e-3, 0.5
+"""Slope (1, rad/m) of a quantity below which its error counts as that of this slope; angle (rad) of a wheel, beyond
+which it may flip over, as the mechanism finds out."""
+BESIDE, OFF, TRIES = 0.25, 0.5, 3
+"""Share of the range that a wheel has used, by which the next one is wider on either side; share of the range, by which
+the pose at rest may lie off its middle; how many ranges are tried."""
+_NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: the range of travel on either side to begin with
+
+
+def first_range(road: float) -> float:
+    """Range of travel (m) on either side to begin with, for a road that rises so far (m)."""
+    return min(_NARROW + _FOLLOWED * road, _WIDE)
+
+
+def may_reduce(trial: Trial, settings: RunSettings) -> bool:
+    """Tell whether runs on a trial may be reduced, whatever runs."""
+    fine = settings.tolerance >= TIGHTEST and settings.output_step <= COARSEST
+    return settings.method == "auto" and fine and trial.actuator_force is None
+
+
+class Table(NamedTuple):
+    """Numbers of a reduced corner for one range of travel (m), and the bound of their relative error."""
+
+    low: float
+    high: float
+    numbers: Array
+    error: float
+
+
+class Basis(NamedTuple):
+    """Points from -1 to 1, what makes Chebyshev coefficients of values there, and powers of the first of them."""
+
+    points: Array
+    coefficients: Array
+    powers: Array
+    squares: Array
+
+
+@cache
+def basis(degree: int) -> Basis:
+    """Points and matrices of a degree: twice as many points as coefficients that are kept."""
+    count = 2 * (degree + 1)
+    angles = np.pi * (np.arange(count)[::-1] + 0.5) / count
+    orders = np.arange(count)
+    made = 2.0 / count * np.cos(orders[:, None] * angles)
+    made[0] *= 0.5
+    powers = np.zeros((degree + 1, degree + 1))
+    for k in range(degree + 1):
+        powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(np.eye(degree + 1)[k])[: k + 1]
+    return Basis(np.cos(angles), made, powers, orders.astype(float) ** 2)
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """What samples the poses of suspensions of one structure.
+
+    ``names`` are the quantities sampled, the mass first; ``tracks``, ``parameters`` and ``start`` belong to the poses.
+    """
+
+    native: Native
+    names: tuple[str, ...]
+    tracks: tuple[str, ...]
+    parameters: tuple[str, ...]
+    start: Array
+
+    def walk(self, p: Array, rack: float, travel: Array) -> tuple[Walk, NDArray[np.intp]]:
+        """The way to poses at ascending travels (m), and the place of each of its targets among them."""
+        up, down = np.flatnonzero(travel >= 0.0), np.flatnonzero(travel < 0.0)[::-1]  # from design to both sides
+        place = np.concatenate([up, down])
+        targets = np.zeros((len(travel), len(self.tracks)))
+        targets[:, 0] = travel[place]
+        if "rack" in self.tracks:
+            targets[:, self.tracks.index("rack")] = rack
+        before = np.arange(-1, len(travel) - 1, dtype=np.int64)
+        before[len(up) : len(up) + 1] = -1
+        address, origin = self.native.address, np.zeros(len(self.tracks))
+        return Walk(address["pose"], address["output"], p, self.start, origin, targets, before), place
+
+    def sampled(self, p: Array, rack: float, travel: Array) -> Array:
+        """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
+        walk, place = self.walk(p[0].copy(), rack, travel)
+        values = np.empty((len(self.names), len(p), len(travel)))
+        every = np.arange(len(self.names), dtype=np.int64)
+        walk_variants(walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values)
+        return values
+
+
+def sampling_of(identity: str, make: Callable[[], SampledCorner]) -> Sampling:
+    """Give the native code of what samples a suspension; where the cache holds it, nothing is made."""
+
+    def source() -> Source:
+        made = make()
+        notes = {"names": made.names, "tracks": made.tracks, "parameters": made.parameters, "start": made.start}
+        return Source({"pose": made.pose, "output": made.output}, None, json.dumps(notes))
+
+    native, notes = kept_code(f"{sources()} {identity}", source)
+    told = json.loads(notes)
+    names, tracks, parameters = (tuple(told[name]) for name in ("names", "tracks", "parameters"))
+    return Sampling(native, names, tracks, parameters, np.array(told["start"], dtype=float))
