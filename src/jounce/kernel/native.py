@@ -16,6 +16,7 @@ from llvmlite import binding as llvm
 from numpy.typing import NDArray
 
 from jounce.core.waiting import told
+from jounce.kernel.apart import made_apart
 from jounce.kernel.cache import joined, keep, key_here, parted, recall
 from jounce.kernel.call import Loop
 from jounce.kernel.machine import Code, machine_code, this_machine
@@ -95,7 +96,7 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
     with told("compiling the model (once on this machine)"), _garbage_waits():
-        content = _made(make)
+        content = made_apart(lambda: _made(make)) or _made(make)
         keep(key, content)
     return _load(content)
 

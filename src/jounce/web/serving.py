@@ -40,6 +40,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     if not Path(folder).is_dir():
         raise DescriptionError("not a folder", where=str(folder), hint="Create it, or give the one with your files.")
     uvicorn = require("uvicorn", "web")
+    from jounce.kernel.apart import compiling_apart
     from jounce.web.app import create_app
 
     listening = _listening(port)
@@ -51,7 +52,8 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="websockets-sansio",
                             timeout_graceful_shutdown=1)  # fmt: skip
     try:
-        uvicorn.Server(config).run(sockets=[listening])
+        with compiling_apart():
+            uvicorn.Server(config).run(sockets=[listening])
     except KeyboardInterrupt:
         pass  # its ordinary end
     finally:

@@ -1,0 +1,76 @@
+"""Compiling in a child: the same bytes, nothing left behind, and a child that fails is made up for."""
+
+import os
+import signal
+import socket
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from jounce.kernel import apart, native
+from jounce.kernel.apart import compiling_apart, made_apart
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system splits no process")
+
+
+def test_only_where_it_is_wanted():
+    assert made_apart(lambda: b"made") is None
+    with compiling_apart():
+        assert made_apart(lambda: b"made") == b"made"
+        assert made_apart(lambda: bytes(5_000_000)) == bytes(5_000_000)  # more than a pipe holds
+    assert made_apart(lambda: b"made") is None
+
+
+def test_it_is_made_in_another_process_that_has_gone():
+    with compiling_apart():
+        child = int(made_apart(lambda: str(os.getpid()).encode()) or b"0")
+    assert child not in (0, os.getpid())
+    with pytest.raises(ProcessLookupError):
+        os.kill(child, 0)
+
+
+def test_errors_and_crashes_give_nothing(capfd):
+    def crash() -> bytes:
+        os.kill(os.getpid(), signal.SIGKILL)
+        return b""
+
+    with compiling_apart():
+        assert made_apart(lambda: b"%d" % (1 // 0)) is None
+        assert made_apart(crash) is None
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_child_that_hangs_is_ended(monkeypatch):
+    monkeypatch.setattr(apart, "_LONGEST", 0.05)
+    with compiling_apart():
+        assert made_apart(lambda: signal.pause() or b"") is None
+
+
+def test_the_child_holds_no_connection_of_the_server():
+    ours, theirs = socket.socketpair()
+    with ours, theirs, compiling_apart():
+        given = made_apart(lambda: b"closed" if theirs.fileno() > 2 and not _is_open(theirs.fileno()) else b"open")
+    assert given == b"closed"
+
+
+def _is_open(descriptor: int) -> bool:
+    try:
+        os.fstat(descriptor)
+    except OSError:
+        return False
+    return True
+
+
+def test_code_that_was_compiled_apart_computes_the_same(tmp_path, monkeypatch):
+    monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path))
+    made = []
+    emit = native._emit
+    monkeypatch.setattr(native, "_emit", lambda *given: made.append(1) or emit(*given))
+    x = ca.SX.sym("x", 2)
+    none = [ca.SX.sym(name, 0) for name in "upm"]
+    with compiling_apart():
+        code = native.compile_functions({"f": ca.Function("f", [x, *none], [x[0] * ca.sin(x[1]) + 0.123456])})
+    assert not made  # here
+    nothing = np.zeros(0)
+    assert code.evaluate("f", (1,), np.array([2.0, 0.5]), *[nothing] * 3)[0] == 2.0 * np.sin(0.5) + 0.123456
