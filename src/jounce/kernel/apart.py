@@ -13,6 +13,8 @@ import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from jounce.kernel.machine import IN_LLVM
+
 _LONGEST = 300.0  # s: a child that takes longer hangs, and is given up
 _PIECE = 1 << 20
 _wanted: list[bool] = []
@@ -36,7 +38,7 @@ def made_apart(make: Callable[[], bytes]) -> bytes | None:
     if not (_wanted and hasattr(os, "fork")):
         return None
     reading, writing = os.pipe()
-    with warnings.catch_warnings():  # of threads, which the child has none of: it takes no lock that they may hold
+    with warnings.catch_warnings(), IN_LLVM:  # the warning is of threads: none of them is in the compiler
         warnings.simplefilter("ignore", DeprecationWarning)
         child = os.fork()
     if child == 0:

@@ -28,7 +28,7 @@ from jounce.core.sources import digest_of
 from jounce.core.waiting import told
 from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
 from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
-from jounce.kernel.machine import Code, features, machine_code, this_machine
+from jounce.kernel.machine import IN_LLVM, Code, features, machine_code, this_machine
 
 PYTHON = (
     "PyErr_Clear",
@@ -215,7 +215,7 @@ def bitcode_from_sources(name: str) -> bytes:
     from jounce.kernel.loops.build import bitcode_of
 
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
-    with told(f"compiling the loop {name!r} (once on this machine)"):
+    with told(f"compiling the loop {name!r} (once on this machine)"), IN_LLVM:
         content = bitcode_of(name)
     write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content
@@ -240,5 +240,6 @@ def _by_numba(name: str) -> Callable[[tuple[Any, ...]], int]:
     require("numba", "loops")
     from jounce.kernel.loops.build import function_of
 
-    function = function_of(name)
+    with IN_LLVM:
+        function = function_of(name)
     return lambda arguments: int(function(*arguments) or 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import threading
 from collections.abc import Iterable
 from functools import cache
 from typing import Any
@@ -10,16 +11,20 @@ from typing import Any
 import llvmlite
 from llvmlite import binding as llvm
 
+IN_LLVM = threading.RLock()
+"""Held by whoever compiles or loads code: a process is split only while nobody does, or its half would find it torn."""
+
 
 class Code:
     """Loaded machine code; ``address[name]`` is where the function of that name lives while this object does."""
 
     def __init__(self, objects: Iterable[bytes], names: tuple[str, ...]) -> None:
-        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), this_machine())
-        for code in objects:
-            self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
-        self._engine.finalize_object()
-        self.address = {name: int(self._engine.get_function_address(name)) for name in names}
+        with IN_LLVM:
+            self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), this_machine())
+            for code in objects:
+                self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+            self._engine.finalize_object()
+            self.address = {name: int(self._engine.get_function_address(name)) for name in names}
         if not all(self.address.values()):
             raise ValueError("the object lacks a function")
 

@@ -19,7 +19,7 @@ from jounce.core.waiting import told
 from jounce.kernel.apart import made_apart
 from jounce.kernel.cache import joined, keep, key_here, parted, recall
 from jounce.kernel.call import Loop
-from jounce.kernel.machine import Code, machine_code, this_machine
+from jounce.kernel.machine import IN_LLVM, Code, machine_code, this_machine
 
 if TYPE_CHECKING:
     from jounce.kernel.lowering import AnyFunction, Lowering
@@ -108,7 +108,8 @@ def _made(make: Callable[[], Source]) -> bytes:
     """
     source = make()
     names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
-    objects = _emit(source.functions, source.step)
+    with IN_LLVM:
+        objects = _emit(source.functions, source.step)
     head = {"names": names, "notes": source.notes, "sizes": [len(code) for code in objects]}
     return joined(head, b"".join(objects))
 

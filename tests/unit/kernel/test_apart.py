@@ -3,6 +3,7 @@
 import os
 import signal
 import socket
+import threading
 
 import casadi as ca
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from jounce.kernel import apart, native
 from jounce.kernel.apart import compiling_apart, made_apart
+from jounce.kernel.machine import IN_LLVM
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system splits no process")
 
@@ -52,6 +54,30 @@ def test_the_child_holds_no_connection_of_the_server():
     with ours, theirs, compiling_apart():
         given = made_apart(lambda: b"closed" if theirs.fileno() > 2 and not _is_open(theirs.fileno()) else b"open")
     assert given == b"closed"
+
+
+def test_a_process_is_not_split_while_another_thread_is_in_the_compiler():
+    inside, let_go, made = threading.Event(), threading.Event(), []
+
+    def compile_something() -> None:
+        with IN_LLVM:
+            inside.set()
+            let_go.wait()
+
+    def split() -> None:
+        with compiling_apart():
+            made.append(made_apart(lambda: b"made"))
+
+    threads = [threading.Thread(target=compile_something), threading.Thread(target=split)]
+    threads[0].start()
+    inside.wait()
+    threads[1].start()
+    threads[1].join(0.2)
+    assert not made
+    let_go.set()
+    for thread in threads:
+        thread.join()
+    assert made == [b"made"]
 
 
 def _is_open(descriptor: int) -> bool:
