@@ -534,6 +534,7 @@ def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path
 
 def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(tmp_path):
     """Values are in the units that are shown; each variant opens as the run that it was."""
+    from jounce.parts.files import library
     from jounce.variants.study import run_sweep
     from jounce.web.studies import swept, write_study
 
@@ -555,6 +556,9 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
     with pytest.raises(OutputError, match="the file exists"):
         write_study(project, "study.toml", study)
     write_study(project, "study.toml", study, made["digest"])
+    (tmp_path / "rig.toml").write_bytes(library()["kart-quarter-car"].read_bytes())
+    apart = write_study(project, "studies/other.toml", study | {"rig": "rig.toml"})
+    assert (apart["count"], 'rig = "../rig.toml"' in apart["text"]) == (2, True)  # found from where the study lies
     run_sweep(tmp_path / "study.toml", tmp_path / "swept", command="jounce sweep study.toml --out=swept")
     found = swept(project, "swept")
     rate, deflection = found["columns"]

@@ -65,6 +65,20 @@ def test_a_long_record_is_opened_without_waiting_for_what_it_does_not_need(opene
     assert np.isnan(near.panes[0].curves[0].values[3])
 
 
+def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(tmp_path: Path) -> None:
+    from jounce.recordings.readers import READERS
+    from jounce.web.levels import write_levels
+    from jounce.web.project import RECORDS
+
+    file = tmp_path / "gaps.csv"
+    file.write_text("time [s],a [mm],a [mm],b [N]\n0,1,5,1\n0.1,2,6,nan\n0.2,3,7,3\n")
+    found = write_levels(file, tmp_path / "kept")
+    assert [one["name"] for one in found["channels"]] == ["a", "a #2"]
+    (told,) = found["left_out"]
+    assert told.startswith("gaps.csv, line 3: column 'b [N]': not a finite number")
+    assert set(RECORDS) == {suffix for known in READERS for suffix in known.suffixes}
+
+
 @pytest.fixture
 def here(opened: Any) -> tuple[Any, list[str]]:
     """Records that are read in this process, and which were."""

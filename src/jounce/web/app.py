@@ -146,7 +146,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.exception_handler(OSError)
     def unwritten(_: Request, error: OSError) -> JSONResponse:
         what = error.strerror or str(error)  # a full disk, a name that is too long, no permission
-        return JSONResponse({"error": {"what": what, "text": f"{Path(str(error.filename or '')).name}: {what}."}}, 422)
+        place = f"{Path(str(error.filename)).name}: " if error.filename else ""
+        return JSONResponse({"error": {"what": what, "text": f"{place}{what}."}}, 422)
 
     @app.exception_handler(Exception)
     def crashed(_: Request, error: Exception) -> JSONResponse:

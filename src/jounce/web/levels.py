@@ -32,9 +32,9 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     from jounce.recordings.reader import ReaderOptions
     from jounce.recordings.readers import reader_of
 
-    tables = [
-        [one for one in table if one.fault is None] for table in reader_of(file).read(file, ReaderOptions()).tables
-    ]
+    read = reader_of(file).read(file, ReaderOptions()).tables
+    tables = [[one for one in table if one.fault is None] for table in read]
+    left_out = [str(one.fault).replace(str(file), file.name) for table in read for one in table if one.fault]
     table = max((one for one in tables if one), key=lambda one: one[0].values.size, default=[])
     time = next((one for one in table if one.name == "time"), None)
     if time is None or time.values.size < 2:
@@ -45,15 +45,17 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     folder.mkdir(parents=True, exist_ok=True)
     if not even:
         np.save(folder / "time.npy", time.values)
-    channels = []
+    channels: list[dict[str, str]] = []
     for k, one in enumerate([one for one in table if one is not time][:_MOST_CHANNELS]):
         values = np.asarray(one.values, np.float32)
         np.save(folder / f"{k}.npy", values)
         starts = np.arange(0, count, BLOCK)
         np.save(folder / f"{k}.levels.npy", np.stack([end.reduceat(values, starts) for end in (np.fmin, np.fmax)]))
-        channels.append({"name": one.name, "unit": one.unit})
+        same = sum(other["name"].partition(" #")[0] == one.name for other in channels)
+        channels.append({"name": f"{one.name} #{same + 1}" if same else one.name, "unit": one.unit})
     about = {"count": count, "first": float(time.values[0]), "step": float(step), "even": even,
-             "last": float(time.values[-1]), "unit": time.unit or "s", "channels": channels}  # fmt: skip
+             "last": float(time.values[-1]), "unit": time.unit or "s", "channels": channels,
+             "left_out": left_out[:_MOST_CHANNELS]}  # fmt: skip
     (folder / ABOUT).write_text(json.dumps(about), encoding="utf-8")
     return about
 

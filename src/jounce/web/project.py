@@ -18,8 +18,11 @@ _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are liste
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
-RECORDS = (".nc", ".csv", ".mat", ".mf4", ".parquet", ".tdms", ".uff", ".unv", ".txt", ".dat")
-"""Suffixes of files that were measured, or simulated."""
+RECORDS = (
+    ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".tdms", ".uff",
+    ".uf", ".unv",
+)  # fmt: skip
+"""Suffixes of files that were measured, or simulated: those of all readers."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
 LONGEST = 2_000_000  # bytes of a description
 _VERSIONS, _MOST_VERSIONS = (".jounce", "versions"), 50

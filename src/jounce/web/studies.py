@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shlex
 import tomllib
 from collections.abc import Mapping
@@ -26,8 +27,10 @@ def write_study(project: Project, path: str, study: Mapping[str, Any], was: str 
     """
     from jounce.variants.study import read_sweep
 
-    file = project.inside(path)
-    text = tomlkit.dumps({"schema": "jounce.sweep/1", **study})
+    file, rig = project.inside(path), str(study["rig"])
+    if rig.endswith(".toml"):  # a study names it from where it lies itself
+        rig = Path(os.path.relpath(project.inside(rig), file.parent)).as_posix()
+    text = tomlkit.dumps({"schema": "jounce.sweep/1", **study, "rig": rig})
     if file.suffix != ".toml":
         raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
     trial = file.with_name(f".{file.stem}.trial.toml")  # beside it, where the files that it names are looked for

@@ -20,11 +20,17 @@ from jounce.web.project import Project
 
 _TO_SI = "from jounce.core.units import to_si\n"
 _SIGNS = "from jounce.identify.signs import compression_positive\n"
+_INSPECTING = (
+    "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n"
+    "from jounce.inspection.grading import grade_vehicle\n"
+    "from jounce.inspection.record import read_record, with_facts\n"
+)
 _STORING = (
     "from contextlib import closing\nfrom dataclasses import replace\n\n"
-    "from jounce.inspection.archive.entries import pack\n"
-    "from jounce.inspection.archive.lane import entry_of, grading_of\n"
-    "from jounce.inspection.archive.store import Store\n"
+    "import jounce as jn\nfrom jounce.inspection.archive.entries import pack\n"
+    "from jounce.inspection.archive.lane import entry_of, grading_of, inspect_record\n"
+    "from jounce.inspection.archive.store import Store\nfrom jounce.inspection.grading import grade_vehicle\n"
+    "from jounce.inspection.record import read_record, with_facts\n"
 )
 _WANTED = '{"displacement": "m", "force": "N"}'
 _LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
@@ -319,9 +325,7 @@ class EvaluateTask(_Task):
         named = {"vehicle": Path(self.vehicle).stem} if self.vehicle else {}
         methods = list(dict.fromkeys(self.methods)) or None
         python = (
-            "import jounce as jn\nfrom jounce.inspection.archive.lane import inspect_record\n"
-            "from jounce.inspection.grading import grade_vehicle\n"
-            f"from jounce.inspection.record import read_record, with_facts\n{_STORING if self.store else ''}\n"
+            f"{_STORING if self.store else _INSPECTING}\n"
             f"tester, vehicle, limits = jn.load_tester({tester!r}), {vehicle}, {limits}\n"
             f"found = []\nfor file in {records!r}:\n"
             "    record, findings = read_record(file, tester)\n"

@@ -206,6 +206,9 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
             if size != expected:
                 raise OutputError("the file did not arrive whole", where=path, found=f"{size} of {expected} bytes")
             _put_new(temporary, file)
+        except OSError as error:
+            hint = "Check the permissions and the space on the disk."
+            raise OutputError("the file cannot be written", where=path, found=error.strerror, hint=hint) from None
         finally:
             temporary.unlink(missing_ok=True)
         return {"path": path, "size": size}

@@ -141,6 +141,12 @@ export function ways(told: { python: string; command: string; files: Record<stri
     ...Object.entries(told.files ?? {}).map(([name, text]) => copied(name, text)));
 }
 
+/** What a command that did its work could not write or draw. */
+export function undone(result: unknown): HTMLElement[] {
+  const findings = (result as { findings?: { severity: string; message: string }[] } | null)?.findings ?? [];
+  return findings.filter((one) => one.severity === "problem").map((one) => problem(refused(one.message)));
+}
+
 /** A report in a frame of its own: its script can ask nothing here. */
 export function report(address: string, title: string): HTMLElement {
   return make("section", { class: "whole" },

@@ -14,6 +14,12 @@ export function problem(error: unknown): HTMLElement {
   return make("p", { class: "problem", role: "alert" }, error instanceof Error ? error.message : String(error));
 }
 
+/** What a button begins is not begun again before it has ended, however often it is pressed. */
+export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T> {
+  button.disabled = true;
+  return work.finally(() => { button.disabled = false; });
+}
+
 /** A text that can be copied. */
 export function copied(title: string, text: string): HTMLElement {
   const button = make("button", { type: "button" }, tr("Copy"));

@@ -36,7 +36,8 @@ const PHRASES: Record<string, string> = {
 const KINDS: Record<string, string> = { channel: "Kanal", key: "Schlüssel", road: "Straße", metric: "Kennwert", model: "Modell", controller: "Regler", quantity: "Kenngröße", "kind of road": "Art von Straße" };
 
 /** A message of the server in the language of the page; what is not known by its words stays as it is, names and numbers always do. */
-export function told(text: string): string {
+export function told(message: string): string {
+  const text = message.replace(" or allow it with --force.", "."); // which no page has
   if (!isGerman) return text;
   const [head, ...tail] = text.split(/(?=; (?:found|allowed:) )/);
   const more = tail.map((part) => part

@@ -4,7 +4,7 @@ import { make, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { ask, begin, dropZone, follow, type Job, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
-import { field, problem } from "../parts";
+import { field, once, problem } from "../parts";
 import { Reading } from "../reading";
 import { address, type Page, type Values } from "../shell";
 
@@ -41,7 +41,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
   const told = make("div", { "aria-live": "polite" }), go = make("button", { type: "button", class: "main" }, "Run the campaign");
   go.addEventListener("click", () => {
-    begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked }).then((job) => { location.hash = address("campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
+    once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => { location.hash = address("campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
   });
   const check = make("button", { type: "button" }, "Check it");
   check.addEventListener("click", () => {
@@ -63,7 +63,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
     make("h2", {}, "Parts"), ...(found.bench.length ? found.bench.map((one) => part(one, found, link)) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
     make("h2", {}, "Trials"), table("trials", ["number", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), String(one.use ?? "hold-out"), String(one.road ?? "measured support"), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
-    make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${typeof bounds === "string" ? bounds : JSON.stringify(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
+    make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
     make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
     dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", (paths) => open(paths[0]!, "recording")), reader);
   if (read) open(read, "recording");

@@ -24,17 +24,19 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
   const records = entries.filter((one) => one.kind === "record").map((one) => one.path), stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
   const rigs = [...entries.filter((one) => RIGS.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
+  const kept = make("div", {}, stores.length ? search(stores, choices) : make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it."));
+  const stored = (name: string) => { if (name && !stores.includes(name)) { stores.push(name); kept.replaceChildren(search(stores, choices)); } };
   place.replaceChildren(make("h1", {}, "Inspection"),
     make("p", { class: "muted" }, "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store."),
-    make("h2", {}, "Evaluate a record"), evaluation(records, rigs, choices, stores, values.get("record") ?? ""),
+    make("h2", {}, "Evaluate a record"), evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored),
     make("h2", {}, "New records"), dropZone(() => "records", "Drop records of a tester here, or choose them; they go to the folder records.", (paths) => { location.hash = address("inspection", { record: paths[0]! }); }),
     make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), simulated(rigs, choices)),
-    make("h2", {}, "Store"), ...(stores.length ? [search(stores, choices)] : [make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.")]));
+    make("h2", {}, "Store"), kept);
 }
 
 const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
 
-function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string): HTMLElement {
+function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void): HTMLElement {
   if (!records.length) return make("p", { class: "empty" }, "No record lies here yet.");
   const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
   const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
@@ -44,7 +46,7 @@ function evaluation(records: string[], rigs: string[], choices: Choices, stores:
   const question = new Question<Graded>("Evaluate and grade", () => ({
     kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
     store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
-  }), (told) => [...graded(told.result), report(told.report, "Protocol"), ways(told)]);
+  }), (told) => { if (told.result.store) stored(store.value); return [...graded(told.result), report(told.report, "Protocol"), ways(told)]; });
   return make("section", {}, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
     make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
 }

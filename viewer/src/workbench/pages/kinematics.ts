@@ -7,7 +7,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { designing, type Target } from "../designing";
 import { type Band, Multiples } from "../multiples";
-import { field, Newest, problem, Sliders, ways } from "../parts";
+import { field, Newest, once, problem, Sliders, ways } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
@@ -142,7 +142,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const write = make("button", { type: "button" }, tr("Write these changes into the file")), written_ = make("span", { "aria-live": "polite" });
   write.addEventListener("click", () => {
     if (!Object.keys(sliders.changes).length) { written_.textContent = tr("Nothing is changed."); return; }
-    void (async () => {
+    void once(write, (async () => {
       try {
         const file = await api.file(name), found = await api.form(name, file.text, [], sliders.changes);
         if (found.problems.length) throw new Error(found.problems[0]!.text);
@@ -150,7 +150,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         sessionStorage.setItem("written", tr("The changes stand in the file; what it was before is an earlier version."));
         dispatchEvent(new HashChangeEvent("hashchange"));
       } catch (error) { written_.replaceChildren(problem(error)); }
-    })();
+    })());
   });
   const design = isOwn ? designing(name, rig, targets, sliders, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); dragged.set(moved()); void ask(); }) : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
   const step = () => { if (!place.isConnected) return; view.draw(); requestAnimationFrame(step); };

@@ -5,7 +5,7 @@ import { make, written } from "../../page";
 import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
-import { field, problem, ways } from "../parts";
+import { field, once, problem, ways } from "../parts";
 import { address, type Page } from "../shell";
 
 export const project: Page = { label: "Project", show };
@@ -40,7 +40,7 @@ async function show(place: HTMLElement): Promise<void> {
   const form = make("form", { class: "form" }, field(tr("Shipped rig"), choice), field(tr("Name of your file"), target), copy);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    api.start(choice.value, target.value).then((made) => { location.hash = address("rig", { name: made.path }); }, (error) => told.replaceChildren(problem(error)));
+    once(copy, api.start(choice.value, target.value)).then((made) => { location.hash = address("rig", { name: made.path }); }, (error) => told.replaceChildren(problem(error)));
   });
   place.replaceChildren(
     make("h1", {}, name), make("p", { class: "muted" }, folder), next(entries, kept),
@@ -52,7 +52,7 @@ async function show(place: HTMLElement): Promise<void> {
 
 /** What there is to do with what lies here. */
 function next(entries: api.Entry[], kept: Kept[]): HTMLElement {
-  const of = (kind: string) => entries.filter((one) => one.kind === kind), [rig] = of("rig"), [record] = of("record");
+  const of = (kind: string) => entries.filter((one) => one.kind === kind), [rig] = of("rig"), record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
   const steps: HTMLElement[] = [];
   if (!rig) steps.push(make("li", {}, tr("Start from a shipped rig, below.")));
   else {

@@ -6,11 +6,12 @@ import { LinkedPlots } from "../../plots";
 import { localised, tr } from "../../words";
 import * as api from "../api";
 import { Newest } from "../parts";
+import { told as refused } from "../refusals";
 import { address, choose, type Page, setLive, type Values } from "../shell";
 
 export const record: Page = { label: "Records", show };
 
-interface About { count: number; first: number; last: number; step: number; even: boolean; unit: string; channels: { name: string; unit: string }[] }
+interface About { count: number; first: number; last: number; step: number; even: boolean; unit: string; channels: { name: string; unit: string }[]; left_out?: string[] }
 const AT_FIRST = 3;
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
@@ -56,6 +57,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   place.replaceChildren(make("h1", {}, path),
     make("p", { class: "muted" }, `${tr("# samples", String(about.count))}, ${about.even ? `${tr("every")} ${localised(String(Number(about.step.toPrecision(6))))} ${about.unit}` : tr("not evenly spaced")}, ${localised(String(Number(about.first.toPrecision(9))))} – ${localised(String(Number(about.last.toPrecision(9))))} ${about.unit}; ${tr("units as they are in the file")}`),
     make("p", { class: "bar" }, make("a", { href: address("trial", { record: path }) }, tr("Beside a run"))),
+    ...(about.left_out ?? []).map((text) => make("p", { class: "problem" }, `${tr("not shown")}: ${refused(text)}`)),
     about.channels.length ? player : make("p", { class: "empty" }, tr("There is nothing in it but time.")), state,
     make("p", { class: "muted" }, tr("Drag to zoom, Shift + wheel or ← → pans, Ctrl + wheel zooms, double click for everything.")));
   await ask();

@@ -4,8 +4,8 @@ import { Store } from "../../data";
 import { make, written } from "../../page";
 import { Player } from "../../player";
 import * as api from "../api";
-import { begin, follow, type Job, JobCard, jobList, Question, report, ways, whole } from "../jobs";
-import { field, problem } from "../parts";
+import { begin, follow, type Job, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
+import { field, once, problem } from "../parts";
 import { address, type Page, RIGS, type Values } from "../shell";
 import type { Choices } from "./inspection";
 
@@ -41,7 +41,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const chosen = [...controls.querySelectorAll<HTMLInputElement>("input:checked")].map((one) => one.value);
-    begin({ kind: "compare", vehicle: vehicle.value, road: road.value, speed: speed.value, duration: duration.value, seed: Number(seed.value), control: chosen.length ? chosen : ["passive"], changes })
+    once(go, begin({ kind: "compare", vehicle: vehicle.value, road: road.value, speed: speed.value, duration: duration.value, seed: Number(seed.value), control: chosen.length ? chosen : ["passive"], changes }))
       .then((job) => { location.hash = address("ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
   });
   const changed = Object.entries(changes);
@@ -118,7 +118,7 @@ function pareto(rigs: string[], roads: string[]): HTMLElement {
   more.addEventListener("click", () => add());
   go.addEventListener("click", () => {
     const free = Object.fromEntries([...rows.children].map((row) => [...row.querySelectorAll("input")].map((one) => one.value.trim()) as [string, string]).filter(([path]) => path));
-    begin({ kind: "pareto", vehicle: vehicle.value, road: road.value, speed: speed.value, free, points: Number(points.value), limit: limit.value ? { "strut.deflection": limit.value } : {} })
+    once(go, begin({ kind: "pareto", vehicle: vehicle.value, road: road.value, speed: speed.value, free, points: Number(points.value), limit: limit.value ? { "strut.deflection": limit.value } : {} }))
       .then((job) => { location.hash = address("ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
   });
   void load();
@@ -136,7 +136,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     done = true;
     const end = await whole<Compared | Front>(id);
     if (!end.result) return;
-    results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ways(end),
+    results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ...undone("runs" in end.result ? end.result : null), ways(end),
       ...(end.has_page ? [report(`/api/jobs/${id}/report`, "runs" in end.result ? "Over time, as spectra, and every metric" : "Report")] : []));
   };
   await take(first);

@@ -6,7 +6,7 @@ import { make, whenColoursChange } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { Form, type Key, type Value } from "../form";
-import { Newest, problem } from "../parts";
+import { Newest, once, problem } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, type Values } from "../shell";
 
@@ -72,8 +72,15 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     const yes = make("button", { type: "button", class: "main" }, tr("Write it")), no = make("button", { type: "button" }, tr("Back"));
     no.addEventListener("click", () => difference.replaceChildren());
     yes.addEventListener("click", () => {
-      api.save(name, text.value, saved.digest).then(async (made) => { saved = made; buttons(); await take(await api.form(name, made.text, [], {}), false); told.prepend(make("p", { class: "good" }, tr("Saved."))); }, (error) => difference.replaceChildren(problem(error)));
+      once(yes, api.save(name, text.value, saved.digest)).then(async (made) => { saved = made; buttons(); await take(await api.form(name, made.text, [], {}), false); told.prepend(make("p", { class: "good" }, tr("Saved."))); }, (error) => difference.replaceChildren(problem(error), make("div", { class: "bar" }, again)));
     });
+    const again = make("button", { type: "button" }, tr("Load it again"));
+    again.addEventListener("click", () => void newest.ask(async () => { // what was typed here is one step back
+      try {
+        saved = await api.file(name);
+        await take(await api.form(name, saved.text, [], {}), true);
+      } catch (error) { difference.prepend(problem(error)); }
+    }));
     void newest.ask(async () => {
       const found = await api.form(name, text.value, [], {});
       difference.replaceChildren(make("section", { class: "difference", "aria-label": tr("What is changed") }, make("h2", {}, tr("What is changed")), ...(found.problems.length ? [make("p", { class: "problem" }, tr("Something is still wrong with it; it can be saved all the same."))] : []),

@@ -5,7 +5,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, problem } from "../parts";
+import { field, once, problem } from "../parts";
 import { address, type Page, RIGS, type Values } from "../shell";
 import { Brushes, type Column, type Influence, matrix, parallel, ranges, tornado } from "../variants";
 
@@ -35,7 +35,7 @@ function starter(path: string): HTMLElement {
   const out = path.replace(/\.toml$/, "-swept"), told = make("span", {});
   const button = make("button", { type: "button", "aria-label": `Begin ${path}` }, "Begin");
   button.addEventListener("click", () => {
-    begin({ kind: "sweep", study: path, out, resume: true }).then(() => told.replaceChildren(), (error) => told.replaceChildren(problem(error)));
+    once(button, begin({ kind: "sweep", study: path, out, resume: true })).then(() => told.replaceChildren(), (error) => told.replaceChildren(problem(error)));
   });
   return make("span", {}, button, " ", make("small", { class: "muted" }, `into ${out}`), told);
 }
@@ -125,7 +125,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   };
   const form = make("form", {});
   const save = make("button", { type: "button" }, "Write the study"), go = make("button", { type: "submit", class: "main" }, "Write it and begin");
-  save.addEventListener("click", () => { make_().then((made) => told.replaceChildren(make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)), (error) => told.replaceChildren(problem(error))); });
+  save.addEventListener("click", () => { once(save, make_()).then((made) => told.replaceChildren(make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)), (error) => told.replaceChildren(problem(error))); });
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     go.disabled = true;

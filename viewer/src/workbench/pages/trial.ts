@@ -4,7 +4,7 @@ import { make } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, Live, problem, Sliders } from "../parts";
+import { field, Live, once, problem, Sliders } from "../parts";
 import { Phase } from "../phase";
 import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
@@ -41,10 +41,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   curves.moved = (time) => { if (look.value === "time") phase.mark(time); };
   for (const one of [look, measured, begins]) one.addEventListener("change", () => void curves.ask());
   const title = make("input", { type: "text", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
-  const keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), make("button", { type: "submit" }, tr("Keep it")), kept);
+  const press = make("button", { type: "submit" }, tr("Keep it")), keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
-    api.asked("POST", "/api/keep", { ...asked(), title: title.value }).then(async (answer) => {
+    once(press, api.asked("POST", "/api/keep", { ...asked(), title: title.value })).then(async (answer) => {
       const { path } = await answer.json() as { path: string };
       kept.replaceChildren(tr("Kept as "), make("a", { href: address("record", { path }) }, path), ". ", make("a", { href: address("project") }, tr("Compare it in the project")));
     }, (error) => kept.replaceChildren(problem(error)));
