@@ -55,8 +55,8 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
 
     All frames coincide in the design pose, so that every place is that of the rig: SI, x forward, y left, z up. Loops
     are closed by equality constraints, rods are tendons of fixed length; spring, damper, stops and friction are
-    tendons, the tyre is an actuator between ``road`` (a mocap body that can be moved) and the wheel centre. Sites are
-    named like the hardpoints.
+    tendons, the tyre is an actuator between ``road`` (a mocap body that can be moved) and the wheel centre; its control
+    is the rate of the road's height (m/s), which a tyre with damping feels. Sites are named like the hardpoints.
 
     Parameters
     ----------
@@ -343,10 +343,13 @@ class _Writing:
             radius = height + force / stiffness
         if getattr(tyre, "law", "vertical") == "radial":
             self._say("tyre.law", "its force is vertical.")
+        if tyre.damping_coefficient:
+            self._say("tyre.damping_coefficient", "a body that is moved has no velocity: set the rate of the road, too "
+                      "(m/s, the control of the actuator tyre).")  # fmt: skip
         limits = {"forcerange": f"0 {_text(1e9)}"} if tyre.lift_off else {}
         _add(
             self._actuator, "general", limits, name="tyre", site="wheel_centre", refsite="road", gear="0 0 1 0 0 0",
-            gaintype="fixed", gainprm="0", biastype="affine",
+            gaintype="fixed", gainprm=_text(tyre.damping_coefficient), biastype="affine",
             biasprm=_text((stiffness * radius, -stiffness, -tyre.damping_coefficient)),
         )  # fmt: skip
 
