@@ -254,7 +254,7 @@ def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> 
         )
         if error <= ERROR:
             break
-    seconds = median_time(lambda: replace(car, tables={}).run(), repeats=31)
+    seconds = median_time(lambda: replace(car, reduction=replace(reduction, made={})).run(), repeats=31)
     how = f"{solution.method}, {solution.steps} steps, {len(solution.outputs)} channels, with its tables"
     return Row(title, "jounce, one coordinate for each wheel", seconds, error, seconds / own.median, note=how)
 

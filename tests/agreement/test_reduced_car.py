@@ -179,9 +179,7 @@ def exact_and_polynomial(reduction, which, degree, travel):
     values, end = CAR.parameters(), PLACES[which].split("_")[0]
     table = reduction.table(values, which, -0.03, 0.03, degree)
     names = reduction.places(DEGREES[0]).names[which]
-    numbers = reduction.numbers(values, which)
-    sampling = reduction.axles[end]
-    p = np.array([[numbers[path] for path in sampling.parameters]])
+    sampling, p = reduction.axles[end], reduction.numbers(values, which)[None, :]
     sampled = dict(zip(sampling.names, sampling.sampled(p, 0.0, travel)[:, 0], strict=True))
     rows = table.numbers[3:].reshape(len(names), degree + 1)
     x = travel / table.numbers[1]

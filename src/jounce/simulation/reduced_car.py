@@ -53,6 +53,8 @@ _ENDS, _SIDES = {"front": 1.0, "rear": -1.0}, {"left": 1.0, "right": -1.0}
 PLACES = tuple(f"{end}_{side}" for end in _ENDS for side in _SIDES)
 """Of the corners, in the order of the model."""
 
+_KEPT = 64  # tables
+
 Ranges = tuple[tuple[float, float], ...]
 """Of the travel (m) of each corner."""
 
@@ -72,6 +74,7 @@ class CarReduction:
     rig: FullCar3D
     axles: Mapping[str, Sampling]
     placed: dict[int, _Places] = field(default_factory=dict)
+    made: dict[tuple[object, ...], Table] = field(default_factory=dict)  # the last tables: cars are run more than once
 
     def compiled(self, degree: int) -> Compiled:
         """Native code of the reduced car."""
@@ -98,39 +101,46 @@ class CarReduction:
             self.placed[degree] = _Places(place, own, names)
         return self.placed[degree]
 
-    def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> Table | None:
-        """Sample the poses of a corner over a range of travel (m); None where it does not reach all of the range.
+    def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> Table:
+        """Sample the poses of a corner over a range of travel (m); its error is infinite where it does not reach that.
 
         ``values`` are the numbers of the vehicle by path.
         """
+        p = self.numbers(values, which)
+        rack = values.get(f"{PLACES[which].partition('_')[0]}.corner.steering.rack_travel", 0.0)
+        key = which, low, high, degree, rack, p.tobytes()
+        found = self.made.get(key)
+        if found is None:
+            for old in list(self.made)[: max(len(self.made) - _KEPT, 0)]:
+                self.made.pop(old, None)
+            found = self.made[key] = self._table(p, rack, which, low, high, degree)
+        return found
+
+    def _table(self, p: Array, rack: float, which: int, low: float, high: float, degree: int) -> Table:
         end = PLACES[which].partition("_")[0]
-        sampling, numbers = self.axles[end], self.numbers(values, which)
-        p = np.array([numbers[path] for path in sampling.parameters])
+        sampling = self.axles[end]
         points, made, powers, _ = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
-        rack = numbers.get("steering.rack_travel", 0.0)
         sampled = dict(
             zip(sampling.names, sampling.sampled(p[None, :], rack, middle + half * points)[:, 0], strict=True)
         )
         names = self.places(DEGREES[0]).names[which]
         series = np.array([sampled[name] for name in names]) @ made.T
         mass = float(sampled[sampling.names[0]][0])
-        error = error_of(getattr(self.rig, end).corner, names, series, degree, half, mass)
-        if not np.isfinite(series).all():
-            return None
+        reached = bool(np.isfinite(series).all())
+        error = error_of(getattr(self.rig, end).corner, names, series, degree, half, mass) if reached else np.inf
         return Table(low, high, np.array([middle, half, mass, *(series[:, : degree + 1] @ powers).ravel()]), error)
 
-    def numbers(self, values: Mapping[str, float], which: int) -> dict[str, float]:
-        """Numbers of a corner by path, and where it stands on the car; ``values`` are those of the vehicle."""
+    def numbers(self, values: Mapping[str, float], which: int) -> Array:
+        """Numbers that the poses of a corner depend on, where it stands on the car among them."""
         end, _, side = PLACES[which].partition("_")
         before = f"{end}.corner."
-        found = {path.removeprefix(before): value for path, value in values.items() if path.startswith(before)}
-        found["ahead"] = _ENDS[end] * values[f"{end}.distance"] - found["hardpoints.wheel_centre[0]"]
-        found["turned"] = _SIDES[side]
-        centre = (0.0, 0.0, values["body.height"])
-        for i in range(3):  # the joint that the body turns about
-            found[f"origin[{i}]"] = values.get(f"body.joint[{i}]", centre[i])
-        return found
+        ahead = _ENDS[end] * values[f"{end}.distance"] - values[f"{before}hardpoints.wheel_centre[0]"]
+        own = {"ahead": ahead, "turned": _SIDES[side]}
+        for i, centre in enumerate((0.0, 0.0, values["body.height"])):  # the joint that the body turns about
+            own[f"origin[{i}]"] = values.get(f"body.joint[{i}]", centre)
+        paths = self.axles[end].parameters
+        return np.array([own[path] if path in own else values[f"{before}{path}"] for path in paths])
 
 
 def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half: float, mass: float) -> float:
@@ -224,7 +234,6 @@ class ReducedCar:
     signals: Sequence[Segments]
     times: Array
     tolerance: float
-    tables: dict[tuple[int, float, float, int], Table | None] = field(default_factory=dict)
 
     def run(self) -> tuple[Solution, Prepared] | None:
         """Run it, over wider ranges of travel where wheels leave the first; None where that does not do."""
@@ -282,21 +291,12 @@ class ReducedCar:
     def _numbers(self, ranges: Ranges) -> tuple[Compiled, Array] | None:
         """Model of the lowest degree that does for all ranges, and its parameters."""
         for degree in DEGREES:
-            tables = [self._table(which, *each, degree) for which, each in enumerate(ranges)]
-            found = [table for table in tables if table is not None]
-            if len(found) < len(tables):
-                return None
-            if max(table.error for table in found) <= SHARE * self.tolerance:
+            tables = [self.reduction.table(self.values, which, *each, degree) for which, each in enumerate(ranges)]
+            if max(table.error for table in tables) <= SHARE * self.tolerance:
                 compiled, places = self.reduction.compiled(degree), self.reduction.places(degree)
                 p = np.empty(len(compiled.facts.parameters))
                 p[list(places.given.values())] = [self.values[path] for path in places.given]
-                for place, table in zip(places.own, found, strict=True):
+                for place, table in zip(places.own, tables, strict=True):
                     p[place] = table.numbers
                 return compiled, p
         return None
-
-    def _table(self, which: int, low: float, high: float, degree: int) -> Table | None:
-        key = which, low, high, degree
-        if key not in self.tables:
-            self.tables[key] = self.reduction.table(self.values, which, low, high, degree)
-        return self.tables[key]
