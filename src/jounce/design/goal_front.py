@@ -1,13 +1,14 @@
 """Several metrics that compete: designs of which none is better in every one of them, from the best in one to others.
 
 The corners of the front are the least of each metric. Between them the metric that is relatively worst is made as good
-as it can be (the achievement function of the reference-point method), along directions spread evenly over all mixtures:
-this finds the hollow parts of a front, too. Exact slopes take each search there in tens of designs.
+as it can be (the achievement function of the reference-point method), along directions spread evenly over all mixtures,
+then between those designs that are still farthest apart: this finds the hollow parts of a front, too. Exact slopes take
+each search there in tens of designs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, NamedTuple
@@ -20,7 +21,7 @@ from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
 from jounce.design.cases import Case
-from jounce.design.mixtures import MOST_GOALS, achieved, mixtures, undominated
+from jounce.design.mixtures import MOST_GOALS, achieved, across_gap, mixtures, undominated
 from jounce.design.optimise import Scale, check_kept, driven_over, search, task_of, violation_of
 from jounce.design.problem import DesignProblem, Limit, LimitGiven
 from jounce.identify.fit_problem import Bounds
@@ -172,7 +173,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     best, span = reached.min(axis=0), np.ptp(reached, axis=0)
     span = np.where(span > 0.0, span, np.maximum(np.abs(best), 1e-300))
     tried, settled = list(corners), True
-    for mixture in mixtures(len(names), points):
+    for mixture in _aims(race, tried, best, span, points):
         aim = _Aim(best, span, mixture)
         near = sorted(tried, key=lambda values: achieved(race.goals_at(values), *aim))[:2]
         ended = [race.run(values, aim) for values in near]
@@ -196,6 +197,22 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
         settled, problem.evaluations, driven_over(problem),
         (*problem.notes, *_findings(len(designs), settled=settled)),
     )  # fmt: skip
+
+
+def _aims(race: _Race, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:
+    """Mixtures to aim at: some spread evenly, then between those designs that are ``tried`` and still far apart."""
+    yield from mixtures(len(best), max(points // 2, len(best) + 1))
+    known: set[tuple[int, int]] = set()
+    while len(tried) < points:
+        goals = np.array([race.goals_at(values) for values in tried])
+        kept = undominated(goals, span)
+        pairs = {(kept.index(i), kept.index(j)) for i, j in known if i in kept and j in kept}
+        before = set(pairs)
+        mixture = across_gap((goals[kept] - best) / span, pairs)
+        if mixture is None:
+            return
+        known |= {(kept[i], kept[j]) for i, j in pairs - before}
+        yield mixture
 
 
 def _findings(count: int, *, settled: bool) -> list[Finding]:

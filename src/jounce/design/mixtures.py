@@ -3,27 +3,60 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations, pairwise
+from itertools import combinations
+from math import comb
 
 import numpy as np
 
 from jounce.core.types import Array
 
 MOST_GOALS = 8
-_LEAST = 1e-3  # smallest part of a mixture
 _SAME = 1e-3  # share of a goal's range below which two designs are one
 
 
 def mixtures(goals: int, points: int) -> Iterator[Array]:
-    """Mixtures of goals, evenly spread over those of all (a simplex lattice), about as many as points."""
-    steps = 2
-    while len(list(combinations(range(steps + goals), goals - 1))) <= points:
+    """Mixtures of goals, evenly spread over those that leave room for each: with the corners about as many as points.
+
+    A goal without room would be kept at its least, which is the corner that is known already.
+
+    >>> [mixture.tolist() for mixture in mixtures(2, 5)]
+    [[0.25, 0.75], [0.5, 0.5], [0.75, 0.25]]
+    >>> len(list(mixtures(3, 12)))
+    10
+    """
+    steps = goals
+    while comb(steps - 1, goals - 1) + goals < points:
         steps += 1
-    for bars in combinations(range(steps + goals - 1), goals - 1):
-        ends = (-1, *bars, steps + goals - 1)
-        shares = np.array([b - a - 1 for a, b in pairwise(ends)]) / steps
-        if np.count_nonzero(shares) > 1:  # the corners are known
-            yield np.maximum(shares, _LEAST)
+    for bars in combinations(range(1, steps), goals - 1):
+        yield np.diff((0, *bars, steps)) / steps
+
+
+_NARROW = 0.03  # of the goals' ranges: a gap between designs that is left as it is
+_LEAST = 1e-3  # smallest part of a mixture
+
+
+def across_gap(shares: Array, known: set[tuple[int, int]]) -> Array | None:
+    """Mixture that aims between two neighbours of a front with the widest gap; None where no wide one is left.
+
+    ``shares`` are goals from their least (0) to the greatest at a corner (1), one row a design. Neighbours are those
+    that the shortest tree through all designs joins; those ``known`` were aimed between already, and the pair joins
+    them.
+
+    >>> across_gap(np.array([[0.0, 1.0], [0.1, 0.7], [1.0, 0.0]]), set()).round(2).tolist()
+    [0.61, 0.39]
+    """
+    from scipy.sparse.csgraph import minimum_spanning_tree
+    from scipy.spatial.distance import cdist
+
+    tree = minimum_spanning_tree(cdist(shares, shares)).tocoo()
+    gaps = sorted(zip(tree.data, tree.row, tree.col, strict=True), reverse=True)
+    for gap, i, j in gaps:
+        pair = int(min(i, j)), int(max(i, j))
+        if gap > _NARROW and pair not in known:
+            known.add(pair)
+            middle = np.maximum(0.5 * (shares[i] + shares[j]), _LEAST)
+            return np.asarray(middle / middle.sum())
+    return None
 
 
 def achieved(goals: Array, best: Array, span: Array, mixture: Array) -> float:
