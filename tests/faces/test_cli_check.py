@@ -223,7 +223,7 @@ def test_an_fmu_lists_what_can_be_connected(cli, tmp_path: Path) -> None:
     assert outcome.exit_code == 0
     found = outcome.json["files"][0]
     assert (found["kind"], found["what"].partition(",")[0]) == ("FMU", "FMI 3.0")
-    assert "inputs: v_body [mm/s], v_strut [m/s], spare" in found["notes"]
+    assert "inputs: v_body [mm/s], v_strut [m/s], spare, deflection [mm], rate [m/s]" in found["notes"]
     (tmp_path / "law.toml").write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sources.fmu"\n')
     fmu_component.write(tmp_path / "sources.fmu", 3, b"")
     outcome = cli("check", "law.toml", "--json")

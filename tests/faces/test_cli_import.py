@@ -115,6 +115,9 @@ def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
     assert "rig.toml: mcpherson, hardpoints of points.csv" in outcome.out
     assert "the wheel's radius is taken for 226 mm" in outcome.out
     assert jn.load(tmp_path / "rig.toml").hardpoints.strut_bottom == pytest.approx((0.0, 0.54, 0.33))
+    checked = cli("check", "rig.toml")
+    assert checked.exit_code == 0, "a rig for kinematics is whole as it is"
+    assert "it has no bodies, spring, damper, tyre: its kinematics can be swept, it cannot move" in checked.out
     for words, message in (
         (("--side", "middle"), "unknown side 'middle'"),
         (("--axle", "third"), "unknown axle 'third'"),

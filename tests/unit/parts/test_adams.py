@@ -110,6 +110,12 @@ def test_what_is_not_there_is_estimated_and_named(changed) -> None:
     assert rig.sprung.mass == pytest.approx(350.0, rel=0.5)
 
 
+def test_a_part_without_inertia_is_estimated(changed) -> None:
+    rig, findings, _ = import_adams(changed(("IXX", "LXX"), ("IYY", "LYY"), ("IZZ", "LZZ")))
+    assert "bodies.lower_arm.inertia" in rig.estimated
+    assert any("IXX, IYY and IZZ are not in the file" in finding.message for finding in findings)
+
+
 @pytest.mark.parametrize(
     ("pairs", "what"),
     [

@@ -150,6 +150,8 @@ def test_the_road_is_found(tmp_path) -> None:
         (rows(strut_top=None), {}, "points of a double-wishbone are missing.*also strut_top"),
         (rows(names=dict.fromkeys(POINTS, "P")), {}, "given twice|no suspension has these points"),
         ([*rows(), "a,1,2,3,4"], {}, "more than three numbers"),
+        ([*rows(strut_top=None), "strut_top,1,2,three"], {}, "strut_top: a hardpoint without three.*'strut_top, 1, 2"),
+        ([*rows(), "UCA front L,5,13,"], {}, "UCA front L: a hardpoint without three coordinates.*name and three"),
         (rows(), {"axes": "x,y"}, "not three axes"),
         (rows(), {"axes": "-x,y,z"}, "the arm's front lies behind its rear.*Turn x round"),
         (rows(), {"model": "five-links"}, "unknown suspension 'five-links'.*five-link"),

@@ -272,11 +272,11 @@ class _Subsystem:
         mass = self.mass * part.number("MASS")
         if not mass > 0.0:
             raise DescriptionError("no mass", where=f"{part.where}: MASS", found=mass, allowed="above 0")
-        if place is None or z is None or x is None:
-            self.draft.note(
-                self.draft.at(f"PART_ASSEMBLY {part.usage}"),
-                "where its frame lies is not in the file: its inertia and centre of mass are estimated.",
-            )
+        has_inertia = any(key in part.values for key in ("IXX", "IYY", "IZZ"))
+        if place is None or z is None or x is None or not has_inertia:
+            lacking = "where its frame lies is" if has_inertia else "IXX, IYY and IZZ are"
+            text = f"{lacking} not in the file: its inertia and centre of mass are estimated."
+            self.draft.note(self.draft.at(f"PART_ASSEMBLY {part.usage}"), text)
             return self._estimated(name, mass)
         frame = _frame(x, z, part.where)
         centre = self.length * (place + frame @ [part.number(f"CM_LOCATION_FROM_PART_{i}", 0.0) for i in "XYZ"])

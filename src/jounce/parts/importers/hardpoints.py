@@ -187,7 +187,7 @@ def _read(file: Path) -> PointTable:
         elif told := _UNIT_LINE.fullmatch(" ".join(cells).strip()):
             table.unit = _known_unit(told[1], where)
         elif any(map(_is_number, cells)):
-            table.unread.append(where)
+            table.unread.append((where, cells))
     if not table.rows:
         raise DescriptionError(
             "no points are in it", where=str(file), allowed="rows of a name and three coordinates: name, x, y, z"
@@ -399,8 +399,16 @@ class PointReading:
         for text in self.table.notes:
             self.note(text)
         self.estimated += self.table.estimated
+        for where, cells in self.table.unread:
+            meant = next(
+                (cell for cell in cells if _plain(cell) in own or _sorted_out(cell)[0] in (*own, *known)), None
+            )
+            if meant is not None:
+                text, three = "a hardpoint without three coordinates", "a name and three numbers"
+                raise DescriptionError(f"{meant}: {text}", where=where, found=", ".join(cells), allowed=three)
         if self.table.unread:
-            self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {self.table.unread[0]}.")
+            first = self.table.unread[0][0]
+            self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {first}.")
         chosen = {name: row.place for name, row in corners[side].items()}
         self.contact, self.axle_end = chosen.pop("contact", None), chosen.pop(AXLE_END, None)
         return chosen

@@ -49,7 +49,7 @@ class PointTable:
     file: Path
     rows: list[PointRow] = field(default_factory=list)
     unit: str = ""
-    unread: list[str] = field(default_factory=list)
+    unread: list[tuple[str, list[str]]] = field(default_factory=list)  # where, and the cells of the line
     radius: dict[str, float] = field(default_factory=dict)
     carrier: str = ""
     notes: list[str] = field(default_factory=list)
