@@ -203,6 +203,32 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     assert ask("GET", "/api/check?path=karts/mine.toml")[1]["problems"] == []
 
 
+def test_what_was_written_and_what_is_to_be_read_are_no_records(ask):
+    for folder in ("swept/shards", "designed"):
+        (ask.folder / folder).mkdir(parents=True)
+    table = "time [s], sprung.z [mm]\n0, 1\n0.1, 2\n"
+    texts = {
+        "README.txt": "Files 1 to 4 are measured.\nbegin: 3\n",
+        "log.txt": table,
+        "wide.dat": "# a\n  1.5e-3\t-2\n",
+        "utf.txt": table.encode("utf-16").decode("latin-1"),
+        "swept/sweep.json": "{}",
+        "swept/study.toml": 'schema = "jounce.sweep/1"\n',
+        "swept/variants.csv": table,
+        "swept/shards/0.nc": "",
+        "designed/results.json": "{}",
+        "designed/targets.csv": table,
+        "study.toml": 'schema = "jounce.sweep/1"\n',
+    }
+    for name, text in texts.items():
+        (ask.folder / name).write_text(text, encoding="latin-1")
+    found = {one["path"]: one["kind"] for one in ask("GET", "/api/project")[1]["entries"]}
+    assert [name for name, kind in found.items() if kind == "record"] == ["log.txt", "utf.txt", "wide.dat"]
+    assert [name for name, kind in found.items() if kind == "sweep"] == ["study.toml"]
+    assert "README.txt" not in found
+    assert {found[name] for name in ("swept/variants.csv", "swept/shards/0.nc", "designed/targets.csv")} == {"results"}
+
+
 @pytest.mark.pages
 def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
     asked = RUN | {"title": "as it is"}

@@ -1,6 +1,6 @@
 /** Small things that every component needs: elements, numbers, colours. */
 
-import { heard, localised, say } from "./words";
+import { heard, localised, say, tr } from "./words";
 
 const HEARD = ["aria-label", "title", "placeholder"];
 type Attributes = Record<string, string | boolean | ((event: never) => void)>;
@@ -15,7 +15,8 @@ export function make<K extends keyof HTMLElementTagNameMap>(
     else if (typeof value === "boolean") element.toggleAttribute(name, value);
     else element.setAttribute(name, HEARD.includes(name) ? heard(value) : value);
   }
-  element.append(...content.map((one) => (typeof one === "string" ? heard(one) : one)));
+  const own = attributes.scope === "col" || /^mark\b/.test(String(attributes.class ?? "")); // heads and verdicts are words, however they begin
+  element.append(...content.map((one) => (typeof one !== "string" ? one : own && tr(one) !== one ? tr(one) : heard(one))));
   return element;
 }
 

@@ -46,11 +46,27 @@ export function localised(text: string): string {
 
 const SAID: Record<string, string> = {};
 
-/** Adds German for English texts of a page. */
-export function translate(texts: Record<string, string>): void { Object.assign(SAID, texts); }
+let patterns: [RegExp, string][] | null = null;
+
+/** Adds German for English texts of a page; `#` in them is whatever stands there. */
+export function translate(texts: Record<string, string>): void { Object.assign(SAID, texts); patterns = null; }
+
+/** German of a text that is known, also by its words around what is given; names and numbers stay as they are. */
+function german(text: string): string | undefined {
+  if (Object.hasOwn(SAID, text)) return SAID[text];
+  if (text.length > 400) return undefined;
+  patterns ??= Object.entries(SAID).filter(([words]) => words.includes("#") && words.replaceAll("#", "").trim().length > 4)
+    .sort(([one], [other]) => other.length - one.length) // the one that says most first
+    .map(([words, said]) => [new RegExp(`^${words.split("#").map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).join("(.+?)")}$`, "s"), said]);
+  for (const [pattern, said] of patterns) {
+    const [, ...given] = pattern.exec(text) ?? [];
+    if (given.length) return said.replace(/#/g, () => { const one = given.shift() ?? ""; return german(one) ?? one; });
+  }
+  return undefined;
+}
 
 /** A text of an element in the language of the page: only what is a sentence or begins with a capital, which names and paths do not. */
-export function heard(text: string): string { return (isGerman && /^[A-Z]|\s/.test(text) && SAID[text]) || text; }
+export function heard(text: string): string { return (isGerman && /^[A-Z]|\s/.test(text) && german(text)) || text; }
 
 /** An English text in the language of the page; `#` in it is what is given. */
 export function tr(text: string, given = ""): string {

@@ -18,6 +18,7 @@ _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are liste
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
+_ROW = re.compile(rb"^\s*[-+]?[\d.][\d.,eE+-]*[\s;,]+[-+]?\.?\d", re.MULTILINE)
 RECORDS = (
     ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".tdms", ".uff",
     ".uf", ".unv",
@@ -168,6 +169,8 @@ def _kind(file: Path) -> str:
         except OSError:
             return ""
         schema = _SCHEMA.search(head)
+        if schema and schema[1] == b"sweep" and _is_written(file):
+            return "results"
         return schema[1].decode() if schema else "road" if _ROAD.search(head) else ""
     if suffix == ".crg":
         return "road"
@@ -175,4 +178,24 @@ def _kind(file: Path) -> str:
         return "page"
     if suffix in _STORES:
         return "store"
-    return "results" if file.name in _RESULTS else "record" if suffix in RECORDS else ""
+    if file.name in _RESULTS:
+        return "results"
+    if suffix not in RECORDS or (suffix in (".txt", ".dat") and not _is_table(file)):
+        return ""
+    return "results" if _is_written(file) else "record"
+
+
+def _is_table(file: Path) -> bool:
+    """Whether a text holds rows of numbers, as measurements do, and a file that asks to be read does not."""
+    try:
+        with file.open("rb") as stream:
+            head = stream.read(_HEAD)
+    except OSError:
+        return False
+    return b"\0" in head or _ROW.search(head) is not None
+
+
+def _is_written(file: Path) -> bool:
+    """Whether a sweep, a campaign or a search wrote it: what it found, and nothing to begin with."""
+    folder = file.parent.parent if file.parent.name == "shards" else file.parent
+    return any((folder / name).is_file() for name in (*_RESULTS, "sweep.json"))

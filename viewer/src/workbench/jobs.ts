@@ -2,6 +2,7 @@
 
 import { make, written } from "../page";
 import { asked, get } from "./api";
+import { heard, tr } from "../words";
 import { copied, problem } from "./parts";
 import { told as refused } from "./refusals";
 
@@ -73,7 +74,7 @@ export class JobCard {
   private timer = 0;
 
   constructor(public job: Job, private readonly open?: (job: Job) => void) {
-    this.bar.setAttribute("aria-label", `share of ${job.title} that is done`);
+    this.bar.setAttribute("aria-label", heard(`share of ${job.title} that is done`));
     this.element.append(make("div", { class: "bar" }, make("h3", {}, job.title), this.state, this.times), this.bar, this.said, this.told, this.actions);
     this.show(job);
   }
@@ -81,12 +82,12 @@ export class JobCard {
   show(job: Job): void {
     this.job = job;
     const runs = job.state === "running" || job.state === "cancelling";
-    this.state.textContent = WORDS[job.state];
+    this.state.textContent = tr(WORDS[job.state]);
     this.state.className = `mark ${TONES[job.state]}`;
     this.bar.hidden = !runs;
     if (job.share === null) this.bar.removeAttribute("value"); else this.bar.value = job.share;
     this.said.hidden = !runs;
-    this.said.textContent = job.state === "cancelling" ? "stopping; what is finished is kept" : job.said || "starting";
+    this.said.textContent = tr(job.state === "cancelling" ? "stopping; what is finished is kept" : heard(job.said) || "starting");
     this.tick();
     clearInterval(this.timer);
     if (runs) this.timer = window.setInterval(() => { if (this.element.isConnected) this.tick(); else clearInterval(this.timer); }, 1000);
@@ -110,9 +111,9 @@ export class JobCard {
   private tick(): void {
     const { begun, ended, share, left, state } = this.job;
     const since = (ended ?? Date.now() / 1000) - begun;
-    const parts = [ended ? `took ${lasting(since)}` : `for ${lasting(since)}`];
+    const parts = [ended ? tr("took #", lasting(since)) : tr("for #", lasting(since))];
     if (state === "running" && share !== null) parts.push(`${written(100 * share, 3)} %`);
-    if (state === "running" && left !== null && left >= 1) parts.push(`about ${lasting(left)} left`);
+    if (state === "running" && left !== null && left >= 1) parts.push(tr("about # left", lasting(left)));
     this.times.textContent = parts.join(" · ");
   }
 }

@@ -61,6 +61,7 @@ async function show(): Promise<void> {
 document.documentElement.classList.add("live");
 document.getElementById("pages")!.append(...Object.entries(PAGES).map(([page, { label }]) => make("a", { href: address(page), "data-page": page }, label)));
 document.querySelector("header")!.append(languageButton(), themeButton());
+document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
 document.querySelector(".skip")!.textContent = tr("To the content");
 addEventListener("hashchange", () => { delete document.documentElement.dataset.ready; void show(); });
 api.project().then(({ name }) => { document.getElementById("project")!.textContent = name; }, () => {});

@@ -1,6 +1,7 @@
 /** Many variants at once: lines through parallel axes that are brushed, and a matrix of dots; the same variants are lit in both. */
 
 import { colour, make, whenColoursChange, written } from "../page";
+import { tr } from "../words";
 
 export interface Column { name: string; unit: string; factor: number; is_number: boolean; values: (number | null)[] }
 
@@ -229,6 +230,6 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
   });
   return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": `what ${metric.name} depends on` }, make("table", {},
     make("caption", {}, `${metric.name}: from its mean of ${written(mean * metric.factor, 4)} ${metric.unit}, where a number is low and where it is high`),
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "number"), make("th", { scope: "col", class: "right" }, make("span", { class: "key low" }), ` low [${metric.unit || "–"}]`), make("th", { scope: "col" }, ""), make("th", { scope: "col", class: "right" }, make("span", { class: "key high" }), ` high [${metric.unit || "–"}]`), make("th", { scope: "col", class: "right" }, words))),
+    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "number"), make("th", { scope: "col", class: "right" }, make("span", { class: "key low" }), ` ${tr("low")} [${metric.unit || "–"}]`), make("th", { scope: "col" }, ""), make("th", { scope: "col", class: "right" }, make("span", { class: "key high" }), ` ${tr("high")} [${metric.unit || "–"}]`), make("th", { scope: "col", class: "right" }, words))),
     make("tbody", {}, ...rows)));
 }

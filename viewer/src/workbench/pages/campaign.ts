@@ -211,7 +211,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
   }
   const numbers = [...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number)))];
   if (numbers.length) shown.push(make("h2", {}, "Every update on every trial"), make("p", { class: "muted" }, "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked."),
-    table("every update on every trial", ["update", ...numbers.map((one) => `trial ${one}`)], found.updates.map((one) => [one.name, ...numbers.map((number) => { const two = one.comparisons.find((three) => three.number === number); return two ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? ", fitted" : ""}${two.after?.verdict ? `: ${two.after.verdict}` : ""}` : "–"; })])));
+    table("every update on every trial", ["update", ...numbers.map((one) => `trial ${one}`)], found.updates.map((one) => [one.name, ...numbers.map((number) => { const two = one.comparisons.find((three) => three.number === number); return two ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? tr(", fitted") : ""}${two.after?.verdict ? `: ${tr(two.after.verdict)}` : ""}` : "–"; })])));
   if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...found.findings.map((one) => make("li", { class: one.severity === "problem" ? "problem" : "" }, `${one.place}: ${one.message}`))));
   return shown;
 }

@@ -57,7 +57,7 @@ function graded(found: Graded): HTMLElement[] {
   if (found.error) shown.push(make("p", { class: "problem", role: "alert" }, found.error.message));
   shown.push(make("p", { class: "bar" }, "verdict: ", mark(found.verdict), make("span", { class: "muted" }, `${found.deciding.join(", ")} decides; limits: ${found.limits.label}`), ...(found.store ? [make("span", { class: "good" }, `kept in the store as record ${found.store.records.join(", ")}`)] : [])));
   const quantities = QUANTITIES.filter(([name]) => wheels.some((one) => typeof one[name] === "number"));
-  const name = (one: Wheel) => [one.axle, one.wheel].filter(Boolean).join(" ");
+  const name = (one: Wheel) => [one.axle, one.wheel].filter(Boolean).map((word) => tr(word!)).join(" ");
   const cell = (one: Wheel, key: string, factor: number) => {
     const value = one[key], doubt = one.uncertainty?.[key];
     return typeof value === "number" ? `${written(value * factor)}${doubt ? ` ± ${written(doubt * factor, 1)}` : ""}` : "–";
@@ -65,9 +65,9 @@ function graded(found: Graded): HTMLElement[] {
   const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
   shown.push(make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" }, make("table", {},
     make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "wheel"), ...wheels.map((one) => make("th", { scope: "col", class: "right" }, name(one))), make("th", { scope: "col" }, "unit"))),
-    make("tbody", {}, make("tr", {}, make("th", { scope: "row" }, "verdict"), ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))), make("td", {})),
-      ...quantities.map(([key, words, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, words), ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))), make("td", {}, unit))),
-      ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, `grade ${method.toUpperCase()}`), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ?? "–")), make("td", {})))))));
+    make("tbody", {}, make("tr", {}, make("th", { scope: "row" }, tr("verdict")), ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))), make("td", {})),
+      ...quantities.map(([key, words, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, tr(words)), ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))), make("td", {}, unit))),
+      ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, tr("grade #", method.toUpperCase())), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ?? "–")), make("td", {})))))));
   const reasons = [...wheels.flatMap((one) => one.reasons.map((text) => `${name(one)}: ${text}`)), ...(found.axle?.reasons ?? []), ...wheels.flatMap((one) => one.findings.map((finding) => `${name(one)}, ${finding.severity}: ${finding.message}`)), ...(found.findings ?? []).map((finding) => `${finding.severity}: ${finding.message}`)];
   shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons.map((text) => make("li", {}, text)))));
   return shown;
@@ -91,7 +91,7 @@ function search(stores: string[], choices: Choices): HTMLElement {
     const { records } = told.result;
     if (!records.length) return [make("p", { class: "empty" }, "No record fits."), ways(told)];
     const rows = records.map((one) => {
-      const button = make("button", { type: "button", "aria-label": `history of ${one.plate}` }, "history");
+      const button = make("button", { type: "button", "aria-label": `history of ${one.plate}` }, tr("history"));
       button.addEventListener("click", () => {
         const past = new Question<{ plate: string; vehicle: string; trends: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[] }>("Again", () => ({ kind: "history", store: store.value, plate: one.plate }), (found) => [make("h3", {}, `History of ${found.result.plate}`), ...trends(found.result.trends), report(found.report, "Every visit"), ways(found)]);
         history.replaceChildren(past.place);

@@ -3,6 +3,7 @@
 import { Store } from "../../data";
 import { make, written } from "../../page";
 import { Player } from "../../player";
+import { tr } from "../../words";
 import * as api from "../api";
 import { begin, follow, type Job, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
@@ -59,7 +60,7 @@ function overlay(): HTMLElement {
   interface One { vehicle: string; road: string; speed: string; duration: string; seed: number; changes: Record<string, unknown>; control: string }
   interface Drawn { content: object; notes: string[]; failed: Record<string, string> }
   const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Rides that are done")), chosen = new Map<string, One>(), offered = new Set<string>();
-  const none = make("p", { class: "empty" }, "Drive first: every ride that is done can be chosen here."), over = make("select", {}, make("option", { value: "0" }, "time"), make("option", { value: "1" }, "frequency (spectra)"));
+  const none = make("p", { class: "empty" }, "Drive first: every ride that is done can be chosen here."), over = make("select", {}, make("option", { value: "0" }, tr("time")), make("option", { value: "1" }, "frequency (spectra)"));
   let draw = (): void => {};
   over.addEventListener("change", () => draw());
   const question = new Question<Drawn>("Draw them", () => ({ kind: "overlay", rides: [...chosen.values()] }), ({ result, ...told }) => {
@@ -149,12 +150,12 @@ function merits(found: Compared): HTMLElement[] {
   const best = Object.fromEntries(shown.map(([name]) => [name, Math.min(...found.runs.map((one) => one.merits[name] ?? Infinity))]));
   const passive = found.runs.find((one) => one.control === "passive");
   return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "controllers" }, make("table", {}, make("caption", {}, "Smaller is better; in brackets the change from the passive rig"),
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "controller"), ...shown.map(([, words, unit]) => make("th", { scope: "col", class: "right" }, `${words} [${unit}]`)), make("th", { scope: "col" }, "comfort"))),
+    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "controller"), ...shown.map(([, words, unit]) => make("th", { scope: "col", class: "right" }, `${tr(words)} [${unit}]`)), make("th", { scope: "col" }, "comfort"))),
     make("tbody", {}, ...found.runs.map((one) => make("tr", {}, make("th", { scope: "row" }, one.control), ...shown.map(([name, , , factor]) => {
       const value = one.merits[name], before = passive?.merits[name];
       const change = value !== undefined && before && one !== passive ? ` (${value >= before ? "+" : ""}${written(100 * (value / before - 1), 2)} %)` : "";
       return make("td", { class: "right" }, value !== undefined && value === best[name] && found.runs.length > 1 && value > 0 ? make("span", { class: "mark good" }, written(value * factor)) : written(value === undefined ? null : value * factor), change);
-    }), make("td", {}, Object.values(one.comfort).join("; "))))))),
+    }), make("td", {}, Object.values(one.comfort).map((text) => tr(text)).join("; "))))))),
   ...Object.entries(found.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: ${reason}`)),
   ...[...new Set(found.runs.flatMap((one) => one.findings.map((two) => `${two.severity}: ${two.place}: ${two.message}`)))].map((text) => make("p", { class: "muted" }, text))];
 }

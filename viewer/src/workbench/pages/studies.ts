@@ -1,7 +1,7 @@
 /** Many variants of a rig: what varies and how, the sweep as a job, and what came of it. */
 
 import { make, written } from "../../page";
-import { tr } from "../../words";
+import { heard, tr } from "../../words";
 import * as api from "../api";
 import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
@@ -37,7 +37,7 @@ function starter(path: string): HTMLElement {
   button.addEventListener("click", () => {
     once(button, begin({ kind: "sweep", study: path, out, resume: true })).then(() => told.replaceChildren(), (error) => told.replaceChildren(problem(error)));
   });
-  return make("span", {}, button, " ", make("small", { class: "muted" }, `into ${out}`), told);
+  return make("span", {}, button, " ", make("small", { class: "muted" }, tr("into #", out)), told);
 }
 
 const DESIGNS: Record<string, [string, boolean]> = {
@@ -54,7 +54,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const design = make("select", {}, ...Object.entries(DESIGNS).map(([kind, [words]]) => make("option", { value: kind }, words)));
   const count = make("input", { type: "number", min: "1", value: "256" }), seed = make("input", { type: "number", min: "0", value: "0" });
   const metrics = make("input", { type: "text", value: "rms sprung.az, max strut.deflection" });
-  const road = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, one.replace("-", " "))), make("option", { value: "iso" }, "random road (ISO 8608)"));
+  const road = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))), make("option", { value: "iso" }, "random road (ISO 8608)"));
   const sizes = make("span", { class: "sizes" });
   const speed = make("input", { type: "text", value: "2 m/s" }), duration = make("input", { type: "text", value: "1.5 s" });
   const name = make("input", { type: "text", value: "study.toml", spellcheck: "false" }), out = make("input", { type: "text", value: "swept", spellcheck: "false" });
@@ -157,7 +157,7 @@ async function showSweep(place: HTMLElement, id: string | null, given: string | 
   clear.addEventListener("click", () => brushes.clear());
   const table = () => {
     const kept = brushes.chosen.flatMap((one, row) => (one ? [row] : []));
-    told.textContent = `${kept.length} of ${rows} variants` + (rows < sweep.finished ? ` shown, of ${sweep.finished}` : "") + (brushes.picked >= 0 ? `; variant ${sweep.variants[brushes.picked]} is marked` : "");
+    told.textContent = heard(`${kept.length} of ${rows} variants`) + (rows < sweep.finished ? heard(` shown, of ${sweep.finished}`) : "") + (brushes.picked >= 0 ? heard(`; variant ${sweep.variants[brushes.picked]} is marked`) : "");
     const first = [...(brushes.picked >= 0 ? [brushes.picked] : []), ...kept.filter((row) => row !== brushes.picked)].slice(0, 20);
     chosen.replaceChildren(...first.map((row) => {
       const mark = make("button", { type: "button", "aria-label": `mark variant ${sweep.variants[row]}`, "aria-pressed": String(row === brushes.picked) }, String(sweep.variants[row]));
