@@ -208,7 +208,10 @@ def test_a_stop_in_an_fmu_is_the_stop(made, stiff_and_soft) -> None:
 
 def test_an_element_without_equilibrium_or_stability_is_refused(stiff_and_soft, element) -> None:
     rig, soft = stiff_and_soft
-    for numbers, what in (({}, r"no static equilibrium.*of the FMU"), ({"stiffness": -20e3}, "grow at any rate")):
+    for numbers, what in (
+        ({}, r"no static equilibrium.*FMU; found '-4513 N"),
+        ({"stiffness": -20e3}, "grow at any rate"),
+    ):
         with pytest.raises(jn.SimulationError, match=what):
             element(rig, "spring", numbers=numbers)
     with pytest.raises(jn.SimulationError, match="coupling is unstable"):

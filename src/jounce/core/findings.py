@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal, get_args
 
 from jounce.core.errors import JounceError, OutputError
 from jounce.core.shown import Shown
@@ -36,6 +36,22 @@ class Finding(Shown):
 
     def __str__(self) -> str:
         return f"{self.severity}: {self.place}: {self.message}"
+
+
+def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
+    """Findings that a recording carries as texts in its attribute ``findings``.
+
+    >>> [str(one) for one in findings_of({"findings": ["note: a.fmu: v: it has no unit: taken for m/s."]})]
+    ['note: a.fmu: v: it has no unit: taken for m/s.']
+    """
+    told = attributes.get("findings", [])
+    found = []
+    for text in [told] if isinstance(told, str) else told:
+        severity, _, rest = str(text).partition(": ")
+        place, _, message = rest.partition(": ")
+        if severity in get_args(Severity) and message:
+            found.append(Finding(place, severity, message))  # type: ignore[arg-type]
+    return found
 
 
 def not_drawn(place: str, error: Exception) -> Finding:

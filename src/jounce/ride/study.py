@@ -11,6 +11,7 @@ import numpy as np
 
 from jounce.control import CONTROLS, Controller, as_controller
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
+from jounce.core.findings import findings_of
 from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si
@@ -391,6 +392,7 @@ def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride
     for missing in metrics.absent:
         if missing.metric == "weighted_rms":
             raise RecordingError(missing.reason, where=missing.place, hint="Drive for longer (duration).")
+    metrics = replace(metrics, findings=(*metrics.findings, *findings_of(run.attrs)))
     return Ride(control_name(control), run, metrics, _merits(metrics), trial.settling)
 
 

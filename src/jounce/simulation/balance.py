@@ -31,9 +31,11 @@ def balanced_commands(
     if regulator.from_rest:
         _check_change(_asked(regulator, np.zeros(len(rows))), where)
         return commands, rest
+    first = np.zeros(0)
     for _ in range(_ITERATIONS):
         outputs = compiled.evaluate("output", rest.x, still, p, rest.modes)
         beyond = _asked(regulator, outputs[rows]) - commands
+        first = first if len(first) else beyond
         if not np.isfinite(beyond).all():
             break
         if np.abs(beyond).max() <= _LEAST + _BALANCED * np.abs(outputs[rows]).max():
@@ -49,6 +51,8 @@ def balanced_commands(
     raise SimulationError(
         "no static equilibrium was found with the force of the FMU",
         where=where,
+        found=f"{', '.join(f'{one:+.4g} N' for one in first)} beside the force that holds the rig at rest with its own",
+        allowed="a force that rises to the load of the rig within its travel",
         hint="Check signs (compression positive), units and preload; with from_rest = true the rig's own force holds "
         "at rest, and the FMU gives what changes.",
     )

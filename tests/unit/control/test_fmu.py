@@ -335,6 +335,7 @@ def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, 
         str(file),
     ]
     assert main(command) == 0
+    assert "inputs that nothing is connected to keep their start: spare = 2.5" in capsys.readouterr().out
     assert not asked
     assert main([*command, "--trust"]) == 0, capsys.readouterr().err
     assert asked

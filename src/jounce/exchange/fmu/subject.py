@@ -260,7 +260,7 @@ def _law(loop: Loop | None, findings: list[Finding]) -> tuple[Program | None, Ar
         return None, np.zeros(0)
     if isinstance(loop.first, CallbackController):
         raise SimulationError(
-            "a controller that runs in Python cannot be part of an FMU",
+            "a controller that is no formula (a function in Python, another FMU) cannot be part of an FMU",
             where="control",
             found=loop.first.name,
             allowed="a law of jounce, such as skyhook or lqr; or export the rig alone and connect the law outside",
