@@ -45,6 +45,7 @@ _AIM = 4.0  # s of work in a shard: little is lost, and what a cluster needs for
 _TRIED = 0.5  # s in which it is found out how long variants take
 _LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
 _LONG = 20.0  # s of work, from which on processes are worth their start
+_TASK = 0.2  # s of work in a shard that another process is given, at least
 _PER_WORKER = 4  # shards each worker has at least, so that all end together
 _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
 _MOST_NUMBERS = 400_000_000  # numbers that are given at once: 3.2 GB
@@ -461,7 +462,8 @@ def _size(work: Work, columns: Mapping[str, Array], workers: int, pace: _Pace) -
     count = len(next(iter(columns.values())))
     most = [_AIM / pace.seconds, _MOST_BYTES / _bytes_of_a_variant(work, columns), _LARGEST]
     if workers > 1:
-        most.append(count / (workers * _PER_WORKER))
+        worth = _TASK / pace.seconds  # below which handing it on takes longer than the work
+        most.append(max(count / (workers * _PER_WORKER), 2.0 ** math.ceil(math.log2(max(worth, 1.0)))))
     return int(2 ** math.floor(math.log2(max(min(most), 1.0))))
 
 

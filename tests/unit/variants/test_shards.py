@@ -35,6 +35,22 @@ def small(monkeypatch):
     monkeypatch.setattr(shards, "_size", lambda *_: 8)
 
 
+@pytest.mark.parametrize(
+    ("seconds", "workers", "size"),
+    [
+        (1e-3, 64, 256),  # 0.2 s of work for each, though others stand idle
+        (1e-3, 1, 2048),  # four seconds at most
+        (0.1, 64, 8),  # four for each of 64
+        (5.0, 64, 1),
+        (1e-7, 64, 65_536),
+    ],
+)
+def test_shards_are_worth_handing_on(seconds: float, workers: int, size: int, monkeypatch) -> None:
+    monkeypatch.setattr(shards, "_bytes_of_a_variant", lambda *_: 100)
+    columns = {"sprung.mass": np.zeros(4000)}
+    assert shards._size(None, columns, workers, shards._Pace(seconds, is_alone=True)) == size
+
+
 def files(out: Path) -> list[str]:
     return sorted(file.name for file in (out / "shards").iterdir())
 
