@@ -79,6 +79,24 @@ def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(tmp
     assert set(RECORDS) == {suffix for known in READERS for suffix in known.suffixes}
 
 
+def test_a_record_in_a_folder_that_may_not_be_written_is_seen_all_the_same(
+    here: Any, tmp_path: Path, monkeypatch
+) -> None:
+    from jounce.core.errors import OutputError
+    from jounce.web import records as module
+    from jounce.web.project import unusable
+
+    records, _ = here
+    monkeypatch.setattr(module.os, "access", lambda _path, _mode: False)
+    assert records.open("long.nc").about["count"] == COUNT
+    assert not (tmp_path / ".jounce").exists()
+    assert records.open("long.nc").folder.parent == Path(records.apart.name)
+    records.apart.cleanup()
+    told = unusable(OSError(28, "No space left on device", "/secret/x"), "x")
+    assert isinstance(told, OutputError)
+    assert str(told).startswith("x: cannot be read or written; found 'No space left on device'.")
+
+
 @pytest.fixture
 def here(opened: Any) -> tuple[Any, list[str]]:
     """Records that are read in this process, and which were."""

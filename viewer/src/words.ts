@@ -60,7 +60,7 @@ function german(text: string): string | undefined {
     .map(([words, said]) => [new RegExp(`^${words.split("#").map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).join("(.+?)")}$`, "s"), said]);
   for (const [pattern, said] of patterns) {
     const [, ...given] = pattern.exec(text) ?? [];
-    if (given.length) return said.replace(/#/g, () => { const one = given.shift() ?? ""; return german(one) ?? one; });
+    if (given.length) return said.replace(/#/g, () => { return heard(given.shift() ?? ""); });
   }
   return undefined;
 }

@@ -16,7 +16,7 @@ from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.jobs import Jobs
-from jounce.web.project import LONGEST, Project, Text, Version
+from jounce.web.project import LONGEST, Project, Text, Version, unusable
 from jounce.web.records import Records
 from jounce.web.safety import Guard
 from jounce.web.working import routes
@@ -145,9 +145,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
     @app.exception_handler(OSError)
     def unwritten(_: Request, error: OSError) -> JSONResponse:
-        what = error.strerror or str(error)  # a full disk, a name that is too long, no permission
-        place = f"{Path(str(error.filename)).name}: " if error.filename else ""
-        return JSONResponse({"error": {"what": what, "text": f"{place}{what}."}}, 422)
+        place = Path(str(error.filename)).name if error.filename else ""
+        return refused(_, unusable(error, place))
 
     @app.exception_handler(Exception)
     def crashed(_: Request, error: Exception) -> JSONResponse:

@@ -156,6 +156,12 @@ class Project:
                     yield file
 
 
+def unusable(error: OSError, where: str) -> OutputError:
+    """Say of a full disk, a name that is too long or a missing permission what it is."""
+    hint = "Check the path, the permissions and the space on the disk."
+    return OutputError("cannot be read or written", where=where, found=error.strerror or str(error), hint=hint)
+
+
 def _digest(content: bytes) -> str:
     return sha256(content).hexdigest()
 

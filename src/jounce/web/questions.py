@@ -13,6 +13,7 @@ from jounce.core.errors import JounceError, unforeseen
 from jounce.core.findings import Finding
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
+from jounce.web.project import unusable
 
 _MOST_COLUMNS, _MOST_POINTS = 200, 2000
 
@@ -32,7 +33,7 @@ def answer(question: Mapping[str, Any]) -> int:
             found = preview(question)
         sys.stdout.write(to_json(found))
     except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
-        known = unforeseen(error)
+        known = unusable(error, "") if isinstance(error, OSError) else unforeseen(error)
         plain = {"message": str(known), "what": known.what, "where": known.where, "hint": known.hint or None}
         sys.stdout.write(to_json({"error": plain}))
         return 2

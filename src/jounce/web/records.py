@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import tempfile
 import threading
 from hashlib import sha256
 from pathlib import Path
@@ -24,6 +26,7 @@ class Records:
     def __init__(self, project: Project, jobs: Jobs) -> None:
         self.project, self.jobs = project, jobs
         self.lock = threading.Lock()
+        self.apart: tempfile.TemporaryDirectory[str] | None = None
 
     def open(self, path: str) -> Levels:
         """Read a record, in a process of its own, unless that was done."""
@@ -32,11 +35,20 @@ class Records:
             raise DescriptionError("no such file", where=path, hint="Choose a record of the project.")
         state = file.stat()
         key = sha256(f"{path}\0{state.st_size}\0{state.st_mtime_ns}".encode()).hexdigest()[:24]
-        folder = self.project.inside("/".join((*_PLACE, key)))
+        folder = self._place() / key
         with self.lock:  # a page that is loaded anew asks again: what is being read is not written twice
             if not (folder / ABOUT).is_file():
                 self._read(path, file, folder)
         return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+
+    def _place(self) -> Path:
+        """Where it is kept: in the project, or as long as the server lives where nothing can be written there."""
+        place = self.project.inside("/".join(_PLACE))
+        known = next(one for one in (place, *place.parents) if one.exists())
+        if os.access(known, os.W_OK):
+            return place
+        self.apart = self.apart or tempfile.TemporaryDirectory(prefix="jounce-")
+        return Path(self.apart.name)
 
     def _read(self, path: str, file: Path, folder: Path) -> None:
         question = {"kind": "levels", "file": str(file), "folder": str(folder)}

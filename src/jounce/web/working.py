@@ -17,7 +17,7 @@ from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
 from jounce.web.campaigns import Use, entered, overview
 from jounce.web.jobs import Jobs
-from jounce.web.project import RECORDS, Project
+from jounce.web.project import RECORDS, Project, unusable
 from jounce.web.studies import swept, write_study
 from jounce.web.tasks import Asked, doing_of
 
@@ -207,8 +207,7 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
                 raise OutputError("the file did not arrive whole", where=path, found=f"{size} of {expected} bytes")
             _put_new(temporary, file)
         except OSError as error:
-            hint = "Check the permissions and the space on the disk."
-            raise OutputError("the file cannot be written", where=path, found=error.strerror, hint=hint) from None
+            raise unusable(error, path) from None
         finally:
             temporary.unlink(missing_ok=True)
         return {"path": path, "size": size}

@@ -30,7 +30,7 @@ async function show(place: HTMLElement): Promise<void> {
     return make("tr", {},
       make("th", { scope: "row" }, first ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path) : page ? make("a", { href: page, target: "_blank" }, entry.path) : entry.path),
       make("td", {}, tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(entry.modified)),
-      make("td", {}, ...opens.slice(1).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
+      make("td", { class: "links" }, ...opens.slice(1).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
   });
   const choice = make("select", {}, ...library.map((one) => make("option", { value: one.name }, one.name)));
   const target = make("input", { type: "text", value: `${library[0]?.name ?? "rig"}.toml`, spellcheck: "false" });
