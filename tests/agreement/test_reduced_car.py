@@ -142,6 +142,29 @@ def test_sixty_random_cars_agree_within_the_tolerance():
     assert max(share for _, share in found) < 1.0
 
 
+@pytest.mark.slow
+def test_a_car_at_rest_gets_onto_an_obstacle():
+    """A third damper pulls wheels that still stand: which way they begin to move is less than steps are exact to."""
+    random, car = np.random.default_rng(SEED), CAR.with_changes(of("front", THIRD))
+    for _ in range(30):
+        start, speed, tolerance = (
+            random.uniform(0.3, 3.0),
+            random.uniform(3.0, 30.0),
+            10.0 ** random.uniform(-6.0, -4.0),
+        )
+        road = jn.HalfSine(height=random.uniform(0.005, 0.03), length=random.uniform(0.1, 2.0), start=start)
+        trial = jn.Trial(road=road, right=jn.Flat(), speed=speed, duration=start / speed + 0.05)
+        varied = car.with_changes({"body.mass": car.body.mass * random.uniform(0.85, 1.15)})
+        exact = jn.simulate(varied, trial, tolerance=1e-9, method="explicit")
+        for method in ("auto", "explicit"):
+            run = jn.simulate(varied, trial, tolerance=tolerance, method=method)
+            moved = [name for name in exact if name.endswith(("unsprung.z", "body.z"))]
+            size = max(float(np.ptp(exact[name].values)) for name in moved)
+            assert (
+                max(float(np.max(np.abs(run[name].values - exact[name].values))) for name in moved) < tolerance * size
+            )
+
+
 def test_every_channel_is_that_of_the_car_with_linkages():
     trial = jn.Trial(
         road=jn.HalfSine(height="20 mm", length="0.5 m", start="1 m"), right=jn.Flat(), speed=8.0, duration=0.5

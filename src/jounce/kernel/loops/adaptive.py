@@ -172,7 +172,10 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
                 stalled += 1
                 if stalled > _STALLED * len(problem.m):
                     return CHATTER
-                h = tried
+                # A function that is near zero for long is on the side that the error of the interpolant says, and that
+                # hangs on the modes: a shorter step has less of it.
+                twice = stalled > len(problem.m) and stalled % len(problem.m) == 0
+                h = 0.5 * tried if twice else tried
             else:
                 stalled = 0
                 counts[0] += 1
