@@ -200,6 +200,8 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
 
     A DescriptionError at the place ``where`` refuses a missing or wrong unit, and what is not a finite number.
     """
+    if type(value) is float and -LARGEST <= value <= LARGEST:  # most are: descriptions made from others
+        return value
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
         raise DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
     if not isinstance(value, str):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
 from typing import Annotated, Any, Self
 
 import numpy as np
@@ -51,13 +53,13 @@ DampingTriple = Annotated[
 
 def distance(one: Triple | Array, other: Triple | Array) -> float:
     """Distance between two points in m."""
-    return float(np.linalg.norm(np.subtract(one, other)))
+    return math.dist(one, other)
 
 
 def distance_to_line(point: Triple | Array, one: Triple | Array, other: Triple | Array) -> float:
     """Distance in m of a point from the line through two others that differ."""
-    along = np.subtract(other, one)
-    return float(np.linalg.norm(np.cross(along, np.subtract(point, one))) / np.linalg.norm(along))
+    (ax, ay, az), (bx, by, bz) = ([b - a for a, b in zip(one, end, strict=True)] for end in (other, point))
+    return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / math.hypot(ax, ay, az)
 
 
 TRIANGLE_TOLERANCE = 1e-3
@@ -101,7 +103,12 @@ class Inertia(Description):
     @property
     def principal_moments(self) -> Array:
         """Principal moments, ascending, shape (3,), kg m^2."""
-        return np.asarray(np.linalg.eigvalsh(self.tensor))
+        return np.array(_principal_moments(self.xx, self.yy, self.zz, self.xy, self.xz, self.yz))
+
+
+@lru_cache(256)  # variants of a rig differ in few numbers, and hardly one of them in those of its bodies
+def _principal_moments(xx: float, yy: float, zz: float, xy: float, xz: float, yz: float) -> tuple[float, ...]:
+    return tuple(np.linalg.eigvalsh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], dtype=float)).tolist())
 
 
 class RigidBody(Description):

@@ -496,7 +496,7 @@ def _check_disk(kept: Kept, work: Work, spans: list[tuple[int, int]]) -> None:
 def _bytes_told(count: float) -> str:
     """Bytes in words.
 
-    >>> _bytes_told(1_200_000), _size_of(3.2e9)
+    >>> _bytes_told(1_200_000), _bytes_told(3.2e9)
     ('1.2 MB', '3.2 GB')
     """
     return f"{count / 1e9:.3g} GB" if count >= 1e9 else f"{count / 1e6:.3g} MB"
