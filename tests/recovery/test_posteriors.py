@@ -33,21 +33,26 @@ def covered_without_error(seed):
 
 
 def counted_with_error(seed):
-    """The posterior of a bench of three trials whose laws are not the model's, and for each identified part whether its
-    interval holds both readings of the truth, with its half-width over its value.
-    """  # fmt: skip
+    """The posterior of a bench of three trials whose laws are not the model's, and of each identified part."""
     one = wrong_models.bench(seed, trials=3)
     found = jn.posterior(one.trials, wrong_models.FREE, align="lag", doubt=jn.Doubt(), draws=4000, predict=())
     assert found.counted == "model error"
     told = found.update.discrepancy.parameters
-    return found, [
-        (
-            all(p.interval[0] <= true[path] <= p.interval[1] for true in (one.component, one.effective)),
-            0.5 * (p.interval[1] - p.interval[0]) / p.value,
-        )
-        for path, p in found.parameters.items()
-        if told[path].identified
-    ]
+    known = {path: p for path, p in found.parameters.items() if told[path].identified}
+    return found, [counted(path, p.interval, p.value, one) for path, p in known.items()]
+
+
+def gaussian(one):
+    """The same of the Gaussian approximation, which is the posterior within some per cent and takes a tenth as long."""
+    settings = {"weights": "normalised", "align": "lag", "doubt": jn.Doubt()}
+    told = jn.update_model(one.trials, wrong_models.FREE, **settings).discrepancy.parameters
+    return [counted(path, law.interval, law.value, one) for path, law in told.items() if law.identified]
+
+
+def counted(path, interval, value, one):
+    """Whether an interval holds both readings of the truth, and its half-width over its value."""
+    held = all(interval[0] <= true[path] <= interval[1] for true in (one.component, one.effective))
+    return held, 0.5 * (interval[1] - interval[0]) / value
 
 
 @pytest.mark.slow
@@ -57,16 +62,45 @@ def test_two_hundred_benches_without_model_error():
 
 
 @pytest.mark.slow
-def test_benches_with_model_error():
-    """A quarter of a minute each; seeds from 400 on are others than those the intervals were developed on.
+def test_benches_that_are_off_by_what_is_doubted():
+    """Where errors are drawn from their priors 95 % have to be covered, neither fewer nor more: nothing else is wrong.
 
-    No upper end: an interval holds both readings of a part, and three trials say little of what nothing explains, so
-    more than 95 % are covered. That they are useful is what their widths say.
+    This is what says that intervals are no wider than what is stated; a bench of other errors cannot.
     """
+    rows = [row for seed in range(100) for row in gaussian(wrong_models.doubted_bench(seed, trials=3))]
+    covered, _ = np.array(rows).T
+    assert 0.92 <= np.mean(covered) <= 0.98  # of some 510, correlated in sixes: three standard errors
+
+
+@pytest.mark.slow
+def test_two_hundred_benches_with_model_error():
+    """Seeds from 400 on are others than those the intervals were developed on; the counts are in the documentation.
+
+    No upper end of what is covered: masses are doubted by more than these benches are off by, and a rest that three
+    trials tell of has wide tails. Both are stated and not estimated, so more than 95 % are covered, and an end that is
+    nearly one could not fail. That intervals are not simply wide is asked of those that are off by what is doubted,
+    above, and that they are of use of their widths.
+    """
+    rows = [row for seed in range(400, 600) for row in gaussian(wrong_models.bench(seed, trials=3))]
+    covered, widths = np.array(rows).T
+    assert np.mean(covered) >= 0.92
+    assert np.median(widths) < 0.1
+
+
+@pytest.mark.slow
+def test_posteriors_with_model_error():
+    """A quarter of a minute each."""
     found = [counted_with_error(seed) for seed in range(400, 455)]
     covered, widths = np.array([row for _, rows in found for row in rows]).T
     errors = np.array([one.density_error for one, _ in found])
     assert np.mean(covered) >= 0.92
-    assert np.median(widths) < 0.2
+    assert np.median(widths) < 0.1
     assert np.mean(errors < 0.5) > 0.9
     assert all(any("log density" in str(f) for f in one.findings) == (one.density_error > 0.5) for one, _ in found)
+    ratios = [
+        np.ptp(one.parameters[path].interval) / np.ptp(law.interval)
+        for one, _ in found
+        for path, law in one.update.discrepancy.parameters.items()
+        if law.identified
+    ]
+    assert 0.9 < np.median(ratios) < 1.1  # so that what is counted of the approximation counts for the posterior

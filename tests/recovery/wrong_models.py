@@ -9,12 +9,15 @@ are held against are component and effective value over the states truly ridden.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 import jounce as jn
+from jounce.identify.discrepancy import _Calibration, _State
+from jounce.identify.fit_problem import free_parameters
+from jounce.identify.laws import Laws, States
 from jounce.papers.virtual_bench import wheel_path
 from jounce.recordings.schema import recording
 
@@ -142,6 +145,60 @@ def bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
         rides.append(run)
     component, effective = _truths(truth.true_rig(), rides)
     return Bench(seed, f"{'3-D' if spatial else 'quarter car'}, {kind}", fits, component, effective)
+
+
+def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
+    """Draw a quarter car that is off by just what ``Doubt`` says: every error from its prior, noise white.
+
+    The richer model is the truth here, so nothing is left unexplained and no prior is too wide or too narrow.
+    """
+    draw = np.random.default_rng([17, seed])
+    ranges = ((20e3, 26e3), (80.0, 220.0), (2.0, 14.0), (2.0, 16.0), (118e3, 150e3), (5.0, 60.0))
+    true = {path: draw.uniform(*ends) for path, ends in zip(FREE, ranges, strict=True)}
+    told = jn.load("kart-quarter-car").with_changes({
+        "strut.spring.rate": true["strut.spring.rate"] * draw.uniform(0.97, 1.03),
+        "strut.damper.coefficient": true["strut.damper.coefficient"] * draw.uniform(0.8, 1.25),
+        "strut.friction": {"force": 5.0, "regularisation_velocity": 0.005},
+        "guide.friction": {"force": 5.0, "regularisation_velocity": 0.005},
+        "tyre.stiffness": true["tyre.stiffness"] * draw.uniform(0.95, 1.06),
+        "tyre.damping_coefficient": 15.0,
+    })  # fmt: skip
+    sensor = {name: jn.Sensor(high_pass=0.5, low_pass=250.0) for name in CHANNELS}
+    meant = []
+    for number, (speed, pitch, degrees) in enumerate(TRIALS[:trials], 1):
+        road = jn.HalfSine(height=0.010, length=0.060, start=0.2)
+        road = road if pitch == 0.0 else jn.Train(of=road, count=5, pitch=pitch)
+        rig = told.with_changes({"strut.angle": f"{degrees} deg"})
+        trial = jn.Trial(road=road, speed=speed, duration=DURATION)
+        meant.append(jn.FitTrial(f"trial {number}", rig, trial, jn.simulate(rig, trial)[list(CHANNELS)], sensor))
+    free = free_parameters(told, FREE, where="doubted bench")
+    one = _Calibration(
+        meant, free, jn.Doubt(), channels=None, weights="normalised", align=True, tolerance=1e-7, priors={}, start=true
+    )
+    state = _State(
+        np.array([item.scaled(true[item.path]) for item in free]),
+        draw.standard_normal(len(one.nuisances)),
+        draw.standard_normal((trials, len(one.own))),
+        np.zeros(trials),
+    )
+    seen, fits = [], []
+    for number, (run, trial) in enumerate(zip(one.runs, meant, strict=True)):
+        for _ in range(4):  # forces beside the strut follow from the motion that they cause
+            solution = run.simulate(run.compiled.plain, run.numbers(state), one.inputs(state, number))
+            states = States.of(run.compiled.plain, solution)
+            run.beside = run.forces(states)
+        seen.append(states)
+        signals = {}
+        for channel, size in zip(run.channels, (0.15, 0.8), strict=True):
+            reading = run.prepared.table(one._sensed(channel, state.xi), solution)[:, 0]
+            signals[channel.name] = (reading + size * draw.standard_normal(len(reading)), "m/s^2", "")
+        fits.append(replace(trial, measured=recording(trial.measured["time"].to_numpy(), signals)))
+    laws, run = Laws(one.richer, seen), one.runs[0]
+    numbers = one.richer.plain(run.values, run.fitted(state.theta), state.xi)
+    presliding = one.value("presliding", state.xi)
+    both = {path: laws.readings(path, numbers, state.xi, presliding) for path in FREE}
+    component, effective = ({path: pair[k] for path, pair in both.items()} for k in (0, 1))
+    return Bench(seed, "quarter car, as doubted", fits, component, effective)
 
 
 def _noise(draw: np.random.Generator, count: int, colour: float) -> np.ndarray:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 from jounce.core.description import Description
+from jounce.core.errors import DescriptionError
 from jounce.core.units import NonNegativeForce, Unit
 
 Share = Annotated[float, Unit("1", at_least=0.0)]
@@ -88,3 +90,13 @@ class Doubt(Description):
     gain: Share = 0.01
     corner: Share = 0.15
     bias: Share = 0.03
+
+
+def doubts_of(given: Doubt | Mapping[str, Any]) -> Doubt:
+    """Give what is in doubt, of a table, too."""
+    if isinstance(given, Doubt):
+        return given
+    if not isinstance(given, Mapping):
+        allowed = 'jn.Doubt() or a table such as {"gain": "2 %"}'
+        raise DescriptionError("not what is in doubt", where="doubt", found=given, allowed=allowed)
+    return Doubt.from_table(dict(given), where="doubt")

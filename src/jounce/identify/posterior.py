@@ -24,7 +24,7 @@ from jounce.core.types import Array
 from jounce.identify.datum import with_datums
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import FEWEST_TRIALS, calibrated, noise_variance, readings_of
-from jounce.identify.doubt import Doubt
+from jounce.identify.doubt import Doubt, doubts_of
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
@@ -213,9 +213,15 @@ def rested(  # noqa: PLR0913 - as for the posterior
     values = update.values()
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
         progress(f"{name}: what the model may lack")
-        counted = doubt if isinstance(doubt, Doubt) else Doubt.from_table(dict(doubt), where="doubt")
         calibration = calibrated(
-            trials, limits, values, doubt=counted, lags=update.lags, priors=priors, tolerance=_TOLERANCE, **settings
+            trials,
+            limits,
+            values,
+            doubt=doubts_of(doubt),
+            lags=update.lags,
+            priors=priors,
+            tolerance=_TOLERANCE,
+            **settings,
         )
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, channels, align == "lag")
@@ -312,7 +318,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     >>> low < 24e3 < high
     True
     """
-    _check_counts(draws, predicted_with)
+    _check_counts(draws, predicted_with, seed)
     at = rested(
         trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
         doubt=doubt, bench=bench, progress=progress,
@@ -330,7 +336,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
         return result
     progress(f"{name}: what it predicts for {len(chosen)} trials")
     settings: dict[str, Any] = {"channels": channels, "weights": weights, "align": basis.align}
-    predictions = bands_of(density, basis, result.samples, chosen, update.lags, predicted_with, seed, settings)
+    predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed, settings)
     return replace(result, predictions=predictions, findings=(*result.findings, *_missed(result, predictions)))
 
 
@@ -379,7 +385,7 @@ def posterior_of(
     >>> bool(low < 2.0 < high)
     True
     """
-    _check_counts(draws, 1)
+    _check_counts(draws, 1, seed)
     limits = []
     for path, (value, lower, upper) in free.items():
         if not lower <= value <= upper or not lower < upper:
@@ -413,7 +419,9 @@ class _Given:
         return Residuals(vector, direct, np.zeros(len(vector)), (whole,), (whole,), np.zeros(1))
 
 
-def _check_counts(draws: int, predicted_with: int) -> None:
+def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
+    if not is_whole(seed) or seed < 0:
+        raise FitError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
     for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 1, 10_000)):
         if not (is_whole(given) and low <= given <= high):
             raise FitError("not a number of draws", where=where, found=given, allowed=f"{low} to {high}")

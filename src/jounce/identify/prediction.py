@@ -12,7 +12,8 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import richer_runs
-from jounce.identify.fit_problem import FitTrial, Free, prepare_trial
+from jounce.identify.fit_problem import Channel, FitTrial, Free, prepare_trial
+from jounce.identify.lags import Shifted, best_lag
 from jounce.recordings import estimate_lag
 from jounce.recordings.signals import shift_signals
 
@@ -23,6 +24,7 @@ RICHER = "richer value of "
 """Draws of a parameter as it stands in the richer model, before its path."""
 _TOLERANCE = 1e-6
 _TWO_SIDED = 1.959963984540054
+_APART = 0.02  # s by which the lag of a draw may differ from that of their mean
 _AROUND = 0.05  # s over which the level of a signal is taken
 
 
@@ -65,7 +67,7 @@ class Band(Shown):
 
 def bands_of(
     density: NoiseDensity | DoubtDensity, basis: Basis, samples: xr.Dataset, trials: Sequence[FitTrial],
-    lags: Mapping[str, float], count: int, seed: int, settings: Mapping[str, Any],
+    count: int, seed: int, settings: Mapping[str, Any],
 ) -> dict[str, dict[str, Band]]:  # fmt: skip
     """Predict every channel of some trials, with ``count`` draws each."""
     free = basis.free
@@ -74,17 +76,17 @@ def bands_of(
     rows = np.random.default_rng([seed, 9]).choice(len(law), min(count, len(law)), replace=False)
     law = law[rows]
     fitted = {trial.name for trial in basis.trials}
-    known = {name: lag for name, lag in lags.items() if settings["align"]}
     if isinstance(density, DoubtDensity):
         scaled = np.array([[item.scaled(v) for item, v in zip(free, row, strict=True)] for row in law])
-        curves = _richer(density, trials, scaled, known, seed, settings)
+        curves = _richer(density, trials, scaled, seed, settings)
     else:
-        curves = [_plain(trial, free, law, settings, known) for trial in trials]
+        curves = [_plain(trial, free, law, settings) for trial in trials]
     noise, rest = _levels(basis, density)
     bands: dict[str, dict[str, Band]] = {}
     for trial, channels in zip(trials, curves, strict=True):
         time = trial.measured["time"].to_numpy()
-        for name, (measured, simulated, unit) in channels.items():
+        for channel, simulated, unit in channels:
+            name, measured = channel.name, channel.measured
             mean, spread = simulated.mean(axis=0), simulated.std(axis=0, ddof=1) if len(simulated) > 1 else 0.0 * time
             level = _moving(mean - mean[0], time)
             whole = np.sqrt(spread**2 + noise.get(name, 0.0) ** 2 + rest.get(name, 0.0) * level**2)
@@ -94,13 +96,12 @@ def bands_of(
     return bands
 
 
-_Curves = dict[str, tuple[Array, Array, str]]
+_Curves = list[tuple[Channel, Array, str]]
+"""Channels, what was simulated of each for every draw (draws, samples), and units."""
 
 
-def _plain(
-    trial: FitTrial, free: Sequence[Free], law: Array, settings: Mapping[str, Any], lags: Mapping[str, float]
-) -> _Curves:
-    """Channel to what was measured, simulated for each draw (draws, samples), and its unit."""
+def _plain(trial: FitTrial, free: Sequence[Free], law: Array, settings: Mapping[str, Any]) -> _Curves:
+    """Simulate a trial for each draw."""
     prepared = prepare_trial(trial, tuple(free), settings["channels"], settings["weights"])
     names = prepared.compiled.facts.parameters
     places = [names.index(path) for path in prepared.compiled.free]
@@ -114,43 +115,45 @@ def _plain(
         for channel in one.channels:
             table = one.table(channel, solution)
             tables[channel.name].append(channel.offset(table, np.zeros(len(table)))[0][:, 0])
-    curves = {channel.name: (channel.measured, np.array(tables[channel.name])) for channel in prepared.channels}
-    lag = lags.get(trial.name, _lag(curves, prepared.rate) if settings["align"] else 0.0)
     units = {output.name: output.unit for output in prepared.compiled.facts.outputs}
-    return {
-        name: (measured, np.ascontiguousarray(shift_signals(table.T, prepared.rate, lag).T), units[name])
-        for name, (measured, table) in curves.items()
-    }
-
-
-def _lag(curves: Mapping[str, tuple[Array, Array]], rate: float) -> float:
-    """Lag of a recording behind the mean of its draws, by the channel that moves most, s."""
-    measured, table = max(curves.values(), key=lambda one: float(np.std(one[0])))
-    return float(estimate_lag(table.mean(axis=0), measured, rate))
+    return _laid(prepared.channels, tables, units, prepared.rate, align=settings["align"])
 
 
 def _richer(
-    density: DoubtDensity, trials: Sequence[FitTrial], scaled: Array, lags: Mapping[str, float], seed: int,
-    settings: Mapping[str, Any],
-) -> list[_Curves]:  # fmt: skip
+    density: DoubtDensity, trials: Sequence[FitTrial], scaled: Array, seed: int, settings: Mapping[str, Any]
+) -> list[_Curves]:
     """The same with what may be wrong of model and measurement drawn, too."""
     doubts = density.doubts(scaled, seed)
     found: list[_Curves] = []
-    for trial, run in zip(trials, richer_runs(density.found, trials, settings), strict=True):
+    for run in richer_runs(density.found, trials, settings):
         tables: dict[str, list[Array]] = {}
         rng = np.random.default_rng([seed, 10, len(found)])
         for x, step in zip(scaled, doubts, strict=True):
             for name, table in run.drawn(x, step, rng).items():
                 tables.setdefault(name, []).append(table)
-        measured = {channel.name: channel.measured for channel in run.channels}
-        curves = {name: (measured[name], np.array(table)) for name, table in tables.items()}
-        rate = run.rate
-        lag = lags.get(trial.name, _lag(curves, rate) if settings["align"] else 0.0)
-        found.append({
-            name: (recorded, np.ascontiguousarray(shift_signals(table.T, rate, lag).T), run.units[name])
-            for name, (recorded, table) in curves.items()
-        })  # fmt: skip
+        found.append(_laid(run.channels, tables, run.units, run.rate, align=settings["align"]))
     return found
+
+
+def _laid(
+    channels: Sequence[Channel], tables: Mapping[str, list[Array]], units: Mapping[str, str], rate: float, *,
+    align: bool,
+) -> _Curves:  # fmt: skip
+    """Lay draws over a recording, each with the lag that fits it best where lags are fitted: as the update does."""
+    laid = {channel.name: np.array(tables[channel.name]) for channel in channels}
+    if align:
+        most = max(channels, key=lambda channel: float(np.std(channel.measured)))
+        late = float(estimate_lag(laid[most.name].mean(axis=0), most.measured, rate))
+        laid = {name: np.array(shift_signals(table.T, rate, late).T) for name, table in laid.items()}
+        for k in range(len(laid[most.name])):
+            shifted = [
+                Shifted.of(c.measured, laid[c.name][k][:, None], c.weight, rate, offset=c.datum == "free offset")
+                for c in channels
+            ]
+            lag = best_lag(shifted, _APART)
+            for channel, one in zip(channels, shifted, strict=True):
+                laid[channel.name][k] = one.at(lag)[0][:, 0]
+    return [(channel, laid[channel.name], units[channel.name]) for channel in channels]
 
 
 def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping[str, float], dict[str, float]]:

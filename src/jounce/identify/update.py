@@ -15,7 +15,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
 from jounce.identify.discrepancy import FEWEST_TRIALS, Discrepancy, calibrate
-from jounce.identify.doubt import Doubt
+from jounce.identify.doubt import Doubt, doubts_of
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem, free_parameters
 from jounce.parts import Rig
@@ -518,7 +518,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
     discrepancy = None
     if doubt is not None:
-        counted = doubt if isinstance(doubt, Doubt) else Doubt.from_table(dict(doubt), where="doubt")
+        counted = doubts_of(doubt)
         values = {path: parameter.value for path, parameter in parameters.items()}
         settings = {"channels": channels, "weights": weights, "tolerance": problem.tolerance}
         discrepancy, more = _with_doubt(

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
-from jounce.core.errors import unknown
-from jounce.plots.style import INK, MUTED, PALETTE, at_tick, new_figure, styled
+from jounce.core.errors import FitError, unknown
+from jounce.plots.style import INK, MUTED, PALETTE, at_tick, legend_outside, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,17 +52,21 @@ def posterior_draws(found: Posterior) -> Figure:
     """
     paths = list(found.parameters)
     names = [f"component of {path}" if f"component of {path}" in found.samples else path for path in paths]
-    columns, units = [], []
+    columns, others, units, limits = [], [], [], []
     for path, name in zip(paths, names, strict=True):
         values = found.samples[name].to_numpy().ravel()
         unit = display_unit(found.parameters[path].unit or "1", float(np.max(np.abs(values))))
+        other = found.samples.get(f"effective of {path}")
         columns.append(values * unit.factor)
+        others.append(None if other is None else other.to_numpy().ravel() * unit.factor)
         units.append(unit)
+        both = columns[-1] if others[-1] is None else np.concatenate([columns[-1], others[-1]])
+        low, high = np.quantile(both, (0.0005, 0.9995))
+        limits.append((low, max(high, low + 1e-12)))
     size = len(paths)
     rows = np.random.default_rng(found.seed).choice(len(columns[0]), min(_MOST_POINTS, len(columns[0])), replace=False)
     side = max(1.7, min(3.2, 8.4 / size))
-    width = 22 if side > 2.0 else 18  # letters
-    figure = new_figure(0.3 + side * size, 0.8 + side * size)
+    figure = new_figure(0.7 + side * size, 0.8 + side * size)
     grid = figure.subplots(size, size, squeeze=False)
     for i in range(size):
         for j in range(size):
@@ -72,30 +76,39 @@ def posterior_draws(found: Posterior) -> Figure:
                 continue
             if i == j:
                 ends = [end * units[i].factor for end in found.parameters[paths[i]].interval]
-                other = found.samples.get(f"effective of {paths[i]}")
-                _histogram(axes, columns[i], ends, None if other is None else other.to_numpy() * units[i].factor)
+                _histogram(axes, columns[i], ends, others[i], limits[i])
             else:
                 axes.plot(
                     columns[j][rows], columns[i][rows], ".", ms=1.2, alpha=0.35, color=PALETTE[0], rasterized=True
                 )
-            axes.tick_params(labelsize=7)
+                axes.set_ylim(limits[i])
+            axes.set_xlim(limits[j])
             axes.locator_params(nbins=3)
+            axes.tick_params(labelsize=7, labelbottom=i == size - 1, labelleft=j == 0)
             if i == size - 1:
-                axes.set_xlabel(units[j].label(at_tick(paths[j], width)), fontsize=7.5)
+                axes.set_xlabel(units[j].label(_broken(paths[j])), fontsize=7.5)
             if j == 0 and i > 0:
-                axes.set_ylabel(units[i].label(at_tick(paths[i], width)), fontsize=7.5)
+                axes.set_ylabel(units[i].label(_broken(paths[i])), fontsize=7.5)
+    legend_outside(figure, *grid[0, 0].get_legend_handles_labels(), 3)
     return figure
 
 
-def _histogram(axes: Axes, values: Array, interval: list[float], other: Array | None) -> None:
-    both = values if other is None else np.concatenate([values, other.ravel()])
-    low, high = np.quantile(both, (0.0005, 0.9995))
-    settings: dict[str, Any] = {"bins": _BINS, "range": (low, max(high, low + 1e-12))}
-    axes.hist(values, color=PALETTE[0], alpha=0.75, **settings)
+def _broken(path: str) -> str:
+    """A path over two lines, broken at its last dot."""
+    place, dot, name = path.rpartition(".")
+    return "\n".join(at_tick(line, 22) for line in (place + dot, name) if line)
+
+
+def _histogram(
+    axes: Axes, values: Array, interval: list[float], other: Array | None, limits: tuple[float, float]
+) -> None:
+    settings: dict[str, Any] = {"bins": _BINS, "range": limits}
+    words = "draws" if other is None else "test machine"
+    axes.hist(values, color=PALETTE[0], alpha=0.75, label=words, **settings)
     if other is not None:
-        axes.hist(other.ravel(), histtype="step", color=INK, lw=0.9, **settings)
-    for end in interval:
-        axes.axvline(end, color=PALETTE[1], lw=1.0)
+        axes.hist(other, histtype="step", color=INK, lw=0.9, label="law over the ride", **settings)
+    for end, label in zip(interval, ("95 % interval", None), strict=True):
+        axes.axvline(end, color=PALETTE[1], lw=1.0, label=label)
     axes.set_yticks([])
 
 
@@ -158,22 +171,28 @@ def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Axes for each channel, over time (s): dark what parameters bring in, light all that is counted.
+        Axes for each channel, over time (s): dark what parameters bring in, light all that is counted; below each the
+        same less the mean, where a narrow band is seen.
     """
-    if (trial is not None and trial not in found.predictions) or not found.predictions:
-        raise unknown(str(trial), found.predictions, what="trial", where="trial")
+    if not found.predictions:
+        raise FitError("nothing was predicted", where=found.name, hint="Call posterior without predict=().")
+    if trial is not None and trial not in found.predictions:
+        raise unknown(trial, found.predictions, what="trial", where="trial")
     name = trial if trial is not None else next(iter(found.predictions))
     channels = found.predictions[name]
-    figure = new_figure(0.6 + 2.0 * len(channels))
-    column = figure.subplots(len(channels), 1, squeeze=False, sharex=True)[:, 0]
-    for axes, (channel, band) in zip(column, channels.items(), strict=True):
+    figure = new_figure(0.9 + 2.9 * len(channels))
+    ratios = [2.0, 1.0] * len(channels)
+    column = figure.subplots(2 * len(channels), 1, squeeze=False, sharex=True, height_ratios=ratios)[:, 0]
+    for axes, rest, (channel, band) in zip(column[::2], column[1::2], channels.items(), strict=True):
         unit = display_unit(band.unit, float(np.max(np.abs(band.measured))))
-        _band(axes, band, unit)
+        _band(axes, band, unit, 0.0 * band.mean)
         axes.set_ylabel(unit.label(at_tick(channel, 24)))
         axes.set_title(f"{100.0 * band.inside:.0f} % of the samples inside", loc="right", fontsize=7.5, color=MUTED)
+        _band(rest, band, unit, band.mean)
+        rest.set_ylabel(unit.label("less mean"))
     first = next(iter(channels.values()))
     column[0].set_title(f"{name}, {'fitted' if first.is_fitted else 'held out'}", loc="left", fontsize=9)
-    column[-1].legend(loc="upper right", ncols=4, fontsize=7)
+    legend_outside(figure, *column[0].get_legend_handles_labels(), 4)
     column[-1].set_xlabel("time [s]")
     moving = np.flatnonzero(first.whole > 1.05 * float(np.min(first.whole)))
     if len(moving):
@@ -181,11 +200,10 @@ def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
     return figure
 
 
-def _band(axes: Axes, band: Band, unit: DisplayUnit) -> None:
+def _band(axes: Axes, band: Band, unit: DisplayUnit, less: Array) -> None:
+    """Draw a band, its mean and the recording, all less a curve."""
     for whole, alpha, words in ((True, 0.22, "95 %, all that is counted"), (False, 0.5, "95 %, parameters")):
-        low, high = band.ends(whole=whole)
-        axes.fill_between(
-            band.time, low * unit.factor, high * unit.factor, color=PALETTE[0], alpha=alpha, lw=0, label=words
-        )
-    axes.plot(band.time, band.mean * unit.factor, color=PALETTE[0], lw=0.9, label="mean")
-    axes.plot(band.time, band.measured * unit.factor, color=INK, lw=0.6, label="measured")
+        low, high = (unit.factor * (end - less) for end in band.ends(whole=whole))
+        axes.fill_between(band.time, low, high, color=PALETTE[0], alpha=alpha, lw=0, label=words)
+    axes.plot(band.time, unit.factor * (band.mean - less), color=PALETTE[0], lw=0.9, label="mean")
+    axes.plot(band.time, unit.factor * (band.measured - less), color=INK, lw=0.6, label="measured")

@@ -6,9 +6,11 @@ from scipy.stats import norm, truncnorm
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
+from jounce.identify.fit_problem import Channel
 from jounce.identify.log_density import Polynomial, Region, by_ensemble, convergence, fitted, sample
 from jounce.identify.next_trial import Candidate, next_trials
 from jounce.identify.posterior import posterior_of
+from jounce.identify.prediction import _laid
 
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="2 m/s", duration="0.6 s")
 FREE = {"strut.spring.rate": "20 %", "tyre.stiffness": "20 %"}
@@ -170,6 +172,20 @@ def test_what_a_posterior_says_in_words_and_as_plain_data(found):
     assert found.predictions["one"]["sprung.az"].is_fitted
 
 
+def test_draws_are_laid_over_the_recording_each_with_its_own_lag():
+    """The lag of a trial is unknown: one for all draws would leave to the curves what each draw's own takes away."""
+    time = np.arange(2000) / 1000.0  # long after the obstacle: what counts is early
+
+    def curve(late):
+        return np.exp(-(((time - 0.15 - late) / 0.02) ** 2))
+
+    channel = Channel("sprung.az", 0, curve(0.0), None, 0.0, 1.0)
+    drawn = {"sprung.az": [curve(0.05 + late) for late in (-3.3e-3, 0.4e-3, 2.1e-3)]}
+    for align in (False, True):
+        ((_, table, _),) = _laid([channel], drawn, {"sprung.az": "m/s^2"}, 1000.0, align=align)
+        assert (np.max(np.abs(table - channel.measured)) < 1e-4) == align
+
+
 def test_the_gain_of_a_trial_agrees_with_sampling(rig):
     """Nested over a grid of one parameter: E log p(y|x) - log p(y), with white noise of known size."""
     free, sigma = {"tyre.stiffness": "10 %"}, 3.0
@@ -204,6 +220,9 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
         ({"draws": 10}, "not a number of draws"),
         ({"draws": True}, "not a number of draws"),
         ({"predicted_with": 0}, "not a number of draws"),
+        ({"seed": -1}, "not a seed"),
+        ({"seed": 1.5}, "not a seed"),
+        ({"doubt": 3}, "not what is in doubt"),
         ({"free": {}}, "no free parameter"),
         ({"free": {"strut.spring.rat": "5 %"}}, "no such parameter"),
         ({"trials": []}, "no trial to fit"),
