@@ -143,8 +143,9 @@ def _check_rig(checked: Checked) -> None:
     checked.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
     checked.parameters = _parameters(rig)
     checked.notes += map(str, rig_findings(rig, str(checked.file)))
-    if getattr(rig, "lacks", ()):
-        text = f"it has no {', '.join(rig.lacks)}: its kinematics can be swept, it cannot move."
+    lacks: tuple[str, ...] = getattr(rig, "lacks", ())
+    if lacks:
+        text = f"it has no {', '.join(lacks)}: its kinematics can be swept, it cannot move."
         checked.notes.append(f"note: {checked.file}: {text}")
         return
     try:
