@@ -145,7 +145,7 @@ class Jobs:
         end = end or _read(folder / END)  # which it may have written between the two looks
         told = _told(folder, end.get("code"))
         state = told["state"] if not (folder / CANCEL).exists() or told["state"] == "done" else "cancelled"
-        error = told["error"] and told["error"]["text"]
+        error = told["error"] and told["error"]["text"].replace(f"{self.project.root}{os.sep}", "")
         found |= {"state": state, "code": end.get("code"), "error": error if state == "failed" else None}
         if not end:
             found["error"] = "The process that worked on it was ended, or the computer was."

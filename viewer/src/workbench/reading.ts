@@ -5,6 +5,7 @@ import { make, written } from "../page";
 import { Player } from "../player";
 import { ways, Question } from "./jobs";
 import { field } from "./parts";
+import { told as refused } from "./refusals";
 
 interface Preview {
   columns: { name: string; unit: string; count: number; least: number | null; greatest: number | null }[]; more: number;
@@ -81,8 +82,8 @@ export class Reading {
   private shown(found: Preview, told: { python: string; command: string; files: Record<string, string> }): HTMLElement[] {
     if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) { this.known = found.columns; this.offer(); }
     const shown: HTMLElement[] = [];
-    if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, found.problem));
-    shown.push(...found.findings.map((one) => make("p", { class: one.severity === "problem" ? "problem" : "muted" }, `${one.severity}: ${one.message}`)));
+    if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, refused(found.problem)));
+    shown.push(...found.findings.map((one) => make("p", { class: one.severity === "problem" ? "problem" : "muted" }, `${one.severity}: ${refused(one.message)}`)));
     if (found.more) shown.push(make("p", { class: "muted" }, `and ${found.more} more columns`));
     if (found.points) shown.push(xy(found.points));
     if (found.content) {

@@ -37,7 +37,7 @@ const KINDS: Record<string, string> = { channel: "Kanal", key: "Schlüssel", roa
 
 /** A message of the server in the language of the page; what is not known by its words stays as it is, names and numbers always do. */
 export function told(message: string): string {
-  const text = message.replace(" or allow it with --force.", "."); // which no page has
+  const text = message.replace(" or allow it with --force.", message.includes("the output folder is not empty") ? ", or begin it again, which replaces what is there." : "."); // no page has options
   if (!isGerman) return text;
   const [head, ...tail] = text.split(/(?=; (?:found|allowed:) )/);
   const more = tail.map((part) => part
@@ -61,7 +61,16 @@ function limits(given: string): string {
   return /^(above|at least|at most)\b/.test(given) ? given.replaceAll("above ", "über ").replaceAll("at least ", "mindestens ").replaceAll("at most ", "höchstens ") : given;
 }
 
-function hints(text: string): string {
+const HINTS: Record<string, string> = {
+  "Choose another name, or begin it again, which replaces what is there.": "Einen anderen Namen wählen oder neu beginnen, was Vorhandenes ersetzt.", "Choose another name.": "Einen anderen Namen wählen.", "Check the path, the permissions and the space on the disk.": "Pfad, Rechte und Platz auf der Platte prüfen.",
+  "Wait for it, or choose another folder.": "Darauf warten oder einen anderen Ordner wählen.", "Wait for one of them, or cancel it.": "Auf einen warten oder ihn abbrechen.", "Load it again, and make your change there.": "Neu laden und die Änderung dort machen.", "Check the path and the name.": "Pfad und Namen prüfen.",
+  "Drive for longer (duration).": "Länger fahren (Dauer).", "Fill the gap or remove the row.": "Die Lücke füllen oder die Zeile löschen.", "Fill it or remove the row.": "Sie füllen oder die Zeile löschen.", "Choose one of the project.": "Eine aus dem Projekt wählen.", "Cancel it first.": "Ihn zuerst abbrechen.", "Check spelling and case, e.g. ": "Schreibweise prüfen, z. B. ",
+  "Map it with columns, or give the sample time.": "Sie mit den Spalten zuordnen oder die Abtastzeit angeben.", "Map columns to channels with columns.": "Spalten den Kanälen zuordnen.",
+};
+
+function hints(given: string): string {
+  let text = given.replace(/a unit that converts to ([^.;]*?)(?=[.;]|$)/, "eine Einheit, die sich in $1 umrechnen lässt");
+  for (const [english, german] of Object.entries(HINTS)) text = text.replace(english, german);
   return text.replace(/Did you mean (.*?)\?/, (_, names: string) => `Ist ${names.replace(" or ", " oder ")} gemeint?`)
     .replace(/All (\d+): /, "Alle $1: ").replace(/Known: /, "Bekannt: ");
 }
