@@ -344,9 +344,16 @@ def next_(
     plain = found.to_dict()
 
     def draw(console: Console) -> None:
-        rows: list[tuple[object, ...]] = [("today", "", *found.now.values())]
-        rows += [(one.name, one.gain, *one.standard_errors.values()) for one in found.candidates[:20]]
-        header = ("trial", "gain nat", *(f"± {path} {found.units[path]}" for path in found.now))
+        from jounce.core.display import display_unit
+
+        units = {path: display_unit(found.units[path] or "1", error) for path, error in found.now.items()}
+        rows: list[tuple[object, ...]] = [
+            ("today", "", *(found.now[path] * unit.factor for path, unit in units.items()))
+        ]
+        for one in found.candidates[:20]:
+            errors = [one.standard_errors[path] * unit.factor for path, unit in units.items()]
+            rows.append((one.name, one.gain, *errors))
+        header = ("trial", "gain nat", *(f"± {path} {unit.name}" for path, unit in units.items()))
         console.print(table(f"What the next trial would tell, {found.counted}", header, rows, text=(0,)))
         if len(found.candidates) > 20:
             console.print(f"and {len(found.candidates) - 20} that tell less; --json has all.")

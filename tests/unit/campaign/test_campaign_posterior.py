@@ -22,6 +22,9 @@ def campaign(tmp_path):
 def test_a_prior_does_not_count_where_only_noise_does(campaign):
     found = campaign_next_trials(campaign, speeds=["2 m/s"], roads=["A"], noise_only=True, count=1)
     assert found.counted == "noise only"
+    assert [one.name for one in found.candidates] == [
+        "A at 2 m/s, strut 26 deg"
+    ]  # as the rig stands, too: no trial more
     assert 0.0 < found.now["strut.damper.coefficient"] < 5.0  # N s/m, not the 20 of the prior
 
 
