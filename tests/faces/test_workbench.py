@@ -715,3 +715,16 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     context.close()
     assert [one for one in troubles if "422" not in one] == []  # the browser tells refusals, too
     assert [url for url in asked if not url.startswith((f"http://127.0.0.1:{ask.port}/", "data:", "blob:"))] == []
+
+
+def test_long_runs_are_kept_only_while_there_is_room(ask, monkeypatch):
+    from jounce.web import answers
+
+    monkeypatch.setattr(answers, "_DONE", type(answers._DONE)())
+    speeds = ("1 m/s", "2 m/s", "3 m/s", "4 m/s", "5 m/s")
+    for speed in speeds:
+        assert ask("POST", "/api/simulate", RUN | {"speed": speed})[0] == 200
+    assert len(answers._DONE) == 4
+    monkeypatch.setattr(answers, "_LARGEST_DONE", 2 * next(iter(answers._DONE.values())).nbytes)
+    assert ask("POST", "/api/simulate", RUN | {"speed": "6 m/s"})[0] == 200
+    assert len(answers._DONE) == 2

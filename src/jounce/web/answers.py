@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 Changes = Mapping[str, float | str]
 ONE = threading.Lock()  # a run takes milliseconds: the next request waits, and nothing is compiled twice
-_MOST_DONE = 4
+_MOST_DONE, _LARGEST_DONE = 4, 50_000_000  # runs, and bytes of those beyond the two that stand beside each other
 _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that somebody waits for
 
 
@@ -143,10 +143,15 @@ def _run(rig: Rig, on: Trial) -> xr.Dataset:
     with ONE:
         if key not in _DONE:
             _DONE[key] = jn.simulate(rig, on, detail=_is_spatial(rig))
-            while len(_DONE) > _MOST_DONE:
+            while len(_DONE) > _MOST_DONE or (len(_DONE) > 2 and _held() > _LARGEST_DONE):
                 _DONE.popitem(last=False)
         _DONE.move_to_end(key)
         return _DONE[key].copy()
+
+
+def _held() -> int:
+    """Bytes of the last few runs."""
+    return sum(run.nbytes for run in _DONE.values())
 
 
 def _file_of(road: Any) -> Any:
