@@ -89,7 +89,8 @@ def posterior_draws(found: Posterior) -> Figure:
                 axes.set_xlabel(units[j].label(_broken(paths[j])), fontsize=7.5)
             if j == 0 and i > 0:
                 axes.set_ylabel(units[i].label(_broken(paths[i])), fontsize=7.5)
-    legend_outside(figure, *grid[0, 0].get_legend_handles_labels(), columns=3)
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    legend_outside(figure, handles, labels, 3)
     return figure
 
 
@@ -192,7 +193,8 @@ def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
         rest.set_ylabel(unit.label("less mean"))
     first = next(iter(channels.values()))
     column[0].set_title(f"{name}, {'fitted' if first.is_fitted else 'held out'}", loc="left", fontsize=9)
-    legend_outside(figure, *column[0].get_legend_handles_labels(), columns=4)
+    handles, labels = column[0].get_legend_handles_labels()
+    legend_outside(figure, handles, labels, 4)
     column[-1].set_xlabel("time [s]")
     moving = np.flatnonzero(first.whole > 1.05 * float(np.min(first.whole)))
     if len(moving):
