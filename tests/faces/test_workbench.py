@@ -570,7 +570,7 @@ def test_a_port_can_be_had_again_at_once():
 
 
 def test_a_kept_connection_answers_at_once(ask):
-    """A browser keeps its connections: an answer of two packets must not wait for word of the first, 40 ms."""
+    """An answer of two packets must not wait for word of the first, 40 ms."""
     connection = http.client.HTTPConnection("127.0.0.1", ask.port, timeout=60)
     took = []
     for _ in range(15):
