@@ -158,7 +158,7 @@ def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half
     rows: dict[str, list[int]] = {}
     for i, name in enumerate(names):
         rows.setdefault(name if name.endswith((".length", ".angle")) else name.partition(".")[0], []).append(i)
-    worst, in_motion = 0.0, SHARE / SHOWN  # what no static load counts
+    found, in_motion = [0.0], SHARE / SHOWN  # what no static load counts
     for name, group in rows.items():
         error, size = slope[group], kept[group, 0].max()
         if name in ("inertia", "angular", "tensor"):
@@ -178,8 +178,8 @@ def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half
             size = half
         else:
             size = ways[group].max()
-        worst = max(worst, float(np.max(error) / size))
-    return worst
+        found.append(float(np.max(error) / size))
+    return float(np.nan_to_num(np.max(found), nan=np.inf))  # a quantity of no size bounds nothing
 
 
 _reductions: dict[str, CarReduction | None] = {}
