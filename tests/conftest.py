@@ -75,14 +75,30 @@ def made_quickly(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPa
         yield
         return
     from jounce.kernel import machine, native
-    from jounce.simulation import compiled
+    from jounce.kernel.methods import lanes
+    from jounce.kinematics import compliances
+    from jounce.kinematics import model as kinematics
+    from jounce.simulation import compiled, reduced, reduced_car
+    from jounce.variants import stepped
+
+    kept_in_process = [
+        (compiled, "_compiled"),
+        (reduced, "_reductions"),
+        (reduced_car, "_reductions"),
+        (kinematics, "_models"),
+        (compliances, "_models"),
+        (lanes, "_KEPT"),
+        (lanes, "_ROWS"),
+        (stepped, "_codes"),
+    ]
 
     def plain(module: Any, *_: object, **__: object) -> bytes:
         return bytes(machine.this_machine(0).emit_object(module))
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("JOUNCE_CACHE_DIR", str(tmp_path_factory.mktemp("made-quickly")))
-        patch.setattr(compiled, "_compiled", {})
+        for module, name in kept_in_process:
+            patch.setattr(module, name, {})
         patch.setattr(native, "machine_code", plain)
         yield
 

@@ -37,9 +37,13 @@ def loaded(tmp_path, monkeypatch):
         monkeypatch.chdir(tmp_path)
         assert main(list(words)) == 0  # here, where all is loaded: what it compiles is kept for the process below
         command = [sys.executable, "-c", SCRIPT.format(heavy=HEAVY), *words]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-        return set(done.stdout.split())
+        for _ in range(2):  # the second where a test before had this process compile for a cache of its own
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            assert done.returncode == 0, done.stderr
+            found = set(done.stdout.split())
+            if "casadi" not in found:
+                break
+        return found
 
     return run
 
