@@ -430,6 +430,8 @@ def _equilibrium(peaks: Peaks, swing: Array, q: float, friction: float) -> float
 
 # search ---------------------------------------------------------------------------------------------------------------
 
+_ZEROED = 0.2  # of the first swing: velocities and accelerations with a centre nearer to 0 have no offset to begin with
+
 
 def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, centre: float) -> Array:
     """Parameters as a vector, from damping ratio and friction (unit of the record) of the turning points."""
@@ -456,7 +458,8 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
     swing = np.abs(np.diff(peaks.value))
     naive = ratio_from_decrement(max(1e-3, 2.0 * math.log(swing[0] / swing[1])))
     dry = float(swing[0] - swing[1]) / 4.0
-    centre = guess.equilibrium if quantity == "displacement" else 0.0
+    is_zeroed = quantity != "displacement" and abs(guess.equilibrium) < _ZEROED * swing[0]
+    centre = 0.0 if is_zeroed else guess.equilibrium
     pairs = [(guess.damping_ratio, guess.friction_deflection)]
     pairs += [((1.0 - share) * naive, share * dry) for share in (0.0, 0.25, 0.5, 0.75, 1.0)]
     starts = [_start(peaks, quantity, ratio, friction, centre) for ratio, friction in pairs]

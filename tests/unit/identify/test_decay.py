@@ -128,6 +128,16 @@ def test_other_quantities_give_the_same_damping(quantity):
     assert result.equilibrium is None
 
 
+@pytest.mark.parametrize("offset", [-9.0, 9.0])
+def test_a_velocity_with_any_zero_gives_the_same_damping(offset):
+    """The search began at an offset of 0 and ended in another minimum, which explained half of the record."""
+    shown = record(quantity="velocity", offset=offset, c=40.0, friction=50.0)
+    result = fit_decay(TIME, shown, mass=MASS, quantity="velocity")
+    assert result.damping_coefficient.value == pytest.approx(40.0, rel=1e-4)
+    assert result.coulomb_force.value == pytest.approx(50.0, rel=1e-4)
+    assert result.parameters.offset == pytest.approx(offset, rel=1e-6)
+
+
 def test_record_that_starts_in_motion():
     moving = TIME > 0.23
     result = fit_decay(TIME[moving], record(noise=2e-5)[moving], mass=MASS)
