@@ -15,11 +15,13 @@ import openpyxl
 import pytest
 
 from jounce.cli import main
+from jounce.core.description import read_toml
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import content_of, existing_file
 from jounce.inspection.archive.store import Store
 from jounce.inspection.archive.watching import FolderWatch
 from jounce.parts.importers import import_hardpoints
+from jounce.parts.importers.chrono_file import read_json
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes with names are a thing of POSIX")
 
@@ -137,6 +139,24 @@ def test_descriptions_of_every_system_are_read(tmp_path: Path) -> None:
             end.join(['schema = "jounce.road/1"', 'kind = "step"', 'height = "1 cm"', ""]).encode()
         )
         assert main(["check", str(tmp_path / "road.toml")]) == 0
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "utf-16-be"])
+def test_descriptions_with_a_mark_of_their_encoding_are_read(encoding: str, tmp_path: Path) -> None:
+    """As editors of Windows save them, and PowerShell what a command prints."""
+    mark = "\ufeff" if encoding == "utf-16-be" else ""
+    (tmp_path / "a.toml").write_bytes(
+        f'{mark}schema = "jounce.road/1"\nkind = "step"\nheight = "1 cm"'.encode(encoding)
+    )
+    assert read_toml(tmp_path / "a.toml")[0]["kind"] == "step"
+    (tmp_path / "a.json").write_bytes(f'{mark}{{"Name": "ä"}}'.encode(encoding))
+    assert read_json(tmp_path / "a.json") == {"Name": "ä"}
+
+
+def test_half_a_letter_is_no_text(tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_bytes("a = 1".encode("utf-16")[:-1])
+    with pytest.raises(DescriptionError, match="not a text file"):
+        read_toml(tmp_path / "a.toml")
 
 
 @pytest.mark.parametrize(("told", "row"), [("A1:XFD1048576", 1048576), ("A1:D2", 10**10), ("A1", 30_000)])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 import tomllib
 from pathlib import Path
@@ -77,12 +78,18 @@ _LARGEST = 20_000_000  # bytes
 
 
 def description_text(path: Path | str) -> str:
-    """Text in UTF-8 of a file that is no larger than a description; UnicodeDecodeError where it is none."""
+    """Text of a file that is no larger than a description; UnicodeDecodeError where it is none.
+
+    It is in UTF-8, or has the mark of UTF-16 in front, as what PowerShell and editors of Windows write.
+    """
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
         allowed = f"at most {_LARGEST // 1_000_000} MB of text"
         raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
-    return content_of(file).decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
+    content = content_of(file)
+    is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    text = content.decode("utf-16" if is_wide else "utf-8-sig")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
