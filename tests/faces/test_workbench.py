@@ -254,6 +254,23 @@ def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
     assert arrays[curves[1]["y"]] == pytest.approx(run["sprung.az"].to_numpy(), abs=1e-6)
 
 
+def test_only_the_numbers_that_are_drawn_are_sent(ask):
+    asked = RUN | {"changes": {"strut.spring.rate": 30e3}}
+    whole, arrays = ask.straight("/api/simulate", asked)
+    every = {pane["name"]: pane for pane in whole["viewers"][0]["scenes"][0]["panes"]}
+    content, held = ask.straight("/api/simulate", asked | {"numbers": ["sprung.vz", "Δ sprung.z", "no.such"]})
+    panes = content["viewers"][0]["scenes"][0]["panes"]
+    assert [(one["name"], one["unit"], one["words"]) for one in panes] == [
+        (one["name"], one["unit"], one["words"]) for one in every.values()
+    ]  # what is left out can be chosen all the same
+    shown = {name for name, pane in every.items() if pane["shown"]}
+    assert {pane["name"] for pane in panes if pane["curves"]} == shown | {"sprung.vz", "Δ sprung.z"}
+    for pane in panes:
+        for one, other in zip(pane["curves"], every[pane["name"]]["curves"] if pane["curves"] else [], strict=True):
+            assert one["label"] == other["label"]
+            np.testing.assert_array_equal(held[one["y"]], arrays[other["y"]])
+
+
 @pytest.mark.pages
 def test_a_recording_stands_beside_a_run_on_its_time_and_as_spectra(ask):
     rig, road = jn.load("kart-quarter-car"), jn.HalfSine(start="0.2 m", height="10 mm", length="60 mm")

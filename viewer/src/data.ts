@@ -9,7 +9,7 @@ export interface Pane {
   name: string; // of the channel
   words: string;
   unit: string;
-  curves: Curve[];
+  curves: Curve[]; // none where its numbers were not asked for
   shown: boolean;
 }
 export interface Motion {

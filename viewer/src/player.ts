@@ -1,6 +1,6 @@
 /** Curves and mechanism of one of several scenes, played in step. */
 
-import { at, type Model, type Scene, type Store } from "./data";
+import { at, type Model, type Pane, type Scene, type Store } from "./data";
 import { MechanismView } from "./mechanism";
 import { make, toggle, whenColoursChange, whenLeft, written } from "./page";
 import { LinkedPlots } from "./plots";
@@ -34,6 +34,8 @@ export class Player {
   private last = 0;
   /** Hears what place of the axis is looked at. */
   moved: ((place: number) => void) | null = null;
+  /** Hears that a channel is to be shown whose numbers are not there. */
+  lacking: (() => void) | null = null;
   /** Milliseconds between the pictures shown while playing, the last of them last. */
   readonly frames: number[] = [];
 
@@ -77,6 +79,9 @@ export class Player {
   }
 
   zoom(low: number, high: number): void { this.plots.zoom(low, high); }
+
+  /** Names of the channels that are shown. */
+  get shown(): string[] { return this.scene.panes.filter((pane) => this.isShown(pane)).map((pane) => pane.name); }
 
   goTo(time: number): void {
     const [first, last] = this.plots.whole;
@@ -158,8 +163,11 @@ export class Player {
     const many = scene.panes.length > FEW;
     let others = 0;
     const buttons = scene.panes.length < 2 ? [] : scene.panes.map((pane) => {
-      const shown = this.isShown(pane.name, pane.shown);
-      const button = toggle(pane.name, shown, (on) => { this.panes.set(pane.name, on); this.plot(this.plots.window); }, pane.words);
+      const shown = this.isShown(pane);
+      const button = toggle(pane.name, shown, (on) => {
+        this.panes.set(pane.name, on);
+        if (on && this.scene.panes.some((one) => one.name === pane.name && !one.curves.length)) this.lacking?.(); else this.plot(this.plots.window);
+      }, pane.words);
       if (many && !shown) { button.classList.add("other"); others++; }
       return button;
     });
@@ -172,8 +180,8 @@ export class Player {
 
   private plot(window: [number, number] | null): void {
     const { scene } = this;
-    let panes = scene.panes.filter((pane) => this.isShown(pane.name, pane.shown));
-    if (!panes.length) panes = scene.panes.slice(0, 1);
+    let panes = scene.panes.filter((pane) => this.isShown(pane) && pane.curves.length);
+    if (!panes.length) panes = scene.panes.filter((pane) => pane.curves.length).slice(0, 1);
     this.slider.setAttribute("aria-label", this.model.x.words);
     this.plots.show({
       x: this.store.get(scene.x), xLabel: `${this.model.x.words} [${this.model.x.unit}]`, spans: scene.spans, window: scene.window,
@@ -185,7 +193,7 @@ export class Player {
     this.plots.mark(this.now);
   }
 
-  private isShown(name: string, standard: boolean): boolean { return this.panes.get(name) ?? standard; }
+  private isShown(pane: Pane): boolean { return this.panes.get(pane.name) ?? pane.shown; }
 
   /** The part that was looked at, where the next scene has it and it was not all of the last one. */
   private keptWindow(next: Scene): [number, number] | null {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -156,8 +156,13 @@ def curve_viewer(
     rig: Rig | None = None,
     trial: Trial | None = None,
     window: tuple[float, float] | None = None,
+    numbers: Collection[str] | None = None,
 ) -> Viewer:
-    """Put runs into a viewer, as :func:`curve_blocks` does, without the figures."""
+    """Put runs into a viewer, as :func:`curve_blocks` does, without the figures.
+
+    With ``numbers``, only these panes and what is shown first hold curves, of all others there are the names: enough
+    to offer them, for a page that can ask again.
+    """
     runs = list(dict.fromkeys(label for named in groups.values() for label in named))
     roles = {label: _ROLES[k % len(_ROLES)] for k, label in enumerate(runs)}
     scenes, words, unit, left_out = [], "", "", 0
@@ -170,7 +175,7 @@ def curve_viewer(
         along = _axis_unit(next(iter(named.values())), axis)
         units = {one: _unit(named, one) for one in kept}
         motion = _motion(next(iter(named.values())), axis, rig, trial)
-        scene = _scene(named, axis, along, kept, first, units, motion, roles)
+        scene = _scene(named, axis, along, kept, first, units, motion, roles, numbers)
         part = None if window is None else (window[0] * along.factor, window[1] * along.factor)
         scenes.append(replace(scene, name=slug(label) if label else name, label=label or name, window=part))
         words, unit = axis.replace("_", " "), along.name
@@ -240,30 +245,36 @@ def _scene(
     units: Mapping[str, DisplayUnit],
     motion: Any,
     roles: Mapping[str, str],
+    numbers: Collection[str] | None,
 ) -> Scene:
     """All curves over the places of all of them: between samples a line is drawn, so it is read there as well."""
     lengths = [data.variables[axis].to_numpy().astype(float) for data in named.values()]
     x = np.unique(np.concatenate(lengths))
     panes, differences = [], []
+
+    def is_held(name: str) -> bool:
+        return numbers is None or name in first or name in numbers
+
     for name in every:
         curves, gaps, reference = [], [], None
-        for label, data in named.items():
-            role = roles[label]
-            if name not in data or data.variables[name].dims != (axis,):
-                continue
-            si = str(data.variables[name].attrs.get("units", "1"))
+        holders = [label for label, data in named.items() if name in data and data.variables[name].dims == (axis,)]
+        is_apart = is_held(f"{DIFFERENCE}{name}")
+        for label in holders if is_apart or is_held(name) else ():
+            data, role = named[label], roles[label]
             line = line_of(data, name, axis)
             read = line[1] if len(line[0]) == len(x) else through(line, x)
-            curves.append(Curve(label, role, settled(read, si) * units[name].factor))
+            if is_held(name):
+                si = str(data.variables[name].attrs.get("units", "1"))
+                curves.append(Curve(label, role, settled(read, si) * units[name].factor))
             if reference is None:
                 reference = read
-            else:
+            elif is_apart:
                 gaps.append(Curve(label, role, apart(read, reference) * units[name].factor))
         words = str(next(data.variables[name].attrs.get("long_name", "") for data in named.values() if name in data))
         panes.append(
             Pane(name, named_words(name, words or words_of(name)), units[name].name, tuple(curves), name in first)
         )
-        if gaps:
+        if len(holders) > 1:
             words = f"{DIFFERENCE}{name}, difference from {next(iter(named))}"
             differences.append(Pane(f"{DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False))
     made = motion(x) if motion is not None else None

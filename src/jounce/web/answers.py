@@ -111,11 +111,12 @@ def simulated(
     measured: str = "",
     begins: str = "",
     spectra: bool = False,
+    numbers: Sequence[str] | None = None,
 ) -> Shown:
     """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same.
 
     A ``measured`` recording of the project stands beside them, its time counted from where it ``begins``; ``spectra``
-    are drawn instead of the curves over time.
+    are drawn instead of the curves over time. With ``numbers``, curves beside the first are those of these channels.
     """
     on = trial_of(project, trial)
     rigs = variants(project, name, changes, text)
@@ -128,7 +129,7 @@ def simulated(
         from jounce.web.spectra import spectra_of
 
         return Shown(curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways)
-    return Shown(_curves(runs, channels, rigs, on), ways)
+    return Shown(_curves(runs, channels, rigs, on, numbers), ways)
 
 
 _DONE: OrderedDict[str, xr.Dataset] = OrderedDict()  # the last few runs: beside the one that changes, one stays
@@ -212,7 +213,11 @@ def variants(project: Project, name: str, changes: Changes, text: str | None = N
 
 
 def _curves(
-    runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, rigs: Mapping[str, Rig], trial: Trial | None
+    runs: Mapping[str, xr.Dataset],
+    channels: Sequence[str] | None,
+    rigs: Mapping[str, Rig],
+    trial: Trial | None,
+    numbers: Sequence[str] | None,
 ) -> Viewer:
     """Curves of all runs; the mechanism is the rig of the first one, which is what moves."""
     from jounce.plots.comparison import common_channels
@@ -220,7 +225,7 @@ def _curves(
 
     rig = next(iter(rigs.values()))
     wanted = common_channels(runs, channels or None)
-    return curve_viewer({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial)
+    return curve_viewer({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial, numbers=numbers)
 
 
 def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:

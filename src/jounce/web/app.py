@@ -80,11 +80,15 @@ class Changed(_Asked):
 
 
 class Run(Changed):
-    """A run over an obstacle: the table of a road file, a speed and a duration with their units."""
+    """A run over an obstacle: the table of a road file, a speed and a duration with their units.
+
+    With ``numbers``, the answer holds the curves of these channels and of those that are shown first, else all.
+    """
 
     road: dict[str, Any]
     speed: str
     duration: str
+    numbers: list[str] | None = Field(default=None, max_length=400)
     measured: str = ""
     begins: str = ""
     spectra: bool = False
@@ -238,7 +242,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
         shown = answers.simulated(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
-                                  measured=asked.measured, begins=asked.begins, spectra=asked.spectra)  # fmt: skip
+                                  measured=asked.measured, begins=asked.begins, spectra=asked.spectra,
+                                  numbers=asked.numbers)  # fmt: skip
         return _told(shown, request)
 
     @app.post("/api/keep")

@@ -22,16 +22,26 @@ export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T>
 
 /** A text that can be copied. */
 export function copied(title: string, text: string): HTMLElement {
-  const button = make("button", { type: "button" }, tr("Copy"));
+  const button = make("button", { type: "button" }, tr("Copy")), place = make("pre", { tabindex: "0", "aria-label": title }, text);
   button.addEventListener("click", () => {
-    void navigator.clipboard.writeText(text).then(() => { button.textContent = tr("Copied"); }, () => { button.textContent = tr("Select and copy"); });
+    void navigator.clipboard.writeText(place.textContent).then(() => { button.textContent = tr("Copied"); }, () => { button.textContent = tr("Select and copy"); });
   });
-  return make("section", { class: "code" }, make("div", { class: "bar" }, make("h3", {}, title), button), make("pre", { tabindex: "0", "aria-label": title }, text));
+  return make("section", { class: "code" }, make("div", { class: "bar" }, make("h3", {}, title), button), place);
 }
 
 /** The same by other ways, to copy. */
 export function ways({ python, command, files }: Answer): HTMLElement[] {
   return [copied(tr("The same in Python"), python), copied(tr("The same on the command line"), command), ...Object.entries(files).map(([name, content]) => copied(name, content))];
+}
+
+/** The same by other ways, of what changes often: only its texts are exchanged. */
+export class Ways {
+  readonly element = make("div", { class: "ways" });
+  show({ python, command, files }: Answer): void {
+    const texts = [python, command, ...Object.values(files)], places = this.element.querySelectorAll("pre");
+    if (places.length === texts.length) places.forEach((place, i) => { if (place.textContent !== texts[i]) place.textContent = texts[i]!; });
+    else this.element.replaceChildren(...ways({ python, command, files }));
+  }
 }
 
 /** Asks one question at a time, and the newest next. */
@@ -42,8 +52,9 @@ export class Newest {
     this.next = question;
     if (this.busy) return;
     this.busy = true;
-    while (this.next) { const now: () => Promise<void> = this.next; this.next = null; await now(); }
-    this.busy = false;
+    try {
+      while (this.next) { const now: () => Promise<void> = this.next; this.next = null; await now(); }
+    } finally { this.busy = false; }
   }
 }
 
@@ -104,7 +115,7 @@ export class Live {
   readonly element = make("div", { class: "live" });
   private readonly state = make("p", { class: "state", role: "status" });
   private readonly place = make("div", {});
-  private readonly ways = make("div", { class: "ways" });
+  private readonly same = new Ways();
   private player: Player | null = null;
   private busy = false;
   private again = false;
@@ -114,8 +125,9 @@ export class Live {
   /** Milliseconds from a question to its curves. */
   readonly times: number[] = [];
 
-  constructor(private readonly question: () => Promise<ArrayBuffer>) {
-    this.element.append(this.state, this.place, this.ways);
+  /** `question` is given the names of the channels whose numbers are wanted. */
+  constructor(private readonly question: (channels: string[]) => Promise<ArrayBuffer>) {
+    this.element.append(this.state, this.place, this.same.element);
   }
 
   async ask(): Promise<void> {
@@ -125,16 +137,18 @@ export class Live {
     const began = performance.now();
     const waiting = setTimeout(() => { this.state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
     try {
-      const store = Store.of(await this.question());
+      const store = Store.of(await this.question(this.player?.shown ?? []));
+      if (!this.element.isConnected) return;
       const model = store.content.viewers[0]!;
       if (this.player) this.player.replace(model, store);
       else {
         this.player = new Player(model, store);
         this.place.replaceChildren(this.player.element);
         this.player.moved = (place) => this.moved?.(place);
+        this.player.lacking = () => void this.ask();
       }
       this.shown?.(model, store);
-      this.ways.replaceChildren(...ways(store.content as unknown as Answer));
+      this.same.show(store.content as unknown as Answer);
       this.times.push(performance.now() - began);
       this.state.textContent = `${tr("computed and drawn in")} ${written(this.times[this.times.length - 1]!, 2)} ms`;
       this.state.classList.remove("problem");

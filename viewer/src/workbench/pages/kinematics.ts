@@ -7,7 +7,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { designing, type Target } from "../designing";
 import { type Band, Multiples } from "../multiples";
-import { field, Newest, once, problem, Sliders, ways } from "../parts";
+import { field, Newest, once, problem, Sliders, Ways } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
@@ -56,7 +56,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const reach = isSmall ? 20 : 50, newest = new Newest(), times: number[] = [];
   setLive({ times });
 
-  const state = make("p", { class: "state", role: "status" }), notes = make("div", {}), same = make("div", { class: "ways" });
+  const state = make("p", { class: "state", role: "status" }), notes = make("div", {}), same = new Ways();
   const over = make("select", {}, ...([["travel", tr("wheel travel")], ...(hasRack ? [["rack", tr("rack travel")]] : []), ["roll", tr("roll of the body")]] as [Over, string][]).map(([value, words]) => make("option", { value }, words)));
   const changed = (isRange: boolean, which: Over) => { if (which === over.value && !isRange) pose(); else void ask(); };
   const drives: Record<Over, Drive> = {
@@ -127,7 +127,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       pose();
       notes.replaceChildren(...extra.notes.map((one) => make("p", { class: "muted" }, one)));
       legend.replaceChildren(...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) => make("li", {}, make("i", { class: `swatch ${role}` }), label, k ? ` (${tr("dashed")})` : "")));
-      same.replaceChildren(...ways(extra));
+      same.show(extra);
       view.draw();
       times.push(performance.now() - began);
       state.textContent = tr("# curves computed and drawn", String(quantities.length)) + ` ${tr("in")} ${written(times[times.length - 1]!, 2)} ms`;
@@ -162,7 +162,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     state, notes,
     make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
     make("h2", {}, tr("Numbers")), sliders.element, ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
-    make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same);
+    make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same.element);
   written_.textContent = sessionStorage.getItem("written") ?? "";
   sessionStorage.removeItem("written");
   requestAnimationFrame(step);

@@ -35,12 +35,12 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const look = make("select", {}, ...([["time", tr("time")], ["spectra", tr("frequency (spectra)")]] as const).map(([value, words]) => make("option", { value }, words)));
   const measured = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((one) => one.kind === "record").map(({ path }) => make("option", { value: path, ...(path === values.get("record") ? { selected: true } : {}) }, path)));
   const begins = make("input", { type: "text", value: "0 s" });
-  const curves = new Live(() => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value }));
-  const phase = new Phase();
+  const phase = new Phase(() => void curves.ask());
+  const curves = new Live((channels) => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value, numbers: [...channels, ...phase.channels] }));
   curves.shown = (model, store) => { phase.element.hidden = look.value !== "time"; if (look.value === "time") phase.show(model, store); };
   curves.moved = (time) => { if (look.value === "time") phase.mark(time); };
   for (const one of [look, measured, begins]) one.addEventListener("change", () => void curves.ask());
-  const title = make("input", { type: "text", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
+  const title = make("input", { type: "text", size: "40", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
   const press = make("button", { type: "submit" }, tr("Keep it")), keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
