@@ -13,6 +13,7 @@ from jounce.core.errors import FitError
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
+from jounce.identify.decay import zigzag
 from jounce.identify.estimate import linear_least_squares
 from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 
@@ -21,6 +22,7 @@ Zero = Literal["first-contact", "none"]
 
 _FREE_TRAVEL_SHARE = 0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
 _FORCE_THRESHOLD = 0.002  # of the largest force
+_CYCLE = 0.1  # of the stroke: a deflection that comes back so far and grows again begins another load cycle
 
 
 @dataclass(frozen=True)
@@ -110,15 +112,18 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     whose slope is surely below a tenth of the mean stiffness) is cut off: its mean force is the zero of the force, and
     the zero of the deflection is where the line through the first points after it meets that force. Without free travel
     the first deflection becomes zero if the trial starts there unloaded (force below 2 % of the largest); a trial that
-    starts already loaded is left as it is. ``zero="none"`` only settles the signs.
+    starts already loaded is left as it is. ``zero="none"`` only settles the signs. Of several load cycles only the one
+    that reaches farthest is taken, counted from the zero of the first.
     """
     deflection, force = trial.arrays()
     findings: list[Finding] = []
     deflection, force = _compression_positive(trial, deflection, force, findings)
     shift, offset, start = 0.0, 0.0, 0
+    begin, end, first = _farthest_cycle(deflection, trial.name, findings)
     if zero == "first-contact":
-        shift, offset, start = _first_contact(deflection, force, trial.name, findings)
-    deflection, force = deflection[start:] - shift, force[start:] - offset
+        shift, offset, start = _first_contact(deflection[:first], force[:first], trial.name, findings)
+    part = slice(max(begin, start), end)
+    deflection, force = deflection[part] - shift, force[part] - offset
     seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset))
     if deflection[seated.turn] > 1.0:
         text = "the deflection exceeds 1 m: check that it was read in the right unit."
@@ -148,6 +153,22 @@ def _compression_positive(
         force = -force
         turned("force", trial.force_positive, "force_positive", "the force pulls where a spring pushes back")
     return deflection, force
+
+
+def _farthest_cycle(deflection: Array, name: str, findings: list[Finding]) -> tuple[int, int, int]:
+    """Where the load cycle with the largest deflection begins and ends, and where the first one ends."""
+    turns, top = zigzag(deflection, _CYCLE * float(np.ptp(deflection))), int(np.argmax(deflection))
+    if len(turns) < 3:
+        return 0, len(deflection), len(deflection)
+    begin = max(turn for turn in turns if turn < max(top, 1))
+    begin += int(np.flatnonzero(deflection[begin : top + 1] == deflection[begin])[-1])
+    end = min((turn + 1 for turn in turns if turn > top), default=len(deflection))
+    text = (
+        f"several load cycles, the deflection turns {len(turns) - 1} times: only the one that reaches farthest is "
+        f"used, points {begin + 1} to {end}. Give each cycle as a trial of its own to use all."
+    )
+    findings.append(Finding(name, "warning", text, float(len(turns) - 1)))
+    return begin, end, turns[2] + 1
 
 
 def _first_contact(deflection: Array, force: Array, name: str, findings: list[Finding]) -> tuple[float, float, int]:

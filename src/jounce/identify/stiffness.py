@@ -366,7 +366,7 @@ def fit_stiffness(
     ------
     FitError
         No trials, fewer points than the law needs, NaN, unequal lengths, ``discard_below`` beyond the data, a force
-        that does not grow.
+        that does not grow, rows from the largest deflection down to the zero.
     DescriptionError
         An unknown law, branch or intercept.
 
@@ -380,11 +380,14 @@ def fit_stiffness(
     (22730, 30)
     """
     _check(trials, law, degree, discard_below, intercept, branch, zero)
+    if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
+        raise FitError("not a static force", where="operating_force", found=f"{operating_force} N", allowed="above 0 N")
     seated, findings = [], []
     for trial in renamed(list(trials)):
         one, notes = seat(trial, zero=zero)
         seated.append(one)
         findings += notes
+    findings += _copies(seated)
     points = [_used(one, branch, discard_below) for one in seated]
     x, force = (np.concatenate(column) for column in zip(*points, strict=True))
     pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
@@ -463,9 +466,32 @@ def _check(
         )
 
 
+_AT_ZERO = 0.02  # of the stroke: a trial that reaches no farther beyond its zero is no loading
+
+
+def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
+    """Tell which trials hold the very numbers of another one: such are no repetition."""
+    first: dict[tuple[bytes, bytes], str] = {}
+    findings = []
+    for trial in trials:
+        other = first.setdefault((trial.deflection.tobytes(), trial.force.tobytes()), trial.name)
+        if other != trial.name:
+            text = f"the same numbers as {other}: a copy is no repetition, and the interval comes out too narrow."
+            findings.append(Finding(trial.name, "warning", text))
+    return findings
+
+
 def _used(trial: SeatedTrial, branch: Branch, discard_below: float) -> tuple[Array, Array]:
     deflection, force = trial.branch(branch)
     use = deflection >= discard_below
+    if float(trial.deflection.max()) <= _AT_ZERO * float(np.ptp(trial.deflection)):
+        raise FitError(
+            "the trial ends at its zero instead of beginning there",
+            where=trial.name,
+            found=f"from {1e3 * float(trial.deflection[0]):.4g} mm and {float(trial.force[0]):.4g} N on",
+            allowed="rows in the order of time, from first contact to the largest deflection",
+            hint="Turn the rows round, or the zero of the deflection.",
+        )
     if np.count_nonzero(use) < 2:
         raise FitError(
             "discarding leaves nothing to fit" if discard_below > 0.0 else "the branch holds too few points",

@@ -191,6 +191,27 @@ def test_hysteresis_is_that_of_the_deflections_which_both_branches_cover():
         assert (fit_stiffness([ForceDeflectionTrial(part, 1e5 * part)]).loss_factor is not None) == is_one
 
 
+@pytest.mark.parametrize("farthest", [0, 1, 2])
+def test_of_several_load_cycles_one_is_taken(farthest):
+    """The energy was that of a mean over all branches: three quarters of it, or half, without a word."""
+    one = np.concatenate([STROKE, STROKE[-2::-1]])
+    size = np.where(np.arange(3) == farthest, 1.0, 0.999)
+    x, force = (np.concatenate([part * each for each in size]) for part in (one, 1e5 * one))
+    force *= np.tile(np.repeat([1.0, 0.8], [101, 100]), 3)
+    result = fit_stiffness([ForceDeflectionTrial(x + 0.05, force + 3.0)])
+    assert result.hysteresis_energy == pytest.approx(0.2 * 0.5 * 1e5 * 0.010**2, rel=0.02)
+    assert result.stiffness.value == pytest.approx(1e5)
+    assert f"turns 5 times: only the one that reaches farthest is used, points {201 * farthest + 1} to" in messages(
+        result
+    )
+    assert "turns" not in messages(fit_stiffness([ForceDeflectionTrial(one, one)]))
+
+
+def test_a_copy_is_no_repetition():
+    result = fit_stiffness([line(2e4, name="a"), line(2.01e4, name="b"), line(2e4, name="c")])
+    assert [one.place for one in result.findings if "the same numbers as a:" in one.message] == ["c"]
+
+
 def test_without_unloading_there_is_no_loss_factor_but_a_finding():
     result = fit_stiffness([line(2e4)])
     assert result.loss_factor is None
@@ -262,6 +283,9 @@ def test_result_is_plain_data():
         ([ForceDeflectionTrial(STROKE[:4], 1e4 * STROKE[:4])], {"law": "polynomial", "degree": 5}, "fewer points"),
         ([line(1e4)], {"law": "power", "intercept": "keep"}, "no intercept"),
         ([ForceDeflectionTrial(STROKE, 0 * STROKE)], {}, "does not grow"),
+        ([ForceDeflectionTrial(STROKE[::-1], 1e4 * STROKE[::-1])], {}, "ends at its zero .* -10 mm and -100 N"),
+        ([line(1e4)], {"operating_force": math.nan}, "not a static force; found .nan N"),
+        ([line(1e4)], {"operating_force": 0.0}, "operating_force: not a static force"),
         (
             [ForceDeflectionTrial(STROKE, np.where(STROKE > 0.00985, 9.0, -1.0))],
             {"law": "power", "zero": "none"},
