@@ -8,6 +8,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.variants import many as module
+from jounce.variants import side_by_side
 
 METRICS = {
     "audi-a6-quarter-car": ["rms sprung.az", "mean tyre.force", "min tyre.force", "range strut.deflection"],
@@ -170,6 +171,20 @@ def test_results_do_not_depend_on_threads():
     rig, design = jn.load("audi-a6-quarter-car"), jn.sobol({"strut.damper.coefficient": "50 %"}, 300)
     runs = [jn.simulate_many(rig, course(), design, metrics=["rms sprung.az"], threads=n) for n in (1, 2, 3)]
     assert all(run.identical(runs[0]) for run in runs)
+
+
+def test_who_is_interrupted_leaves_nothing_to_the_other_threads(monkeypatch):
+    rig, trial, design = jn.load("audi-a6-quarter-car"), course(), jn.sobol({"sprung.mass": "20 %"}, 2000)
+    asked = []
+
+    def follow(work):
+        asked.append(work)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(side_by_side.lanes, "follow", follow)
+    with pytest.raises(KeyboardInterrupt):
+        jn.simulate_many(rig, trial, design, metrics="rms sprung.az", threads=3)
+    assert 1 <= len(asked) <= 3
 
 
 def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():

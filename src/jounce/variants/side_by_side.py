@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -27,6 +26,7 @@ _SPARE = 1.3  # by which the motions of a variant may be faster than those of th
 LEAST = 4
 """Variants below which laying out all that they share takes longer than to run each alone."""
 _FEW = 64  # variants below which a thread more gains nothing
+_TURNS = 4  # in so many turns would workers be through with what is left, were it handed out in equal parts
 _MOST_STEPS = 20_000_000
 _LINE = 64  # bytes
 
@@ -73,17 +73,24 @@ def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = N
         events=np.zeros(count, dtype=np.int64),
         alone=np.zeros(count, dtype=np.int64),
     )
-    wide = work.room.kept.shape[1]
     workers = min(threads or os.cpu_count() or 1, max(count // _FEW, 1))
-    blocks = -(-count // wide)
-    borders = [min(wide * (blocks * i // workers), count) for i in range(workers)] + [count]
-    shares = [_apart(work, np.array(pair, dtype=np.int64)) for pair in itertools.pairwise(borders)]
+    spans = iter(_spans(count, work.room.kept.shape[1], workers))  # who is done with one takes the next
+
+    def share(_: int = 0) -> None:
+        try:
+            own = _apart(work)
+            for span in spans:
+                own.span[:] = span
+                lanes.follow(own)
+        finally:
+            list(spans)  # whoever is interrupted leaves nothing to the others
+
     if workers == 1:
-        lanes.follow(shares[0])
+        share()
     else:
         with ThreadPoolExecutor(workers - 1) as pool:
-            others = pool.map(lanes.follow, shares[1:])
-            lanes.follow(shares[0])
+            others = pool.map(share, range(1, workers))
+            share()
             list(others)
     total, square, least, most = (work.sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
     samples = layout.samples
@@ -200,7 +207,17 @@ def lay_out(
     return Layout(work, tuple(facts.parameters.index(name) for name in zero), len(times))
 
 
-def _apart(work: lanes.Work, span: NDArray[np.int64]) -> lanes.Work:
+def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:
+    """From where to where variants are handed out, in whole blocks: ever fewer, so that all workers end together."""
+    found, first, left = [], 0, -(-count // wide)
+    while left:
+        blocks = max(left // (_TURNS * workers), 1) if workers > 1 else left
+        found.append((first, min(first + wide * blocks, count)))
+        first, left = first + wide * blocks, left - blocks
+    return found
+
+
+def _apart(work: lanes.Work) -> lanes.Work:
     """The same work on other variants, with arrays of its own to work in."""
     run = work.run
     problem = run.problem._replace(piece=run.problem.piece.copy(), m=run.problem.m.copy())
@@ -210,7 +227,7 @@ def _apart(work: lanes.Work, span: NDArray[np.int64]) -> lanes.Work:
     room = room._replace(  # what a step reads and writes a vector at a time
         kept=_in_line(room.kept), next=_in_line(room.next), variant=_in_line(room.variant)
     )
-    return work._replace(run=run._replace(problem=problem, props=props, **own), room=room, span=span)
+    return work._replace(run=run._replace(problem=problem, props=props, **own), room=room, span=work.span.copy())
 
 
 def _in_line(array: Array) -> Array:
