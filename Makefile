@@ -6,6 +6,7 @@
 #   make quick     the tests that answer at once              make clean   remove what was made here
 #   make test-pages  what the documentation says is run, pages are opened in a browser
 #   make bench-web  how fast the workbench answers, in Chromium
+#   make screens    pictures of the workbench for the documentation, in Chromium
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
@@ -37,7 +38,7 @@ PINS := runtime build test lint docs bench mutants audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-all axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation
+.PHONY: help setup loops demo quick test test-pages test-all axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens
 .DELETE_ON_ERROR:
 
 help:
@@ -126,6 +127,9 @@ faces: $(VENV)/.loops
 
 validation: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -m "source and not no_source and not slow" --evidence
+
+screens: $(VENV)/.test $(VENV)/.loops
+	$(BIN)/python docs/make_screens.py
 
 $(VENV)/.created:
 	@command -v $(PYTHON) >/dev/null || { echo "$(PYTHON) was not found: install Python 3.11 or later, or give PYTHON=..."; exit 1; }

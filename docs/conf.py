@@ -96,7 +96,7 @@ make_gallery.write()
 
 
 class Drawn(SphinxDirective):
-    """``{drawn} NAME``: a picture of ``drawn.py``, the one for the reader's scheme; ``alt`` says what it shows."""
+    """``{drawn} NAME``: a picture in the reader's scheme, of ``drawn.py`` or kept; ``alt`` says what it shows."""
 
     required_arguments = 1
     has_content = True
@@ -108,7 +108,10 @@ class Drawn(SphinxDirective):
         frame = nodes.container(classes=["drawn-frame"])
         found: list[nodes.Node] = [frame]
         for scheme in ("light", "dark"):
-            image = nodes.image(uri=f"/_generated/figures/{self.arguments[0]}-{scheme}.svg", alt=self.options["alt"])
+            kept = f"figures/{self.arguments[0]}-{scheme}.png"
+            is_kept = (Path(__file__).parent / kept).exists()
+            uri = f"/{kept}" if is_kept else f"/_generated/figures/{self.arguments[0]}-{scheme}.svg"
+            image = nodes.image(uri=uri, alt=self.options["alt"])
             image["classes"] += [f"only-{scheme}", "drawn"]
             frame += image
         if self.content:

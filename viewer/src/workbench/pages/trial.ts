@@ -34,12 +34,14 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const { entries } = await api.project();
   const look = make("select", {}, ...([["time", tr("time")], ["spectra", tr("frequency (spectra)")]] as const).map(([value, words]) => make("option", { value }, words)));
   const measured = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((one) => one.kind === "record").map(({ path }) => make("option", { value: path, ...(path === values.get("record") ? { selected: true } : {}) }, path)));
-  const begins = make("input", { type: "text", value: "0 s" });
+  const begins = make("input", { type: "text", value: "0 s" }), since = field(tr("Where it begins"), begins);
+  const offset = () => { since.hidden = !measured.value; };
   const phase = new Phase(() => void curves.ask());
   const curves = new Live((channels) => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value, numbers: [...channels, ...phase.channels] }));
   curves.shown = (model, store) => { phase.element.hidden = look.value !== "time"; if (look.value === "time") phase.show(model, store); };
   curves.moved = (time) => { if (look.value === "time") phase.mark(time); };
-  for (const one of [look, measured, begins]) one.addEventListener("change", () => void curves.ask());
+  for (const one of [look, measured, begins]) one.addEventListener("change", () => { offset(); void curves.ask(); });
+  offset();
   const title = make("input", { type: "text", size: "40", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
   const press = make("button", { type: "submit" }, tr("Keep it")), keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
@@ -53,8 +55,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   for (const one of [speed, duration]) one.addEventListener("change", () => void curves.ask());
   offered();
   setLive(curves);
-  place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)),
-    make("div", { class: "form" }, field(tr("Obstacle"), kind), sizes, field(tr("Speed"), speed), field(tr("Duration"), duration), field(tr("Curves over"), look), field(tr("Beside a recording"), measured), field(tr("where it begins"), begins)), sliders.element, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep);
+  const form = make("div", { class: "form" }, field(tr("Obstacle"), kind), sizes, field(tr("Speed"), speed), field(tr("Duration"), duration), field(tr("Curves over"), look), field(tr("Beside a recording"), measured), since);
+  place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)), make("div", { class: "bench" },
+    make("div", { class: "controls", role: "region", "aria-label": tr("What is run") }, form, sliders.element),
+    make("div", {}, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep)));
   await curves.ask();
 }
 

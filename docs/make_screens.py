@@ -1,0 +1,77 @@
+"""Pictures of the workbench for the pages that speak of it: ``make screens``, where a Chromium is installed.
+
+They are committed, since a reader who builds the pages need not have a browser that can be driven.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import jounce as jn
+
+FIGURES = Path(__file__).parent / "figures"
+LIBRARY = Path(jn.__file__).parent / "parts" / "library"
+SIZE = {"width": 1280, "height": 760}
+FIRST_ANSWER = 120_000  # ms; a model may have to be compiled
+STILL = 1500  # ms, in which what moves comes to rest
+PAGES = ("kinematics", "trial")
+OFF_SCREEN = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+
+
+def write() -> None:
+    """Open each page in both schemes, do what its picture shows, and keep the picture."""
+    from PIL import Image
+    from playwright.sync_api import sync_playwright
+
+    browser_file = shutil.which("chromium") or shutil.which("google-chrome")
+    with tempfile.TemporaryDirectory() as place, sync_playwright() as playwright:
+        folder = Path(place) / "race-car"
+        folder.mkdir()
+        shutil.copy(LIBRARY / "formula-student-front.toml", folder / "front.toml")
+        command = [sys.executable, "-m", "jounce", "serve", str(folder), "--no-open", "--json"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+            assert server.stdout is not None
+            address = json.loads(server.stdout.readline())["url"]
+            browser = playwright.chromium.launch(executable_path=browser_file, args=OFF_SCREEN)
+            for scheme in ("light", "dark"):
+                context = browser.new_context(viewport=SIZE, color_scheme=scheme, locale="en-GB")
+                page = context.new_page()
+                page.goto(address)
+                page.wait_for_selector("html[data-ready]")
+                for name in PAGES:
+                    page.goto(f"{address.partition('?')[0]}#/{name}?rig=front.toml")
+                    page.get_by_text("computed and drawn in").wait_for(timeout=FIRST_ANSWER)
+                    SHOWN[name](page)
+                    page.wait_for_timeout(STILL)
+                    with Image.open(io.BytesIO(page.screenshot())) as picture:  # 256 colours: a third of the bytes
+                        picture.convert("RGB").quantize(dither=Image.Dither.NONE).save(
+                            FIGURES / f"workbench-{name}-{scheme}.png", optimize=True
+                        )
+                context.close()
+            browser.close()
+            server.terminate()
+
+
+def _in_bump(page: Any) -> None:
+    page.get_by_label("Wheel travel, bump positive [mm], typed").fill("25")
+
+
+def _softer(page: Any) -> None:
+    page.get_by_label("Height").fill("30 mm")
+    page.get_by_label("Length").fill("300 mm")
+    page.get_by_label("strut.damper.rebound_coefficient [N·s/m], typed").fill("900")
+    page.wait_for_timeout(STILL)
+    page.locator(".u-over").first.hover(position={"x": 16, "y": 40})
+
+
+SHOWN = {"kinematics": _in_bump, "trial": _softer}
+
+if __name__ == "__main__":
+    write()
