@@ -160,7 +160,7 @@ def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
         One row per trial; at the right the lowest R² of its channels after updating and the verdict in words.
     """
     channels = channels_of(trials)
-    figure = new_figure(1.2 + 0.27 * len(trials))
+    figure = new_figure(1.3 + 0.27 * len(trials))
     axes = figure.subplots()
     width = len(channels)
     for row, trial in enumerate(trials):
@@ -192,7 +192,7 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
 
     width = max(len(channels), 1)
     axes.set_xlim(-0.6, 2 * width + 1.6)
-    axes.set_ylim(len(trials) - 0.4, -1.75)
+    axes.set_ylim(len(trials) - 0.4, -2.1)
     axes.set_xticks([])
     axes.tick_params(length=0)
     axes.spines[:].set_visible(False)
@@ -203,11 +203,12 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
         label.set_fontweight("bold" if trial.entry.use == "fit" else "normal")
     for group, text in enumerate(("before updating", "after updating")):
         start = group * (width + 0.3)
-        axes.text(start + (width - 1) / 2, -1.45, text, ha="center", va="center", weight="bold", fontsize=9)
+        axes.text(start + (width - 1) / 2, -1.8, text, ha="center", va="center", weight="bold", fontsize=9)
         for column, name in enumerate(channels):
-            axes.text(start + column, -0.8, name, ha="center", va="center", fontsize=8.5)
-    axes.text(2 * width + 0.2, -0.8, "lowest R²", ha="center", va="center", fontsize=8.5)
-    axes.text(2 * width + 0.6, -0.8, "verdict", va="center", weight="bold", fontsize=9)
+            in_two = ".\n".join(name.rsplit(".", 1))  # beside each other whole names run into each other
+            axes.text(start + column, -0.95, in_two, ha="center", va="center", fontsize=8.5)
+    axes.text(2 * width + 0.2, -0.95, "lowest R²", ha="center", va="center", fontsize=8.5)
+    axes.text(2 * width + 0.6, -0.95, "verdict", va="center", weight="bold", fontsize=9)
     edges = ("above 0.94", "above 0.80", "above 0.58", "below")
     patches = [Patch(facecolor=c, label=f"{g} ({e})") for (g, c), e in zip(GRADES.items(), edges, strict=True)]
     axes.legend(handles=patches, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4, columnspacing=1.2)

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -29,6 +30,18 @@ def test_matrix_says_everything_in_words(trials) -> None:
     assert "0.84" in texts  # lowest R2 of trial 2
     labels = [label.get_text() for label in axes.get_yticklabels()]
     assert labels == ["trial 1, fitted", "trial 2, held out", "trial 3, held out", "trial 4, held out"]
+
+
+def test_heads_of_a_matrix_do_not_run_into_each_other(trials) -> None:
+    """'strut.deflectionsprung.az' was one word to the eye."""
+    one = next(iter(trials[0].after.channels.values()))
+    three = replace(trials[0].after, channels=dict.fromkeys(("strut.deflection", "sprung.az", "unsprung.az"), one))
+    figure = trial_matrix([replace(trials[0], before=three, after=three)])
+    figure.canvas.draw()
+    heads = [text for text in figure.axes[0].texts if text.get_text().count("\n") or text.get_text() == "lowest R²"]
+    boxes = sorted((text.get_window_extent() for text in heads), key=lambda box: box.x0)
+    assert len(boxes) == 7
+    assert all(after.x0 > before.x1 + 3.0 for before, after in pairwise(boxes))
 
 
 def test_residuals_stand_where_they_belong(trials) -> None:
