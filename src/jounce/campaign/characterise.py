@@ -205,7 +205,7 @@ def _fit(
         "discard_below": table.discard_below,
         "intercept": table.intercept,
         "branch": table.branch,
-        "operating_force": load,
+        "operating_force": load if load > 0.0 else None,  # a torsion bar or a third spring may carry all
         **choice,
     }
     result = fit_stiffness(trials, **settings)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import Knowledge, _quantity, tyre_of
+from jounce.campaign.characterise import Knowledge, _quantity, characterise, tyre_of
+from jounce.campaign.description import Bench
 from jounce.identify.update import UpdatedParameter
 
 LOW, HIGH = 250e3, 310e3
@@ -43,3 +46,16 @@ def test_a_force_is_no_free_decay():
     assert [_quantity(f"sprung.{name}") for name in ("z", "vz", "az")] == ["displacement", "velocity", "acceleration"]
     with pytest.raises(jn.RecordingError, match=r"channel 'tyre.force': not a motion; found 'N'"):
         _quantity("tyre.force")
+
+
+def test_a_spring_that_carries_nothing_is_measured_all_the_same(tmp_path: Path) -> None:
+    """A torsion bar may carry more than the body weighs: the static force of the spring is none to look for."""
+    rows = "".join(f"{x},{22.7 * x}\n" for x in range(16))
+    (tmp_path / "spring.csv").write_text(f"displacement [mm], force [N]\n{rows}", encoding="utf-8")
+    bar = {"stiffness": 60.0, "preload": 60.0, "on": "lower_arm"}
+    rig = jn.load("kart-double-wishbone").with_changes({"torsion_bar": bar})
+    found, knowledge = characterise(rig, Bench(spring={"files": ["spring.csv"]}), tmp_path)
+    assert not found.failed
+    assert knowledge.rig.parameters()["strut.spring.rate"] == pytest.approx(22700.0)
+    assert found.spring is not None
+    assert found.spring.operating_deflection is None
