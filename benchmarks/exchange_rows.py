@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from timing import Row, median_time
+from timing import Row, median_time, processor_time, side_by_side
 
 import jounce as jn
 from jounce.control.fmu import FmuControl, caller, read_fmu
 from jounce.control.fmu.component import unpacked
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
+from jounce.core.types import Array
 from jounce.exchange.fmu import build
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.statics import find_equilibrium
@@ -49,12 +52,14 @@ def _import_rows(folder: Path) -> list[Row]:
         fields = {"file": str(file), "inputs": _INPUTS, "output": "coefficient"}
         laws.append((f"component FMU, FMI {version}.0", FmuControl(**fields, trusted=True), "≤ 5 µs an instant"))
     laws.append(("the same in a process of its own", FmuControl(**fields), ""))
-    rows, own = [], 0.0
-    for way, law, target in laws:
-        median = median_time(partial(jn.simulate, rig, trial, control=law, output_step=1e-2), repeats=7)
-        own = own or median
-        note = f"{1e6 * median / instants:.2g} µs an instant, with the run"
-        rows.append(Row(problem, way, median, None, median / own, target, note))
+    runs = [partial(jn.simulate, rig, trial, control=law, output_step=1e-2) for _, law, _ in laws]
+    measured = side_by_side([partial(processor_time, run) for run in runs[:-1]])
+    measured.append((median_time(runs[-1], repeats=7), math.nan))  # its child's time is none of this process
+    rows = []
+    for (way, _, target), (median, ratio) in zip(laws, measured, strict=True):
+        clock = "wall clock, " if math.isnan(ratio) else ""
+        note = f"{clock}{1e6 * median / instants:.2g} µs an instant, with the run"
+        rows.append(Row(problem, way, median, None, None if math.isnan(ratio) else ratio, target, note))
     return rows
 
 
@@ -90,14 +95,12 @@ def _export_rows(folder: Path) -> list[Row]:
         median = median_time(partial(run, instances), repeats=5)
         note = f"{count * _STEP / median:.0f} × real time"
         rows.append(Row(problem, "our caller in Python", median, None, median / in_c, "", note))
-        asked, there, here = (
-            min(seconds) for seconds in zip(*(_rated(own, told, name) for _ in range(7)), strict=True)
-        )
+        (here, _), (there, ratio), (asked, as_asked) = side_by_side(_rates(own, told, name))
         problem = f"{name}, one evaluation of its rates"
         rows.append(Row(problem, "jounce's machine code", here, None, 1.0))
-        rows.append(Row(problem, "the FMU's binary", there, None, there / here, slower))
+        rows.append(Row(problem, "the FMU's binary", there, None, ratio, slower))
         note = "states set, drawn back onto the loops, rates read"
-        rows.append(Row(problem, "the FMU as importers ask it", asked, None, asked / here, "", note))
+        rows.append(Row(problem, "the FMU as importers ask it", asked, None, as_asked, "", note))
     return rows
 
 
@@ -144,28 +147,32 @@ def _stepped(own: ctypes.CDLL, told: dict[str, Any], count: int) -> float:
     return _measured(seconds)
 
 
-def _rated(own: ctypes.CDLL, told: dict[str, Any], name: str) -> tuple[float, float, float]:
-    """Seconds of one evaluation as importers ask an FMU, in its binary and in our machine code, at rest."""
+def _rates(own: ctypes.CDLL, told: dict[str, Any], name: str) -> list[Callable[[], float]]:
+    """Ways to evaluate rates at rest (s): our machine code, the FMU's binary, the FMU as importers ask it."""
     compiled = compile_rig(jn.load(name))
     p, u = compiled.parameter_values(jn.load(name).parameters()), compiled.inputs({})
     rest = find_equilibrium(compiled, p, u)
-    n, count = len(rest.x), 200_000 if len(rest.x) < 10 else 5000
+    n, count = len(rest.x), 100_000 if len(rest.x) < 10 else 2000
     x, dx = (ctypes.c_double * n)(*rest.x), (ctypes.c_double * n)()
     library, instance = _begun(told, "ModelExchange")
-    addresses = [_function(library, word) for word in ("SetContinuousStates", "GetContinuousStateDerivatives")]
-    asked = own.rates(*addresses, instance, x, dx, ctypes.c_size_t(n), count)
-    library.fmi3FreeInstance(instance)
-    e = compiled.plain.extended(p)
-    known = [np.ascontiguousarray(part, dtype=float) for part in (u, e, rest.modes)]
-    places = [ctypes.c_void_p(part.ctypes.data) for part in known]
-    ours, theirs = ctypes.c_void_p(compiled.plain.native.address["rate"]), ctypes.cast(library.jn_rate, ctypes.c_void_p)
-    here = own.native(ours, x, *places, dx, count)
     # What depends on parameters alone is taken out of both, in an order of its own.
-    start, extended = np.ascontiguousarray(p, dtype=float), np.zeros(100_000)
-    library.jn_derived(start.ctypes.data_as(ctypes.c_void_p), ctypes.c_void_p(extended.ctypes.data))
-    places[1] = ctypes.c_void_p(extended.ctypes.data)
-    there = own.native(theirs, x, *places, dx, count)
-    return tuple(_measured(seconds) / count for seconds in (asked, there, here))
+    extended = np.zeros(100_000)
+    library.jn_derived(_at(np.ascontiguousarray(p, dtype=float)), _at(extended))
+    known = [np.ascontiguousarray(part, dtype=float) for part in (u, compiled.plain.extended(p), rest.modes)]
+    ours, theirs = ctypes.c_void_p(compiled.plain.native.address["rate"]), ctypes.cast(library.jn_rate, ctypes.c_void_p)
+    addresses = [_function(library, word) for word in ("SetContinuousStates", "GetContinuousStateDerivatives")]
+
+    def evaluated(rate: ctypes.c_void_p, e: Array) -> float:
+        return float(own.native(rate, x, _at(known[0]), _at(e), _at(known[2]), dx, count)) / count
+
+    def asked() -> float:
+        return _measured(own.rates(*addresses, instance, x, dx, ctypes.c_size_t(n), count)) / count
+
+    return [partial(evaluated, ours, known[1]), partial(evaluated, theirs, extended), asked]
+
+
+def _at(values: Array) -> ctypes.c_void_p:
+    return ctypes.c_void_p(values.ctypes.data)
 
 
 def _measured(seconds: float) -> float:

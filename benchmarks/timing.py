@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,6 +31,24 @@ def median_time(run: Callable[[], object], *, repeats: int = 15, budget: float =
         run()
         times.append(time.perf_counter() - start)
     return float(np.median(times))
+
+
+def side_by_side(ways: Sequence[Callable[[], float]], *, rounds: int = 20) -> list[tuple[float, float]]:
+    """Median of what each way tells of itself in s, and of its ratio to the first way in the same round.
+
+    The ways take turns, so that what else the machine does, and how fast it runs meanwhile, meets all of them alike.
+    """
+    for way in ways:
+        way()
+    told = np.array([[way() for way in ways] for _ in range(rounds)])
+    return [(float(np.median(own)), float(np.median(own / told[:, 0]))) for own in told.T]
+
+
+def processor_time(run: Callable[[], object]) -> float:
+    """Processor time of a call in this process, s."""
+    start = time.process_time()
+    run()
+    return time.process_time() - start
 
 
 def shown(seconds: float) -> str:

@@ -351,19 +351,7 @@ class Lowering:
     ) -> None:
         """The body of a function with parts side by side; elements of the arrays are at ``place``."""
         self._made = {}
-
-        def load_wide(element: int, count: int) -> ir.Value:
-            pointer = builder.gep(p, [_INDEX(element)])
-            return builder.load(builder.bitcast(pointer, ir.VectorType(_DOUBLE, count).as_pointer()), align=8)
-
-        emission = Emission(
-            packed,
-            scalar=lambda operation, x: self._operation(builder, operation, x),
-            wide=lambda operation, x: self._wide(builder, operation, x),
-            load=lambda argument, element: builder.load(place(argument, element)),
-            load_wide=load_wide,
-            builder=builder,
-        )
+        emission = Emission(packed, _Native(self, builder, p, place))
         for element, node in packed.graph.results.items():
             builder.store(emission.number(node), place(4, element))
 
@@ -525,6 +513,46 @@ def _spread(b: ir.IRBuilder, x: ir.Value, kind: ir.VectorType) -> ir.Value:
     undefined, first = ir.Constant(kind, ir.Undefined), ir.IntType(32)(0)
     mask = ir.Constant(ir.VectorType(ir.IntType(32), kind.count), None)
     return b.shuffle_vector(b.insert_element(undefined, x, first), undefined, mask)
+
+
+@dataclass(frozen=True)
+class _Native:
+    """Writes parts side by side as native code; elements of arrays are at ``place``, extended parameters in ``p``."""
+
+    lowering: Lowering
+    builder: ir.IRBuilder
+    p: ir.Value
+    place: Callable[[int, int], ir.Value]
+
+    def constant(self, value: float) -> ir.Value:
+        return ir.Constant(_DOUBLE, value)
+
+    def load(self, argument: int, element: int) -> ir.Value:
+        return self.builder.load(self.place(argument, element))
+
+    def load_wide(self, offset: int, count: int) -> ir.Value:
+        pointer = self.builder.gep(self.p, [_INDEX(offset)])
+        return self.builder.load(self.builder.bitcast(pointer, ir.VectorType(_DOUBLE, count).as_pointer()), align=8)
+
+    def scalar(self, operation: str, values: list[ir.Value]) -> ir.Value:
+        return self.lowering._operation(self.builder, operation, values)
+
+    def wide(self, operation: str, values: list[ir.Value]) -> ir.Value | None:
+        return self.lowering._wide(self.builder, operation, values)
+
+    def lane(self, vector: ir.Value, lane: int) -> ir.Value:
+        return self.builder.extract_element(vector, ir.IntType(32)(lane))
+
+    def gathered(self, values: list[ir.Value]) -> ir.Value:
+        kind = ir.VectorType(_DOUBLE, len(values))
+        if all(value is values[0] for value in values):
+            return _spread(self.builder, values[0], kind)
+        if all(isinstance(value, ir.Constant) for value in values):
+            return ir.Constant(kind, [value.constant for value in values])
+        found = ir.Constant(kind, ir.Undefined)
+        for k, value in enumerate(values):
+            found = self.builder.insert_element(found, value, ir.IntType(32)(k))
+        return found
 
 
 def _sign(b: ir.IRBuilder, x: ir.Value) -> ir.Value:

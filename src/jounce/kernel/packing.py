@@ -8,13 +8,12 @@ several parts is one number again.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import casadi as ca
-from llvmlite import ir
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 SHARED = -1
@@ -34,7 +33,7 @@ class Parts:
 
     def label(self, name: str) -> tuple[str, int]:
         """Name without the part's, and the parts it belongs to."""
-        for place in range(len(self.prefixes[0])):
+        for place in range(len(self.prefixes[0]) if self.prefixes else 0):
             mask, kept = 0, name
             for i, prefixes in enumerate(self.prefixes):
                 if name.startswith(f"{prefixes[place]}."):
@@ -226,27 +225,43 @@ class Graph:
         return [tuple(self.nodes[i].leaf[1] for i in self.lanes(shape, group)) for shape, group in found]
 
 
+class Writer(Protocol):
+    """Writes one operation after the other for a processor or a compiler; a value is whatever stands for one there."""
+
+    def constant(self, value: float) -> Any:
+        """A number that is known."""
+
+    def load(self, argument: int, element: int) -> Any:
+        """An element of an argument."""
+
+    def load_wide(self, offset: int, count: int) -> Any:
+        """Parameters that stand side by side, as a vector."""
+
+    def scalar(self, operation: str, values: list[Any]) -> Any:
+        """An operation on numbers."""
+
+    def wide(self, operation: str, values: list[Any]) -> Any | None:
+        """An operation on vectors; None where it has to be done lane by lane."""
+
+    def lane(self, vector: Any, lane: int) -> Any:
+        """A lane of a vector."""
+
+    def gathered(self, values: list[Any]) -> Any:
+        """Numbers as lanes of a vector."""
+
+
 class Emission:
-    """Writes the nodes of a graph as native code, each vector and each number once, what is wanted first first."""
+    """Has the nodes of a graph written, each vector and each number once, what is wanted first first."""
 
-    def __init__(
-        self,
-        packed: Packed,
-        builder: ir.IRBuilder,
-        scalar: Callable[[str, list[ir.Value]], ir.Value],
-        wide: Callable[[str, list[ir.Value]], ir.Value | None],
-        load: Callable[[int, int], ir.Value],
-        load_wide: Callable[[int, int], ir.Value],
-    ) -> None:
-        self._graph, self._table, self._b = packed.graph, packed.table, builder
-        self._scalar, self._wide, self._load, self._load_wide = scalar, wide, load, load_wide
-        self._made: dict[tuple[Any, ...], ir.Value] = {}
+    def __init__(self, packed: Packed, writer: Writer) -> None:
+        self._graph, self._table, self._writer = packed.graph, packed.table, writer
+        self._made: dict[tuple[Any, ...], Any] = {}
 
-    def number(self, node: int) -> ir.Value:
+    def number(self, node: int) -> Any:
         """Value of a node."""
         return self._get(("number", node))
 
-    def _get(self, wanted: tuple[Any, ...]) -> ir.Value:
+    def _get(self, wanted: tuple[Any, ...]) -> Any:
         # Not by recursion: graphs of whole vehicles are deeper than Python's stack.
         stack = [wanted]
         while stack:
@@ -291,54 +306,38 @@ class Emission:
             for i in graph.nodes[first].operands
         ]
 
-    def _make(self, item: tuple[Any, ...]) -> ir.Value:
-        graph = self._graph
+    def _make(self, item: tuple[Any, ...]) -> Any:
+        graph, writer = self._graph, self._writer
         if item[0] == "spread":
-            return self._gathered([self._made["number", item[1]]] * item[2])
+            return writer.gathered([self._made["number", item[1]]] * item[2])
         if item[0] == "vector":
             return self._vector(item[1], item[2])
         node = graph.nodes[item[1]]
         vector = self._vector_of(item[1])
         if vector:
             lane = next(k for k, i in enumerate(vector[2]) if graph.masks[item[1]] >> i & 1)
-            return self._lane(self._made[vector], lane)
+            return writer.lane(self._made[vector], lane)
         if node.operation == "OP_CONST":
-            return ir.Constant(ir.DoubleType(), node.leaf)
+            return writer.constant(node.leaf)
         if node.operation == "OP_INPUT":
-            return self._load(*node.leaf)
-        return self._scalar(node.operation, [self._made["number", i] for i in node.operands])
+            return writer.load(*node.leaf)
+        return writer.scalar(node.operation, [self._made["number", i] for i in node.operands])
 
-    def _vector(self, shape: int, group: tuple[int, ...]) -> ir.Value:
-        graph = self._graph
+    def _vector(self, shape: int, group: tuple[int, ...]) -> Any:
+        graph, writer = self._graph, self._writer
         node = graph.members[shape][group[0]]
         first = graph.nodes[node]
         if graph.is_mixed(node):
-            return self._gathered([self._made["number", i] for i in graph.lanes(shape, group)])
+            return writer.gathered([self._made["number", i] for i in graph.lanes(shape, group)])
         if first.operation == "OP_INPUT":
             leaves = [graph.nodes[i].leaf for i in graph.lanes(shape, group)]
             offset = self._table.get(tuple(element for _, element in leaves))
             if leaves[0][0] == 2 and offset is not None:
-                return self._load_wide(offset, len(group))
-            return self._gathered([self._load(*leaf) for leaf in leaves])
+                return writer.load_wide(offset, len(group))
+            return writer.gathered([writer.load(*leaf) for leaf in leaves])
         operands = [self._made[item] for item in self._operands(node, group)]
-        found = self._wide(first.operation, operands)
+        found = writer.wide(first.operation, operands)
         if found is not None:
             return found
-        each = [[self._lane(value, k) for value in operands] for k in range(len(group))]
-        return self._gathered([self._scalar(first.operation, values) for values in each])
-
-    def _lane(self, value: ir.Value, lane: int) -> ir.Value:
-        return self._b.extract_element(value, ir.IntType(32)(lane))
-
-    def _gathered(self, values: list[ir.Value]) -> ir.Value:
-        kind = ir.VectorType(ir.DoubleType(), len(values))
-        if all(isinstance(value, ir.Constant) for value in values):
-            return ir.Constant(kind, [value.constant for value in values])
-        found = ir.Constant(kind, ir.Undefined)
-        if all(value is values[0] for value in values):
-            found = self._b.insert_element(found, values[0], ir.IntType(32)(0))
-            mask = ir.Constant(ir.VectorType(ir.IntType(32), len(values)), None)
-            return self._b.shuffle_vector(found, ir.Constant(kind, ir.Undefined), mask)
-        for k, value in enumerate(values):
-            found = self._b.insert_element(found, value, ir.IntType(32)(k))
-        return found
+        each = [[writer.lane(value, k) for value in operands] for k in range(len(group))]
+        return writer.gathered([writer.scalar(first.operation, values) for values in each])

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeAlias
 
 import casadi as ca
 
@@ -15,6 +16,9 @@ from jounce.kernel.packing import SHARED, Graph, Packed, Parts
 from jounce.mechanics.facts import SLOPE_LANES, SLOPES
 from jounce.mechanics.model import Generic, Model
 from jounce.mechanics.tangents import tangent
+
+Labels: TypeAlias = tuple[tuple[str, int], ...]
+"""Of each element of an argument: its name without the part's, and the parts it belongs to."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +52,9 @@ def plain_program(model: Model) -> Program:
     along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
     parts = {"rate": model.rate, "output": model.output, "switch": model.switch, "constraint": model.constraint}
     if model.projection.shape[0]:
-        parts["project_many"] = _residual_first(model)
+        parts["project_many"] = residual_first(model)
     slopes = ca.vertcat(*(getattr(along, name) for name in SLOPES))
-    hoisted = _Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1), generic)
+    hoisted = Hoisted({**parts, "slopes": slopes}, model.p, ca.SX(0, 1), generic)
     functions: dict[str, AnyFunction] = {name: hoisted.function(name, model) for name in parts}
     lanes = 1 if model.alike else SLOPE_LANES
     if model.alike:
@@ -86,10 +90,10 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Progr
     parts["output_s"] = ca.vertcat(model.output, along.output)
     parts["switch_slope"] = ca.vertcat(ca.vec(_switch_slope(model).T), along.switch)
     if model.projection.shape[0]:
-        parts["project_many"] = _residual_first(model)
+        parts["project_many"] = residual_first(model)
         parts["project_s"] = ca.vertcat(parts["project_many"], along.projection)
     parts["constraint_s"] = along.constraint
-    hoisted = _Hoisted(parts, model.p, chosen, generic)
+    hoisted = Hoisted(parts, model.p, chosen, generic)
     functions: dict[str, AnyFunction] = {}
     scalars = {"rate_s": n, "output_s": model.output.shape[0], "project_s": n + 2, "constraint_s": 0}
     scalars["switch_slope"] = model.switch.shape[0] * (n + 1)
@@ -104,19 +108,25 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Progr
     return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
 
 
-def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: _Hoisted, model: Model) -> dict[str, AnyFunction]:
+def labels_of(hoisted: Hoisted, model: Model, parts: Parts) -> tuple[Labels, Labels, Labels, Labels]:
+    """Name and parts of every state, input, extended parameter and mode."""
+    order = range(model.track_order)
+    inputs = tuple((f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in order)
+    states = tuple(map(parts.label, (*model.coordinates, *model.speeds, *model.internal)))
+    return states, inputs, hoisted.labels(parts, model.parameters), tuple(map(parts.label, model.switches))
+
+
+def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: Hoisted, model: Model) -> dict[str, AnyFunction]:
     """The same functions with what the model's parts do alike computed side by side; one more projects one sample."""
     assert model.alike
-    parts, order = Parts(*model.alike), model.track_order
-    inputs = tuple((f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in range(order))
-    states = tuple(map(parts.label, (*model.coordinates, *model.speeds, *model.internal)))
-    seeds = tuple((f"change of {name}", mask) for name, mask in (*states, *inputs))
-    modes, numbers = tuple(map(parts.label, model.switches)), hoisted.labels(parts, model.parameters)
+    parts = Parts(*model.alike)
+    states, *others = labels_of(hoisted, model, parts)
+    seeds = tuple((f"change of {name}", mask) for name, mask in (*states, *others[0]))
     table: dict[tuple[int, ...], int] = {}
     found: dict[str, AnyFunction] = {}
     for name, function in functions.items():
         assert isinstance(function, ca.Function)
-        labels = (states + seeds if name == "slopes" else states, inputs, numbers, modes)
+        labels = (states + seeds if name == "slopes" else states, *others)
         packed = found[name] = Packed(function, parts, labels, table)
         for elements in packed.graph.tables(2):
             if elements not in table:
@@ -126,7 +136,7 @@ def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: _Hoisted, model
     return found
 
 
-def _residual_first(model: Model) -> ca.SX:
+def residual_first(model: Model) -> ca.SX:
     """Residual, conditioning, then the projected states."""
     n = model.x.shape[0]
     return ca.vertcat(model.projection[n:], model.projection[:n])
@@ -142,7 +152,7 @@ def _switch_slope(model: Model) -> ca.SX:
     return ca.horzcat(ca.jacobian(model.switch, model.x), along_time)
 
 
-class _Hoisted:
+class Hoisted:
     """Expressions without the parts that depend on parameters (and their directions) only.
 
     Parameters
@@ -203,10 +213,10 @@ class _Hoisted:
     def _lanes(self) -> ca.SX:
         return ca.vertcat(self._dp, *(symbol for symbol, _ in self._wide))
 
-    def function(self, name: str, model: Model, seeds: ca.SX | None = None) -> ca.Function:
-        """A function of (states, inputs, extended parameters, modes), ``seeds`` behind the states."""
+    def function(self, name: str, model: Model, seeds: ca.SX | None = None, more: Sequence[ca.SX] = ()) -> ca.Function:
+        """A function of (states, inputs, extended parameters, modes) and ``more``, ``seeds`` behind the states."""
         x = model.x if seeds is None else ca.vertcat(model.x, seeds)
-        return ca.Function(name, [x, model.u, self._numbers, model.m], [self._parts[name]])
+        return ca.Function(name, [x, model.u, self._numbers, model.m, *more], [self._parts[name]])
 
     def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
         """The same with lanes behind the states and the parameters; ``scalars`` elements of the result are none."""

@@ -223,7 +223,7 @@ def _version() -> str:
 
 def _c_files(version: int) -> list[str]:
     names = [file.name for file in native.C.iterdir()]
-    return [name for name in names if name.startswith(("core.", f"fmi{version}"))]
+    return [name for name in names if name.startswith(("core.", "pairs.", f"fmi{version}"))]
 
 
 def _zipped(files: dict[str, bytes]) -> bytes:

@@ -1,4 +1,4 @@
-"""A model as C: its functions as CasADi writes them, behind the plain names that ``c/core.h`` declares."""
+"""A model as C: its functions behind the plain names that ``c/core.h`` declares."""
 
 from __future__ import annotations
 
@@ -9,8 +9,11 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.types import Array
+from jounce.exchange.fmu.code import function_text
+from jounce.kernel.packing import SHARED, Packed, Parts
 from jounce.mechanics.model import Model
 from jounce.mechanics.tangents import tangent
+from jounce.simulation.programs import Hoisted, labels_of, residual_first
 
 _ARGUMENTS = {  # C name to arguments and results, in the order of core.h
     "derived": ("p", "e"),
@@ -19,27 +22,21 @@ _ARGUMENTS = {  # C name to arguments and results, in the order of core.h
     "switch": ("x u e m", "z"),
     "project": ("x u e m", "out"),
     "loops": ("x u e m", "value rate"),
-    "slopes": ("x u p m sx su sp", "dx y z on"),
-    "adjoint": ("x u p m dx y z on", "sx su sp"),
+    "slopes": ("x u e m sx su sp", "dx y z on"),
+    "adjoint": ("x u e m dx y z on", "sx su sp"),
     "law": ("memory measured g", "out"),
 }
-_SPOTLESS = """#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#pragma GCC diagnostic ignored "-Wunused-variable"
-#if !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#endif
-"""  # what is generated holds functions and arguments that not every model needs
 
 
 @dataclass(frozen=True)
 class Graphs:
-    """The functions of a model by their names in C; ``extended`` counts the parameters with what depends on them."""
+    """The functions of a model by their names in C, with the size of each result.
+
+    ``extended`` counts the parameters with what depends on them.
+    """
 
     model: Model
-    functions: dict[str, ca.Function]
+    functions: dict[str, tuple[Packed, tuple[int, ...]]]
     extended: int
 
 
@@ -49,63 +46,65 @@ def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = T
     ``law`` is a controller's function of (memory, measurements and time, numbers, nothing). ``adjoint`` adds the
     transposed derivatives.
     """
+    generic, model = model.generic, model.generic.model if model.generic else model
     n, projects = model.x.shape[0], bool(model.projection.shape[0])
-    parts = {"rate": model.rate, "output": model.output, "switch": model.switch}
-    if projects:
-        parts["project"] = ca.vertcat(model.projection[n:], model.projection[:n])
-    whole = ca.cse(ca.densify(ca.vertcat(*parts.values())))
-    left, symbols, values = ca.extract_parametric(whole, model.p)
-    ends = np.cumsum([0, *(part.shape[0] for part in parts.values())]).tolist()
-    e = ca.vertcat(model.p, *symbols)
-    functions = {
-        name: _function(name, [model.x, model.u, e, model.m], [left[begin:end]])
-        for name, begin, end in zip(parts, ends[:-1], ends[1:], strict=True)
-    }
-    functions["derived"] = _function("derived", [model.p], [ca.vertcat(model.p, *values)])
-    loops = (model.constraint, model.balance.constraint_rate) if model.constraints else (ca.SX(0, 1), ca.SX(0, 1))
-    known = ca.vertcat(model.p, *(ca.SX.sym("derived") for _ in symbols))
-    functions["loops"] = _function("loops", [model.x, model.u, known, model.m], list(loops))
     seeds = [ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xup"]
     along = tangent(model, *seeds)
-    results = [along.rate, along.output, along.switch, along.projection if projects else ca.SX(n, 1)]
-    where = [model.x, model.u, model.p, model.m]
-    functions["slopes"] = _function("slopes", [*where, *seeds], results)
+    slopes = [along.rate, along.output, along.switch, along.projection if projects else ca.SX(n, 1)]
+    parts = {"rate": [model.rate], "output": [model.output], "switch": [model.switch]}
+    if projects:
+        parts["project"] = [residual_first(model)]
+    loops = [model.constraint, model.balance.constraint_rate] if model.constraints else [ca.SX(0, 1), ca.SX(0, 1)]
+    parts |= {"loops": loops, "slopes": slopes}
+    more = {"slopes": seeds}
     if adjoint:
-        weights = [ca.SX.sym(f"weight{i}", part.shape[0]) for i, part in enumerate(results)]
-        back = ca.jtimes(ca.vertcat(*results), ca.vertcat(*seeds), ca.vertcat(*weights), True)
-        functions["adjoint"] = _function("adjoint", [*where, *weights], ca.vertsplit(back, _ends(seeds)))
+        weights = more["adjoint"] = [ca.SX.sym(f"weight{i}", part.shape[0]) for i, part in enumerate(slopes)]
+        back = ca.jtimes(ca.vertcat(*slopes), ca.vertcat(*seeds), ca.vertcat(*weights), True)
+        parts["adjoint"] = ca.vertsplit(back, [0, *np.cumsum([seed.shape[0] for seed in seeds]).tolist()])
+    whole = {name: ca.vertcat(*results) for name, results in parts.items()}
+    hoisted = Hoisted(whole, model.p, ca.SX(0, 1), generic)
+    alike = _in_pairs(model)
+    states, inputs, numbers, modes = labels_of(hoisted, model, alike)
+    outputs = tuple(alike.label(output.name) for output in model.outputs)
+    behind = {"slopes": (states, inputs, numbers[: model.p.shape[0]]), "adjoint": (states, outputs, modes, states)}
+    functions = {}
+    for name, results in parts.items():
+        function = hoisted.function(name, model, more=more.get(name, ()))
+        packed = Packed(function, alike, (states, inputs, numbers, modes, *behind.get(name, ())))
+        functions[name] = packed, tuple(part.shape[0] for part in results)
+    derived = hoisted.derived(0)["derived"]
+    assert isinstance(derived, ca.Function)
+    functions = {"derived": _plain(derived), **functions}
     if law is not None:
         memory, measured, numbers = (ca.SX.sym(name, law.size1_in(i)) for i, name in enumerate(("l", "y", "g")))
-        functions["law"] = _function("law", [memory, measured, numbers], [law(memory, measured, numbers, ca.SX(0, 1))])
-    return Graphs(model, functions, e.shape[0])
+        functions["law"] = _plain(
+            ca.Function("law", [memory, measured, numbers], [law(memory, measured, numbers, ca.SX(0, 1))])
+        )
+    return Graphs(model, functions, hoisted.scalars)
 
 
-def _ends(parts: Sequence[ca.SX]) -> list[int]:
-    return [int(end) for end in np.cumsum([0, *(part.shape[0] for part in parts)])]
+def _in_pairs(model: Model) -> Parts:
+    """The parts that are alike, two by two: as many numbers as the vectors of every 64-bit processor hold."""
+    if not model.alike:
+        return Parts((), ())
+    prefixes, groups = model.alike
+    return Parts(prefixes, tuple(group[i : i + 2] for group in groups for i in range(0, len(group), 2)))
 
 
-def _function(name: str, arguments: list[ca.SX], results: list[ca.SX]) -> ca.Function:
-    # Plain names such as `switch` would be words of C.
-    return ca.Function(f"graph_{name}", arguments, ca.cse([ca.densify(part) for part in results]))
+def _plain(function: ca.Function) -> tuple[Packed, tuple[int, ...]]:
+    """A function without parts, of one result."""
+    labels = (tuple((str(k), SHARED) for k in range(function.size1_in(i))) for i in range(function.n_in()))
+    dense = ca.Function(function.name(), function.sx_in(), [ca.cse(ca.densify(function(*function.sx_in())))])
+    return Packed(dense, Parts((), ()), tuple(labels)), (function.size1_out(0),)
 
 
 def source(graphs: Graphs) -> str:
     """Text of ``model.c``."""
-    generator = ca.CodeGenerator("model.c", {"with_header": False, "include_math": True})
-    for function in graphs.functions.values():
-        generator.add(function)
-    lines = [_SPOTLESS, "#define CASADI_SYMBOL_EXPORT static", generator.dump(), '#include "core.h"', ""]
-    for name, function in graphs.functions.items():
+    texts = ['#include "core.h"', '#include "pairs.h"', "#include <math.h>", ""]
+    for name, (packed, sizes) in graphs.functions.items():
         takes, gives = (text.split() for text in _ARGUMENTS[name])
-        signature = ", ".join([f"const double *{word}" for word in takes] + [f"double *{word}" for word in gives])
-        lines += [
-            f"void jn_{name}({signature}) {{",
-            f"    const double *arg[{max(function.sz_arg(), len(takes))}] = {{{', '.join(takes)}}};",
-            f"    double *res[{max(function.sz_res(), len(gives))}] = {{{', '.join(gives)}}};",
-            f"    {function.name()}(arg, res, 0, 0, 0);",  # its locals are its work
-            "}",
-        ]
-    return "\n".join(lines) + "\n"
+        texts.append(function_text(f"jn_{name}", packed, takes, dict(zip(gives, sizes, strict=True))))
+    return "\n".join(texts)
 
 
 def header(

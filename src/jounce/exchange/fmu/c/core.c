@@ -200,7 +200,8 @@ bool jn_directional(JnInstance *c, const unsigned *of, size_t n_of, const unsign
         if (!seeded(c, by[i], sx, su, sp, &place)) return false;
         *place = seed[i];
     }
-    jn_slopes(s->x, inputs(c, s->t, u), s->p, s->m, sx, su, sp, dx, y, z, on);
+    parameters(s);
+    jn_slopes(s->x, inputs(c, s->t, u), s->e, s->m, sx, su, sp, dx, y, z, on);
 #if JN_PROJECTS
     if (!c->cosim)
         for (int i = 0; i < JN_NX; i++) dx[i] += (on[i] - sx[i]) / PULL;
@@ -224,7 +225,8 @@ bool jn_adjoint_of(JnInstance *c, const unsigned *of, size_t n_of, const unsigne
     }
     if (JN_PROJECTS && !c->cosim)
         for (int i = 0; i < JN_NX; i++) on[i] = dx[i] / PULL;
-    jn_adjoint(s->x, inputs(c, s->t, u), s->p, s->m, dx, y, z, on, sx, su, sp);
+    parameters(s);
+    jn_adjoint(s->x, inputs(c, s->t, u), s->e, s->m, dx, y, z, on, sx, su, sp);
     if (JN_PROJECTS && !c->cosim)
         for (int i = 0; i < JN_NX; i++) sx[i] -= dx[i] / PULL;
     for (size_t i = 0; i < n_by; i++) {
@@ -385,7 +387,7 @@ static double towards_rest(JnInstance *c) {
             jn_loops(x, u, s->e, s->m, open, opening);
             for (int i = 0; i < JN_NC; i++) a[JN_NV + JN_NI + i][j] = opening[i];
         } else seed[JN_NQ + j] = 1.0;
-        jn_slopes(s->x, u, s->p, s->m, seed, none_u, none_p, dx, y, z, on);
+        jn_slopes(s->x, u, s->e, s->m, seed, none_u, none_p, dx, y, z, on);
         for (int i = 0; i < JN_NV + JN_NI; i++) a[i][j] = dx[JN_NQ + i];
     }
     least_squares(a, b, d);

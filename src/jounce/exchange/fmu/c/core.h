@@ -24,10 +24,10 @@ void jn_switch(const double *x, const double *u, const double *e, const double *
 void jn_project(const double *x, const double *u, const double *e, const double *m, double *out);
 void jn_loops(const double *x, const double *u, const double *e, const double *m, double *value, double *rate);
 /* change of rates, outputs, indicators and projected states along a direction; and the transpose of that map */
-void jn_slopes(const double *x, const double *u, const double *p, const double *m, const double *sx, const double *su,
+void jn_slopes(const double *x, const double *u, const double *e, const double *m, const double *sx, const double *su,
                const double *sp, double *dx, double *y, double *z, double *on);
 #if JN_ADJOINT
-void jn_adjoint(const double *x, const double *u, const double *p, const double *m, const double *dx, const double *y,
+void jn_adjoint(const double *x, const double *u, const double *e, const double *m, const double *dx, const double *y,
                 const double *z, const double *on, double *sx, double *su, double *sp);
 #endif
 #if JN_COMMANDS
