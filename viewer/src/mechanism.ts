@@ -68,8 +68,10 @@ export class MechanismView {
   private wheelGroup = new Group();
   private pathGroup = new Group();
   private labels: HTMLElement[] = [];
+  private wide: number[] = []; // of the labels, px
   private named: number[] = []; // points that the labels belong to
   private isDirty = true;
+  private due = 0; // the frame that draws it
   private isLost = false;
   private isSeen = false;
   private size = 300;
@@ -88,10 +90,10 @@ export class MechanismView {
     const views = make("div", { class: "group", role: "group", "aria-label": say("view") });
     for (const name of Object.keys(VIEWS) as View[])
       views.append(make("button", { type: "button", click: () => this.look(name) }, say(name)));
-    const wheel = toggle(say("wheel"), true, (on) => { this.wheelGroup.visible = on; this.isDirty = true; });
-    const paths = toggle(say("paths"), large, (on) => { this.pathGroup.visible = on; this.isDirty = true; });
+    const wheel = toggle(say("wheel"), true, (on) => { this.wheelGroup.visible = on; this.stale(); });
+    const paths = toggle(say("paths"), large, (on) => { this.pathGroup.visible = on; this.stale(); });
     const isNamed = large && !SMALL.matches;
-    const words = toggle(say("names"), isNamed, (on) => { this.names.hidden = !on; this.isDirty = true; });
+    const words = toggle(say("names"), isNamed, (on) => { this.names.hidden = !on; this.stale(); });
     this.names.hidden = !isNamed;
     this.pathGroup.visible = large;
     this.element.append(make("div", { class: "bar" }, views, make("div", { class: "group" }, wheel, paths, words)),
@@ -108,11 +110,11 @@ export class MechanismView {
     this.canvas.addEventListener("blur", () => { this.controls!.enableZoom = false; });
     this.canvas.addEventListener("pointerdown", () => this.canvas.focus());
     this.canvas.addEventListener("dblclick", () => this.look("space"));
-    this.controls.addEventListener("change", () => { this.isDirty = true; });
+    this.controls.addEventListener("change", () => { this.stale(); });
     this.canvas.parentElement!.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
     whenLeft(() => this.giveBack());
-    new IntersectionObserver((entries) => { this.isSeen = entries.some((entry) => entry.isIntersecting); }, { rootMargin: "300px" }).observe(this.element);
+    new IntersectionObserver((entries) => { this.isSeen = entries.some((entry) => entry.isIntersecting); if (this.isDirty) this.stale(); }, { rootMargin: "300px" }).observe(this.element);
   }
 
   /** Begins to draw, once: making a context takes long where there is no graphics card, so not before it is seen. */
@@ -170,7 +172,7 @@ export class MechanismView {
     for (const step of this.update) step();
     this.turnAbout(share < 0.5 ? k : next);
     if (!this.isLost) this.state.textContent = moment.load > 0 ? "" : say("noContact");
-    this.isDirty = true;
+    this.stale();
   }
 
   /** Rolls all but the road, which stays level and under the wheel. */
@@ -187,7 +189,13 @@ export class MechanismView {
     return into.copy(point).applyMatrix4(this.group.matrixWorld);
   }
 
-  /** Draws, where something has changed. */
+  /** Something has changed: the next frame shows it. */
+  private stale(): void {
+    this.isDirty = true;
+    this.due ||= requestAnimationFrame(() => { this.due = 0; this.draw(); });
+  }
+
+  /** Draws now, where something has changed. */
   draw(): void {
     if (!this.isDirty || !this.isSeen || !this.shown || !this.begin()) return;
     this.isDirty = false;
@@ -284,7 +292,7 @@ export class MechanismView {
       return Math.abs(to.x) * half.x + Math.abs(to.y) * half.y + Math.abs(to.z) * half.z;
     }) as [number, number];
     this.frame();
-    this.isDirty = true;
+    this.stale();
   }
 
   repaint(): void {
@@ -304,7 +312,7 @@ export class MechanismView {
     if (!this.renderer || w < 10 || h < 10) return;
     this.renderer.setSize(w, h, false);
     this.frame();
-    this.isDirty = true;
+    this.stale();
   }
 
   /** Other places of the same mechanism: only its ways are drawn anew, all else moves. */
@@ -352,6 +360,7 @@ export class MechanismView {
     this.paths(m);
     this.marks(size);
     this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
+    this.wide = [];
     this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, m.names[i]!.replaceAll("_", " ")))));
     this.legend.replaceChildren(...[...m.parts, { words: say("strut"), colour: m.strut.colour }].map((part) => {
       const swatch = make("i", { class: "swatch" });
@@ -527,7 +536,8 @@ export class MechanismView {
 
   private place(): void {
     const { clientWidth: w, clientHeight: h } = this.canvas.parentElement!, one = new Vector3();
-    const wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
+    if (this.wide.length !== this.labels.length || this.wide.includes(0)) this.wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
+    const { wide } = this;
     const found = this.labels.map((label, i) => {
       this.outside(this.points[this.named[i]!]!, one).project(this.camera);
       const x = (0.5 + 0.5 * one.x) * w, width = wide[i]!;

@@ -29,6 +29,7 @@ export class Player {
   private scene: Scene;
   private now = 0;
   private playing = false;
+  private isStepping = false;
   private isGone = false;
   private way = 1;
   private last = 0;
@@ -46,8 +47,7 @@ export class Player {
     this.build();
     this.show(this.scene);
     whenLeft(() => { this.isGone = true; });
-    whenColoursChange(() => { this.plots.repaint(); this.view?.repaint(); this.draw(); });
-    requestAnimationFrame((time) => this.step(time));
+    whenColoursChange(() => { this.plots.repaint(); this.view?.repaint(); });
   }
 
   /** Shows the scene of this name; whether there is one. */
@@ -155,7 +155,6 @@ export class Player {
     this.plot(keep);
     if (scene.motion && this.view) this.view.show(this.store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
     this.goTo(this.now);
-    this.draw();
   }
 
   /** A button for each channel. */
@@ -224,6 +223,8 @@ export class Player {
     if (this.now >= high - 1e-9 * (high - low) || this.now < low) this.goTo(low);
     this.playing = true; this.way = 1; this.last = 0; this.frames.length = 0;
     this.play.textContent = say("pause");
+    if (!this.isStepping) requestAnimationFrame((time) => this.step(time));
+    this.isStepping = true;
   }
 
   /** What is passed in a second at full speed: a second, or all of what was swept in two. */
@@ -236,24 +237,22 @@ export class Player {
 
   /** What is seen is played, again and again. */
   private step(time: number): void {
-    if (this.playing) {
-      const passed = this.last ? time - this.last : 0;
-      if (this.last) { this.frames.push(passed); if (this.frames.length > 600) this.frames.shift(); }
-      this.last = time;
-      const [low, high] = this.plots.window;
-      let next = this.now + this.way * this.rate * Math.min(passed, 250) / 1000 / Number(this.speed.value);
-      if (next > high || next < low) {
-        if (STILL.matches) this.pause();
-        if (this.model.x.unit !== "s") this.way = -this.way; // a sweep goes back the way it came
-        next = STILL.matches || this.model.x.unit !== "s" ? Math.min(Math.max(next, low), high) : low;
-      }
-      this.goTo(next);
+    this.isStepping = this.playing && !this.isGone;
+    if (!this.isStepping) return;
+    const passed = this.last ? time - this.last : 0;
+    if (this.last) { this.frames.push(passed); if (this.frames.length > 600) this.frames.shift(); }
+    this.last = time;
+    const [low, high] = this.plots.window;
+    let next = this.now + this.way * this.rate * Math.min(passed, 250) / 1000 / Number(this.speed.value);
+    if (next > high || next < low) {
+      if (STILL.matches) this.pause();
+      if (this.model.x.unit !== "s") this.way = -this.way; // a sweep goes back the way it came
+      next = STILL.matches || this.model.x.unit !== "s" ? Math.min(Math.max(next, low), high) : low;
     }
-    this.draw();
-    if (!this.isGone) requestAnimationFrame((next) => this.step(next));
+    this.goTo(next);
+    this.view?.draw();
+    requestAnimationFrame((next) => this.step(next));
   }
-
-  private draw(): void { this.view?.draw(); }
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement) return;

@@ -153,7 +153,6 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     })());
   });
   const design = isOwn ? designing(name, rig, targets, sliders, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); dragged.set(moved()); void ask(); }) : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
-  const step = () => { if (!place.isConnected) return; view.draw(); requestAnimationFrame(step); };
   whenColoursChange(() => view.repaint());
   arrange();
   place.replaceChildren(make("h1", {}, tr("Kinematics of #", name)), ...(isOwn ? [make("p", { class: "bar" }, make("a", { href: address("rig", { name }) }, tr("To its file")))] : []),
@@ -165,7 +164,6 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same.element);
   written_.textContent = sessionStorage.getItem("written") ?? "";
   sessionStorage.removeItem("written");
-  requestAnimationFrame(step);
   await ask();
 }
 

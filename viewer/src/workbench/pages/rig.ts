@@ -88,12 +88,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       yes.focus();
     });
   });
-  const step = () => { if (!place.isConnected) return; view.draw(); requestAnimationFrame(step); };
   whenColoursChange(() => { view.repaint(); });
   place.replaceChildren(make("h1", {}, name),
     make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), make("a", { href: address("kinematics", { rig: name }) }, tr("Look at its kinematics"))),
     told, make("div", { class: "bar" }, save, undo, redo), difference, picture,
     make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)));
   await take(await api.form(name, saved.text, [], {}), false);
-  requestAnimationFrame(step);
 }
