@@ -98,7 +98,7 @@ def made_quickly(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPa
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("JOUNCE_CACHE_DIR", str(tmp_path_factory.mktemp("made-quickly")))
         for module, name in kept_in_process:
-            patch.setattr(module, name, {})
+            patch.setattr(module, name, type(getattr(module, name))())
         patch.setattr(native, "machine_code", plain)
         yield
 

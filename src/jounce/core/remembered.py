@@ -1,14 +1,18 @@
-"""What follows from a frozen object alone, computed once while that object lives."""
+"""What is made once and found again: beside the frozen object that it follows from, or by a key."""
 
 from __future__ import annotations
 
+import contextlib
+import sys
 import weakref
-from collections.abc import Callable
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
 from functools import wraps
-from typing import Any, TypeVar
+from typing import Any, ClassVar, Generic, TypeVar
 
 Thing = TypeVar("Thing")
 Found = TypeVar("Found")
+_NOTHING: Any = object()
 
 
 def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
@@ -44,3 +48,35 @@ def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
         return found
 
     return recall
+
+
+class Recent(Generic[Found]):
+    """Things made when they are first asked for, by their keys. All are kept, or the ``most`` that were asked for last.
+
+    A command meets a few models; a server that runs for weeks meets every one that is drawn in it, and sets ``most``.
+
+    >>> squares = Recent()
+    >>> squares.of(3, lambda: 9), squares.of(3, lambda: print("not asked"))
+    (9, 9)
+    """
+
+    most: ClassVar[int] = sys.maxsize
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[Hashable, Found] = OrderedDict()
+
+    def of(self, key: Hashable, make: Callable[[], Found]) -> Found:
+        """Give what belongs to a key; two threads that ask for it at once may both make it, and get the same."""
+        found: Found = self._kept.get(key, _NOTHING)
+        if found is _NOTHING:
+            found = self._kept.setdefault(key, make())
+            while len(self._kept) > self.most:
+                self._kept.popitem(last=False)
+        else:
+            with contextlib.suppress(KeyError):  # let go by another thread
+                self._kept.move_to_end(key)
+        return found
+
+    def clear(self) -> None:
+        """Let go of all."""
+        self._kept.clear()

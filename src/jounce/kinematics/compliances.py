@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.kinematics.loads import ContactLoad
 from jounce.kinematics.model import check_corner, has_rack
@@ -67,7 +68,7 @@ class ElasticModel:
     seen: ca.Function
 
 
-_models: dict[str, ElasticModel] = {}
+_models: Recent[ElasticModel] = Recent()
 
 
 def compliance(
@@ -149,10 +150,7 @@ def _ground(rig: Corner, travel: Array, rack: float | None) -> tuple[Array, Arra
 
 
 def _elastic_model(rig: Corner) -> ElasticModel:
-    structure = structure_of(rig)
-    if structure not in _models:
-        _models[structure] = _build(rig)
-    return _models[structure]
+    return _models.of(structure_of(rig), lambda: _build(rig))
 
 
 def _build(rig: Corner) -> ElasticModel:

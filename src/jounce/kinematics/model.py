@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
@@ -91,16 +92,13 @@ class KinematicModel:
         return tuple(self.functions["output"].size1_in(i) for i in range(4))
 
 
-_models: dict[str, KinematicModel] = {}
+_models: Recent[KinematicModel] = Recent()
 
 
 def kinematic_model(rig: Rig) -> KinematicModel:
     """Kinematic model of a corner with hardpoints; corners that differ in numbers only share one."""
     corner = check_corner(rig)
-    structure = structure_of(corner)
-    if structure not in _models:
-        _models[structure] = _build(_rigid(corner))
-    return _models[structure]
+    return _models.of(structure_of(corner), lambda: _build(_rigid(corner)))
 
 
 def _rigid(rig: Corner) -> Corner:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from jounce.control.actuators import AnyActuator
+from jounce.core.remembered import Recent
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
 from jounce.models.full_car_3d import full_car_3d
@@ -23,7 +24,7 @@ _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     FullCar3D: full_car_3d,
     **dict.fromkeys(TEMPLATES, corner),
 }
-_built: dict[tuple[str, bool, str], Model] = {}
+_built: Recent[Model] = Recent()
 
 
 def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
@@ -33,12 +34,10 @@ def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None
     an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
     """
     key = structure_of(rig), detail and type(rig) in TEMPLATES, actuator.structure if actuator else ""
-    if key not in _built:
-        options: dict[str, Any] = {"detail": True} if key[1] else {}
-        if actuator is not None:
-            options["actuator"] = actuator
-        _built[key] = _BUILDERS[type(rig)](rig, **options)
-    return _built[key]
+    options: dict[str, Any] = {"detail": True} if key[1] else {}
+    if actuator is not None:
+        options["actuator"] = actuator
+    return _built.of(key, lambda: _BUILDERS[type(rig)](rig, **options))
 
 
 __all__ = ["build", "corner", "quarter_car"]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.remembered import Recent
 from jounce.core.sources import digest_of
 from jounce.core.types import Array
 from jounce.kernel.engine import Engine
@@ -175,7 +176,7 @@ class Compiled:
 
 
 _NOTHING = (np.zeros(0),) * 3
-_compiled: dict[tuple[object, ...], Compiled] = {}
+_compiled: Recent[Compiled] = Recent()
 
 
 def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
@@ -183,14 +184,15 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
 
     A free parameter that does not occur in the model is an error.
     """
-    key = (id(model), free)
-    if key not in _compiled:
+
+    def make() -> Compiled:
         program = _program(model, free, len(free))
         native = compile_functions(program.functions, program.step)
         without = compile_model(model) if free else None
         numbers = (program.shapes, program.scalars, program.lanes)
-        _compiled[key] = Compiled(model.facts, free, native, *numbers, lambda: model, without, free)
-    return _compiled[key]
+        return Compiled(model.facts, free, native, *numbers, lambda: model, without, free)
+
+    return _compiled.of((id(model), free), make)
 
 
 def compile_rig(
@@ -225,16 +227,18 @@ def compile_described(
     ``without`` gives the same one without free parameters, where there are some; ``moved`` are those that change with
     them, where these are others.
     """
-    moved = free if moved is None else moved
-    if key not in _compiled:
+    changed = free if moved is None else moved
+
+    def make() -> Compiled:
         identity = f"{sources()} {key}"
-        native, notes = kept_code(identity, lambda: _source(model(), moved, len(free)))
+        native, notes = kept_code(identity, lambda: _source(model(), changed, len(free)))
         table: dict[str, Any] = json.loads(notes)
         plain = without() if free and without is not None else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
         numbers = (shapes, table["scalars"], table["lanes"])
-        _compiled[key] = Compiled(_facts(table["facts"]), free, native, *numbers, model, plain, moved, identity)
-    return _compiled[key]
+        return Compiled(_facts(table["facts"]), free, native, *numbers, model, plain, changed, identity)
+
+    return _compiled.of(key, make)
 
 
 def _program(model: Model, moved: tuple[str, ...], count: int) -> Program:

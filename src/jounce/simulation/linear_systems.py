@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
+from jounce.core.remembered import remembered
 from jounce.kernel.methods.implicit import Slopes
 from jounce.kernel.methods.rosenbrock import RosenbrockStep
 from jounce.kernel.native import Native, Source, compile_functions, kept_code
@@ -24,23 +25,24 @@ from jounce.mechanics import Model
 from jounce.simulation.compiled import Compiled
 
 _FUNCTIONS = ("look", "along_input", "factor", "interpolant")
-_made: dict[int, tuple[Compiled, Slopes, Native]] = {}
 
 
 def slopes_of(compiled: Compiled) -> Slopes:
-    """Give the native functions for the linear systems of a model; made once, kept on disk as all native code."""
-    plain = compiled.plain
-    if id(plain) not in _made:
-        if plain.identity:
-            native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
-        else:
-            source = _source(plain.model)
-            native, notes = compile_functions(source.functions, source.step), source.notes
-        look, along_input, factor, interpolant = (native.address[name] for name in _FUNCTIONS)
-        stages = np.array([address for name, address in native.address.items() if name.startswith("stage_")])
-        size, room = json.loads(notes)
-        _made[id(plain)] = plain, Slopes(look, along_input, factor, stages, interpolant, size, room), native
-    return _made[id(plain)][1]
+    """Give the native functions for the linear systems of a model; they live while it does, and are kept on disk."""
+    return _made(compiled.plain)[0]
+
+
+@remembered
+def _made(plain: Compiled) -> tuple[Slopes, Native]:
+    if plain.identity:
+        native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
+    else:
+        source = _source(plain.model)
+        native, notes = compile_functions(source.functions, source.step), source.notes
+    look, along_input, factor, interpolant = (native.address[name] for name in _FUNCTIONS)
+    stages = np.array([address for name, address in native.address.items() if name.startswith("stage_")])
+    size, room = json.loads(notes)
+    return Slopes(look, along_input, factor, stages, interpolant, size, room), native
 
 
 def _source(model: Model) -> Source:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.remembered import Recent
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
@@ -248,7 +249,7 @@ def _numbers(place: dict[str, int], paths: Sequence[str]) -> NDArray[np.intp]:
     return np.array([place[path] for path in paths], dtype=np.intp)
 
 
-_reductions: dict[str, Reduction | None] = {}
+_reductions: Recent[Reduction | None] = Recent()
 
 
 def reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> Reduction | None:
@@ -261,9 +262,7 @@ def reduction_of(rig: Rig) -> Reduction | None:
     if not isinstance(rig, Corner):
         return None
     structure = structure_of(rig)
-    if structure not in _reductions:
-        _reductions[structure] = _reduction(rig, structure) if rig.only_travels else None
-    return _reductions[structure]
+    return _reductions.of(structure, lambda: _reduction(rig, structure) if rig.only_travels else None)
 
 
 def _reduction(rig: Corner, structure: str) -> Reduction:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from jounce.core.errors import SimulationError
+from jounce.core.remembered import Recent
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
@@ -182,7 +183,7 @@ def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half
     return float(np.nan_to_num(np.max(found), nan=np.inf))  # a quantity of no size bounds nothing
 
 
-_reductions: dict[str, CarReduction | None] = {}
+_reductions: Recent[CarReduction | None] = Recent()
 
 
 def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduction | None:
@@ -192,13 +193,14 @@ def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduc
 
 def car_reduction_of(rig: FullCar3D) -> CarReduction | None:
     """Give the reduction of a car; None where the poses of its corners are not told by one coordinate each."""
-    structure = structure_of(rig)
-    if structure not in _reductions:
+
+    def make() -> CarReduction | None:
         corners = {end: getattr(rig, end).corner for end in _ENDS}
-        ideal = all(corner.only_travels for corner in corners.values())
-        sampled = {end: _sampling(corner) for end, corner in corners.items()} if ideal else {}
-        _reductions[structure] = CarReduction(rig, sampled) if ideal else None
-    return _reductions[structure]
+        if not all(corner.only_travels for corner in corners.values()):
+            return None
+        return CarReduction(rig, {end: _sampling(corner) for end, corner in corners.items()})
+
+    return _reductions.of(structure_of(rig), make)
 
 
 def _sampling(corner: Corner) -> Sampling:

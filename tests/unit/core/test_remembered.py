@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import gc
 
+import pytest
+
 import jounce as jn
-from jounce.core.remembered import remembered
+from jounce.core.remembered import Recent, remembered
 
 
 class Thing:
@@ -44,3 +46,30 @@ def test_a_changed_copy_of_a_rig_has_its_own_numbers_and_structure():
     softer = rig.model_copy(update={"tyre": rig.tyre.model_copy(update={"stiffness": 1.0e5, "lift_off": False})})
     assert softer.parameters()["tyre.stiffness"] == 1.0e5
     assert structure_of(softer) != structure == structure_of(rig)
+
+
+def test_those_asked_for_last_are_kept(monkeypatch):
+    monkeypatch.setattr(Recent, "most", 2)
+    made, recent = [], Recent()
+
+    def of(key):
+        return recent.of(key, lambda: made.append(key) or key.upper())
+
+    assert [of(key) for key in ("a", "b", "a", "c", "a", "b")] == ["A", "B", "A", "C", "A", "B"]
+    assert made == ["a", "b", "c", "b"]  # the third let go of b, which was asked for before a
+
+
+def test_all_are_kept_where_nobody_says_how_many():
+    recent = Recent()
+    first = [recent.of(key, object) for key in range(1000)]
+    assert [recent.of(key, object) for key in range(1000)] == first
+    recent.clear()
+    assert recent.of(0, object) is not first[0]
+
+
+def test_what_could_not_be_made_is_tried_again_and_nothing_is_something():
+    recent = Recent()
+    with pytest.raises(ZeroDivisionError):
+        recent.of("one", lambda: 1 / 0)
+    assert recent.of("one", lambda: None) is None
+    assert recent.of("one", lambda: 1) is None

@@ -7,6 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce import models
+from jounce.core.remembered import Recent
 from jounce.kernel import native
 from jounce.models import build
 from jounce.simulation import compiled as compiled_module
@@ -24,7 +25,7 @@ def fresh(tmp_path, monkeypatch):
     """A process that has compiled nothing, with an empty cache; calling it forgets again. Counts builds and code."""
     jn.simulate(KART, TRIAL)  # the code of its loops is loaded: it would be kept in that cache, too
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(compiled_module, "_compiled", {})
+    monkeypatch.setattr(compiled_module, "_compiled", Recent())
     counts = {"built": 0, "emitted": 0}
 
     def counted(name, function):
