@@ -49,3 +49,38 @@ def test_tanh_intervals_cover():
         found = fit_damper(X, V, clean + noise(seed, 0.0), TIME, law="tanh-hysteretic").parameters
         hits += [found["force"].has(150.0), found["slope"].has(40.0), found["displacement_coupling"].has(1.5)]
     assert np.all(hits >= 34), hits
+
+
+@pytest.mark.parametrize(("rate", "resolution"), [(300, 0.0), (3000, 0.0), (3000, 40e-6)])
+@pytest.mark.parametrize("motion", ["sine", "triangle"])
+def test_noise_of_a_displacement_does_not_soften_the_damper(motion, rate, resolution):
+    """Central differences of 20 um of noise, sampled so finely, made 1500 N s/m a fifth of it."""
+    time = np.arange(0.0, 4.0, 1.0 / rate)
+    phase = 1.5 * time
+    if motion == "sine":
+        x, v = 0.020 * np.sin(2 * math.pi * phase), 0.060 * math.pi * np.cos(2 * math.pi * phase)
+    else:
+        x, v = (
+            0.020 * (4.0 * np.abs((phase + 0.25) % 1.0 - 0.5) - 1.0),
+            0.12 * np.where((phase + 0.25) % 1.0 < 0.5, -1, 1),
+        )
+    shaken = x + np.random.default_rng(1).normal(0.0, 20e-6, len(time))
+    if resolution:
+        shaken = resolution * np.round(x / resolution)
+    result = fit_damper(shaken, None, 1500.0 * v, time)
+    assert result.parameters["coefficient"].value == pytest.approx(1500.0, rel=2e-3 if motion == "sine" else 0.03)
+
+
+def test_noise_that_no_average_takes_away_is_told():
+    shaken = X[::4] + np.random.default_rng(1).normal(0.0, 1e-3, len(X[::4]))
+    result = fit_damper(shaken, None, 1500.0 * V[::4], TIME[::4])
+    (told,) = (one for one in result.findings if "noise of the displacement" in one.message)
+    assert result.parameters["coefficient"].value == pytest.approx(1500.0 * (1.0 - told.value), rel=0.03)
+
+
+def test_energy_of_a_cycle_is_the_dampers_however_the_record_ends():
+    """Gas of five times the damping force gave half of the energy where the last cycle was not whole."""
+    time = TIME[TIME < 3.6]
+    x, v = X[: len(time)], V[: len(time)]
+    result = fit_damper(x, v, 200.0 * v + 150.0, time)
+    assert result.energy_per_cycle == pytest.approx(math.pi * 200.0 * 2 * math.pi * 0.020**2, rel=0.01)

@@ -14,9 +14,9 @@ from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.identify.decay import zigzag
+from jounce.identify.decay import noise_of, zigzag
 from jounce.identify.estimate import Estimate, central_differences, r_squared, uncertainty
-from jounce.identify.signs import ForcePositive, Signs, StrokePositive, damper_signs, sign_of
+from jounce.identify.signs import ForcePositive, Signs, StrokePositive, closed_part, damper_signs, sign_of
 
 VelocityFrom = Literal["recorded", "displacement"]
 LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
@@ -69,9 +69,10 @@ def read_motion(
 ) -> tuple[DamperMotion, list[Finding]]:
     """Check a damper record (m, m/s, N, s), make compression positive and cut off the rest at both ends.
 
-    Without a velocity, or with ``velocity_from="displacement"``, the central difference of the displacement is used; a
-    recorded one counts as the displacement does. How the record counts is stated or found, with findings:
-    :mod:`jounce.identify.signs`.
+    Without a velocity, or with ``velocity_from="displacement"``, the derivative of the displacement is used: central
+    differences, or slopes of cubics through as many samples as its noise asks for, since noise in a velocity makes
+    coefficients too small. A recorded velocity counts as the displacement does. How the record counts is stated or
+    found, with findings: :mod:`jounce.identify.signs`.
 
     Raises
     ------
@@ -88,12 +89,13 @@ def read_motion(
     x, f, t = arrays["displacement"], arrays["force"], arrays["time"]
     derivative = np.asarray(np.gradient(x, t))
     resolution = 0.0
+    uses_derivative = "velocity" not in arrays or velocity_from == "displacement"
     if "velocity" in arrays:
         arrays["velocity"] = _as_the_stroke(arrays["velocity"], derivative, name, findings)
         resolution = _check_velocity(arrays["velocity"], derivative, t, velocity_from, name, findings)
     else:
         findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
-    v = arrays["velocity"] if "velocity" in arrays and velocity_from == "recorded" else derivative
+    v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
     first, last = _moving_part(x, name, findings)
     x, v, f, t, derivative = (column[first:last] for column in (x, v, f, t, derivative))
     cycles = _cycles(x)
@@ -166,6 +168,76 @@ def _check_velocity(
         )
         findings.append(Finding(name, "note", text, resolution))
     return resolution
+
+
+def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) -> Array:
+    """Derivative of a displacement (m/s), over as many samples as its noise asks for; ``plain`` is over three."""
+    steps = np.diff(t)
+    step = float(np.median(steps))
+    turns = np.diff(zigzag(_calmed(x), 0.05 * float(np.ptp(x))))[1:]
+    widest = int(_WIDEST * turns.min()) if len(turns) else 0
+    noise = max(noise_of(x), _quantum(x) / math.sqrt(12.0))
+    if float(np.ptp(steps)) > 0.01 * step:
+        widest = 0
+    power = float(np.mean((_slope(x, widest) / step) ** 2 if widest > 1 else plain**2))
+
+    def share(half: int) -> float:
+        weights = _weights_of_slope(half) if half > 1 else np.array([0.5, 0.5])
+        white = noise**2 * float(weights @ weights)
+        return max(white, (0.5 * _quantum(x) / (2 * half + 1)) ** 2) / (step**2 * power)
+
+    half = 1
+    while share(half) > _CALM and half < widest:
+        half = min(max(half + 1, int(1.2 * half)), widest)
+    left = share(half)
+    if half > 1:
+        text = f"the derivative of the displacement is taken over {2 * half + 1} samples, as its noise asks for."
+        findings.append(Finding(name, "note", text, float(2 * half + 1)))
+    if left > _NOISY:
+        text = (
+            f"noise of the displacement (about {1e3 * noise:.2g} mm) is some {100.0 * left:.2g} % of the mean square "
+            "of its derivative, and coefficients come out too small by about as much: give a velocity, or filter it."
+        )
+        findings.append(Finding(name, "warning", text, left))
+    return plain if half == 1 else _slope(x, half) / step
+
+
+_CALM, _NOISY = 1e-4, 1e-2  # of the mean square of a velocity: noise that does no harm, and that is told
+_WIDEST = 0.05  # of half a cycle: samples on either side over which a cubic follows the motion
+
+
+def _calmed(x: Array) -> Array:
+    """Average over a hundredth of a cycle or so, in which turning points are looked for."""
+    width = max(1, len(x) // 2000) | 1
+    return np.convolve(np.pad(x, width // 2, mode="edge"), np.ones(width) / width, mode="valid")
+
+
+def _quantum(x: Array) -> float:
+    """Step of the values of a signal, its unit; 0 where they are not quantised."""
+    values = np.unique(x)
+    gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
+    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):
+        return 0.0
+    counts = gaps / gaps.min()
+    return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
+
+
+def _weights_of_slope(half: int) -> Array:
+    """What the slope (a sample) of the cubic through ``2 half + 1`` samples in its middle takes of each of them."""
+    place = np.arange(-half, half + 1) / half
+    weights: Array = np.linalg.pinv(place[:, None] ** np.arange(4.0))[1] / half
+    return weights
+
+
+def _slope(x: Array, half: int) -> Array:
+    """Slope (a sample) of cubics through ``2 half + 1`` samples, at the ends of the first and the last of them."""
+    place = np.arange(-half, half + 1) / half
+    inside = np.convolve(x, _weights_of_slope(half)[::-1], mode="valid")
+    ends = [
+        np.polyval(np.polyder(np.polyfit(place, part, 3)), place) / half
+        for part in (x[: 2 * half + 1], x[-2 * half - 1 :])
+    ]
+    return np.concatenate([ends[0][:half], inside, ends[1][half + 1 :]])
 
 
 def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tuple[int, int]:
@@ -509,6 +581,8 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     plain = {key: one.value for key, one in parameters.items()}
     measured, x = motion.force[used], motion.displacement[used]
     cycles = motion.cycles - (0.5 if chosen.remembers else 0.0)
+    closed = closed_part(x)
+    turned = _cycles(x[closed])
     rms = float(np.sqrt(np.mean(residual**2)))
     table = {
         "force": max(plain.get("friction_force", 0.0), 0.0),
@@ -521,8 +595,8 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
         nrmse=rms / float(np.ptp(measured)),
         r2=r_squared(measured, residual),
         rms_residual=rms,
-        energy_per_cycle=float(np.trapezoid(measured, x)) / cycles,
-        fitted_energy_per_cycle=float(np.trapezoid(fitted[used], x)) / cycles,
+        energy_per_cycle=float(np.trapezoid(measured[closed], x[closed])) / turned,
+        fitted_energy_per_cycle=float(np.trapezoid(fitted[used][closed], x[closed])) / turned,
         cycles=cycles,
         samples=len(residual),
         displacement_centre=motion.centre,

@@ -116,6 +116,22 @@ def turned_channel(name: str, like: float, trials: list[str]) -> Finding:
     return Finding(name, "warning", text, like)
 
 
+def closed_part(stroke: Array) -> slice:
+    """Samples from the first pass of mid-stroke to the last, of whole cycles where there is one.
+
+    Gas and springs do no work there, however the record begins and ends.
+
+    >>> closed_part(np.array([0.0, 2.0, 0.0, -2.0, 1.0, 2.0, 1.0]))
+    slice(0, 4, None)
+    """
+    above = stroke > 0.5 * float(stroke.max() + stroke.min())
+    passes = np.flatnonzero(above[1:] != above[:-1])
+    if len(passes) < 2:
+        return slice(None)
+    alike = passes[above[passes] == above[passes[0]]]
+    return slice(int(passes[0]), int(alike[-1] if len(alike) > 1 else passes[-1]) + 1)
+
+
 def damper_signs(
     stroke: Array,
     velocity: Array,
@@ -141,7 +157,9 @@ def damper_signs(
         findings.append(Finding(name, severity, text, value))
 
     x, v, f = stated.stroke * stroke, stated.stroke * velocity, stated.force * force
-    work, sizes = float(f @ v), float(np.abs(f - f.mean()) @ np.abs(v))
+    part = closed_part(x)
+    pushed, moved = f[part] - f[part].mean(), v[part]
+    work, sizes = float(pushed @ moved), float(np.abs(pushed) @ np.abs(moved))
     if abs(work) < _IDLE * sizes:
         add(
             "warning",

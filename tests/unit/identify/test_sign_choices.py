@@ -9,7 +9,7 @@ import pytest
 
 from jounce.core.findings import Finding
 from jounce.identify.estimate import Estimate
-from jounce.identify.signs import Signs, _Choice, _sign, _unlike, damper_signs, likeness, static_force
+from jounce.identify.signs import Signs, _Choice, _sign, _unlike, closed_part, damper_signs, likeness, static_force
 
 Told = list[tuple[str, str, float | None]]
 
@@ -101,15 +101,28 @@ def test_likeness_has_the_sign_of_a_record() -> None:
     assert likeness(wave[:18], wave[:18], 5) == pytest.approx(1.0)
 
 
+@pytest.mark.parametrize("end", [3.6, 4.0, 4.4])
+@pytest.mark.parametrize("begin", [0.0, 0.25])
+def test_gas_does_no_work_however_a_record_ends(begin: float, end: float) -> None:
+    """Gas of ten times the damping force, over a path that does not close, was taken for a damper that gives energy."""
+    angle = 2.0 * np.pi * np.linspace(begin, end, 3000)
+    for sign in (1.0, -1.0):
+        findings: list[Finding] = []
+        x, v = sign * np.sin(angle), sign * np.cos(angle)
+        found = damper_signs(x, v, 10.0 + v, stroke_positive=None, force_positive=None, name="a", findings=findings)
+        assert (found.stroke, found.force, findings) == (1, 1, [])
+
+
 @pytest.mark.parametrize(("share", "told"), [(0.021, False), (0.019, True), (-0.019, True)])
 def test_what_does_hardly_any_work_is_no_damper(share: float, told: bool) -> None:
     """A spring, whose force is a quarter of a period off the velocity, and a little damping."""
     angle = np.arange(4000) * (2.0 * np.pi / 1000.0)
     x, v = np.sin(angle), np.cos(angle)
-    part = share
+    part, closed = share, closed_part(x)
     for _ in range(20):  # the work over that of the sizes, which the damping is a part of
-        force = x + part * v
-        part *= share / (float(force @ v) / float(np.abs(force - force.mean()) @ np.abs(v)))
+        force, rate = (x + part * v)[closed], v[closed]
+        force -= force.mean()
+        part *= share / (float(force @ rate) / float(np.abs(force) @ np.abs(rate)))
     findings: list[Finding] = []
     damper_signs(x, v, x + part * v, stroke_positive=None, force_positive=None, name="a", findings=findings)
     idle = [one.value for one in findings if "hardly any work" in one.message]
