@@ -30,6 +30,7 @@ _TYPES: dict[str, Any] = {
     "Float64": _DOUBLE, "Float32": ctypes.c_float, "Boolean": ctypes.c_bool,
     "Int8": ctypes.c_int8, "Int16": ctypes.c_int16, "Int32": ctypes.c_int32, "Int64": ctypes.c_int64,
     "UInt8": ctypes.c_uint8, "UInt16": ctypes.c_uint16, "UInt32": ctypes.c_uint32, "UInt64": ctypes.c_uint64,
+    "String": _TEXT,
 }  # fmt: skip
 """C types of the values that can be set before a run; a Boolean of FMI 2 is an integer."""
 
@@ -139,7 +140,9 @@ class _Instance:
         self._arguments()
         c = self._component
         for kind, reference, value in self._told["starts"]:
-            held = (_TYPES["Boolean2" if (kind, self._version) == ("Boolean", 2) else kind] * 1)(value)
+            held = (_TYPES["Boolean2" if (kind, self._version) == ("Boolean", 2) else kind] * 1)(
+                value.encode() if isinstance(value, str) else value
+            )
             many = () if self._version == 2 else (1,)
             put = self._function(f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many))
             refs = (ctypes.c_uint32 * 1)(reference)

@@ -352,13 +352,19 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
                 row.get("causality", "local"),
                 row.get("variability", ""),
                 unit,
-                typed.get("start", ""),
+                _start(typed),
                 row.get("description", ""),
                 reference,
                 row.find("Dimension") is not None,
             )
         )
     return found
+
+
+def _start(typed: ET.Element) -> str:
+    """Start value as it is written; that of a text of FMI 3.0 is an element of its own."""
+    row = typed.find("Start")
+    return typed.get("start", "") if row is None else row.get("value", "")
 
 
 def _units(root: ET.Element, where: str) -> dict[str, _Unit]:

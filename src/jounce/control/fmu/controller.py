@@ -63,7 +63,8 @@ class FmuControl(CallbackController):
         Instead of ``output``, for one instance that controls the whole vehicle: corner to output. Channels have their
         corner then.
     parameters : dict
-        Start values by name, SI or text with a unit; a table of axles or corners where these differ
+        Start values of its parameters and of inputs that nothing is connected to, by name: numbers in SI or text with a
+        unit, texts for those that are texts; a table of axles or corners where these differ
         (``{"gain": {"front": "4 kN*s/m", "rear": "3 kN*s/m"}}``).
     from_rest : bool
         Whether channels are changes from static equilibrium instead of values.
@@ -136,7 +137,7 @@ class _Wires:
     ``starts`` are type, reference and value of what is set before a run.
     """
 
-    starts: list[tuple[str, int, float]]
+    starts: list[tuple[str, int, float | str]]
     inputs: list[int]
     channels: list[str]
     to_own: list[tuple[float, float]]
@@ -210,7 +211,9 @@ class _Connection:
             raise unknown(name, [v.name for v in variables], what=what, where=where)
         if what != "parameter" and not found.is_real:
             kind = f"{found.kind}{', an array' if found.is_array else ''}"
-            raise DescriptionError(f"an {what} that is no real number", where=f"{where}: {name}", found=kind)
+            raise DescriptionError(
+                f"an {what} that is no real number", where=f"{where}: {name}", found=kind, allowed="Real, Float64"
+            )
         return found
 
     def _wired(self, corner: str, outputs: list[tuple[FmuVariable, str]]) -> _Wires:
@@ -262,8 +265,8 @@ class _Connection:
         short = [channel.removeprefix(start) for channel in channels if not corner or channel.startswith(start)]
         raise unknown(name, short, what="channel", where="control: inputs")
 
-    def _starts(self, corner: str) -> list[tuple[str, int, float]]:
-        found = []
+    def _starts(self, corner: str) -> list[tuple[str, int, float | str]]:
+        found: list[tuple[str, int, float | str]] = []
         for name, given in self.law.parameters.items():
             variable = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
             where = f"control: parameters: {name}"
@@ -272,8 +275,13 @@ class _Connection:
             kind = "Integer" if kind == "Enumeration" else kind
             if kind not in caller._TYPES or variable.is_array:
                 raise DescriptionError(
-                    "it cannot be set", where=where, found=variable.kind, allowed="numbers, booleans"
+                    "it cannot be set", where=where, found=variable.kind, allowed="numbers, booleans, texts"
                 )
+            if kind == "String":
+                if not isinstance(value, str) or "\0" in value:
+                    raise DescriptionError("not a value of its type", where=where, found=value, allowed="a text")
+                found.append((kind, variable.reference, value))
+                continue
             if kind in ("Real", "Float64", "Float32"):
                 si = self.component.si_unit(variable)
                 a, b = self.component.conversion(variable, si)

@@ -1,0 +1,64 @@
+"""The Reference FMUs of the Modelica Association drive a car: what they are given, of every type, comes out again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.control.fmu import FmuControl
+from jounce.control.fmu.platforms import this_platform
+
+FOLDER = Path(__file__).parents[1] / "files" / "fmu" / "reference_fmus"
+FILES = {version: FOLDER / f"Feedthrough-{version}.fmu" for version in (2, 3)}
+if this_platform() not in jn.read_fmu(FILES[3]).platforms:
+    pytest.skip(f"no binary for {this_platform()}", allow_module_level=True)
+
+TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="1 m", start="0.5 m"), speed="5 m/s", duration="0.8 s")
+ACTUATOR = jn.ActiveActuator(lag=0.0, force_limit=1e5)
+EACH = {  # a value of every type
+    2: {"Int32_input": -7, "Boolean_input": True, "String_input": "a text — of more", "Enumeration_input": 2},
+    3: {
+        "Float32_continuous_input": 0.5, "Int8_input": -8, "UInt8_input": 8, "Int16_input": -16, "UInt16_input": 16,
+        "Int32_input": -32, "UInt32_input": 32, "Int64_input": -64, "UInt64_input": 64, "Boolean_input": True,
+        "String_input": "a text — of more", "Enumeration_input": 2,
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("version", [2, 3])
+@pytest.mark.parametrize("way", ["continuous", "discrete"])
+def test_what_goes_in_comes_out(version, way) -> None:
+    """A force of 1 N for each m/s, held for a tenth of a second, which is the step of the FMU of FMI 3.0."""
+    rig = jn.load("audi-a6-quarter-car")
+    law = FmuControl(
+        file=str(FILES[version]), inputs={f"Float64_{way}_input": "strut.velocity"}, output=f"Float64_{way}_output",
+        parameters={"Float64_fixed_parameter": 3.0, **EACH[version]}, actuator=ACTUATOR, rate=10.0,
+    )  # fmt: skip
+    own = jn.PythonControl(function=lambda measured, _: measured["strut.velocity"], actuator=ACTUATOR, rate=10.0)
+    run, same = (jn.simulate(rig, TRIAL, control=control) for control in (law, own))
+    assert np.ptp(same["command"].values) > 0.1
+    for channel in ("command", "sprung.z", "tyre.force"):
+        np.testing.assert_array_equal(run[channel], same[channel])
+
+
+def test_what_it_is_not_made_for_is_refused() -> None:
+    rig = jn.load("audi-a6-quarter-car")
+    for changes, what in (
+        ({"output": "Int32_output"}, "an output that is no real number.*Int32.*Float64"),
+        ({"output": None}, "several outputs"),
+        ({"rate": 1000.0}, "no multiple of the FMU's fixed step.*multiples of 0.1 s"),
+        ({"parameters": {"String_input": 3}}, "not a value of its type.*a text"),
+        ({"parameters": {"Binary_input": "ff"}}, "cannot be set.*Binary"),
+    ):
+        given = {"output": "Float64_continuous_output", "actuator": ACTUATOR, "rate": 10.0, **changes}
+        with pytest.raises(jn.DescriptionError, match=what):
+            jn.simulate(rig, TRIAL, control=FmuControl(file=str(FILES[3]), **given))
+
+
+def test_texts_keep_their_start() -> None:
+    for file in FILES.values():
+        starts = {variable.name: variable.start for variable in jn.read_fmu(file).inputs}
+        assert starts["String_input"] == "Set me!"
