@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.kernel.engine import Status
 from jounce.simulation.problem import excitation
 from jounce.simulation.reduced_car import PLACES, ReducedCar, car_reduction_of
 from jounce.simulation.sampled import DEGREES
@@ -197,6 +198,22 @@ def test_wheels_that_travel_farther_than_any_table_are_run_by_their_linkages():
     assert max(displacements(errors(run, full)).values()) < TOLERANCE
 
 
+def test_a_run_ends_where_a_wheel_leaves_its_table(reduction):
+    road = jn.HalfSine(height="60 mm", length="1 m", start="1 m")
+    trial = jn.Trial(road=road, right=jn.Flat(), speed=8.0, duration=1.0)
+    signals = excitation(reduction.compiled(DEGREES[0]).facts, CAR, trial)
+    car = ReducedCar(reduction, CAR.parameters(), signals, RunSettings().times(1.0), 1e-3)
+    narrow, wide = (car.lay_out(around) for around in (0.03, 0.055))
+    ended, whole = narrow.prepared.run(), wide.prepared.run()
+    assert (ended.status, whole.status) == (Status.NOT_FINITE, Status.COMPLETED)
+    assert wide.holds(whole.states)
+    place = wide.prepared.compiled.facts.states.index("front_left.travel")
+    left = int(np.argmax(np.abs(whole.states[place]) > 0.03))
+    there = np.isfinite(ended.states[place])
+    assert there[: left - 1].all()
+    assert not there[left + 1 :].any()
+
+
 def exact_and_polynomial(reduction, which, degree, travel):
     """Quantities of a corner at travels (m), exact and by a table for 30 mm on either side; the table."""
     values, end = CAR.parameters(), PLACES[which].split("_")[0]
@@ -238,7 +255,7 @@ def test_energy_is_neither_made_nor_lost_without_dampers(reduction):
     compiled = reduction.compiled(DEGREES[0])
     laid_out = ReducedCar(
         reduction, loose.parameters(), excitation(compiled.facts, loose, trial), RunSettings().times(1.0), 1e-6
-    ).lay_out()
+    ).lay_out(0.03)
     run = laid_out.prepared.run()
     facts, rows = laid_out.prepared.compiled.facts, {}
     rows = dict(zip(facts.states, run.states[:, 400:], strict=True))  # all wheels are past the bump

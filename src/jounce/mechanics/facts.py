@@ -39,8 +39,9 @@ def moved_by(speed: str) -> str:
     return speed.removesuffix(" rate").removesuffix("_rate")
 
 
-MIDDLE, HALF = "travel.middle", "travel.half"
-"""Parameters of a reduced corner: middle and half width (m) of the travel that its polynomials are for."""
+MIDDLE, HALF, REACH = "travel.middle", "travel.half", "travel.reach"
+"""Parameters of a reduced corner: middle and half width (m) of the travel that its polynomials are for; and how many
+half widths a wheel of a car may be off the middle, beyond which its mass is no number: there a run ends."""
 
 
 def of_travel(quantity: str, degree: int) -> list[str]:

@@ -18,7 +18,7 @@ from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.carrier import MovingCarrier, Shifting, TravellingMasses
 from jounce.mechanics.driven import Driven, Quasistatic
-from jounce.mechanics.facts import HALF, MIDDLE, of_travel
+from jounce.mechanics.facts import HALF, MIDDLE, REACH, of_travel
 from jounce.mechanics.frames import Frame, Moving, Orientation
 from jounce.mechanics.rotations import skew
 from jounce.models.attachments import bar_angle, link_end, third_end
@@ -195,8 +195,9 @@ class _Travelling(Suspension):
 
     @property
     def mass(self) -> ca.SX:
-        """Mass of all its bodies, kg."""
-        return self._own(of_travel(MASS, 0)[0])
+        """Mass of all its bodies, kg: none where the polynomials say nothing any more."""
+        there = ca.fabs(self._x) <= self._own(REACH)
+        return ca.if_else(there, self._own(of_travel(MASS, 0)[0]), ca.SX.nan())
 
     @property
     def wheel_centre(self) -> Moving:

@@ -16,7 +16,7 @@ from jounce.core.remembered import Recent
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
-from jounce.mechanics.facts import HALF, MIDDLE, is_road, of_travel, speed_of
+from jounce.mechanics.facts import HALF, MIDDLE, REACH, is_road, of_travel
 from jounce.parts import Rig
 from jounce.parts.corners import Corner
 from jounce.parts.rig import structure_of
@@ -26,7 +26,6 @@ from jounce.simulation.compiled import Compiled, compile_described
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.result import Solution, held_to_its_branch
 from jounce.simulation.sampled import (
-    BESIDE,
     DEGREES,
     FLAT,
     OFF,
@@ -34,7 +33,6 @@ from jounce.simulation.sampled import (
     SHARE,
     SHOWN,
     STEPS_SHARE,
-    TRIES,
     TURNED,
     Sampling,
     Table,
@@ -55,15 +53,22 @@ PLACES = tuple(f"{end}_{side}" for end in _ENDS for side in _SIDES)
 """Of the corners, in the order of the model."""
 
 _KEPT = 64  # tables
+_WIDE = (0.08, 0.07, 0.06)
+"""Ranges of travel (m) to either side, of which the widest that polynomials do for is taken where those of the lowest
+degree do not: a higher one takes the same time for all of them."""
 
 Ranges = tuple[tuple[float, float], ...]
 """Of the travel (m) of each corner."""
 
 
 class _Places(NamedTuple):
-    """Numbers of a vehicle, and those of the tables, among the parameters of a model; names of a table's quantities."""
+    """Numbers of a vehicle, and those of the tables, among the parameters of a model; names of a table's quantities.
+
+    ``reach`` are those that say how far the tables reach.
+    """
 
     given: dict[str, int]
+    reach: list[int]
     own: list[list[int]]
     names: list[list[str]]
 
@@ -91,7 +96,7 @@ class CarReduction:
         """Where numbers belong among the parameters of the model of a degree."""
         if degree not in self.placed:
             place = {path: i for i, path in enumerate(self.compiled(degree).facts.parameters)}
-            own, names = [], []
+            reach, own, names = [place.pop(f"{corner}.{REACH}") for corner in PLACES], [], []
             for corner in PLACES:
                 sampled = self.axles[corner.partition("_")[0]].names
                 asked = [name for name in sampled[1:] if f"{corner}.{of_travel(name, 0)[0]}" in place]
@@ -99,7 +104,7 @@ class CarReduction:
                 paths += [path for name in asked for path in of_travel(name, degree)]
                 own.append([place.pop(f"{corner}.{path}") for path in paths])
                 names.append(asked)
-            self.placed[degree] = _Places(place, own, names)
+            self.placed[degree] = _Places(place, reach, own, names)
         return self.placed[degree]
 
     def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> Table:
@@ -214,17 +219,18 @@ def _sampling(corner: Corner) -> Sampling:
 
 @dataclass(frozen=True)
 class CarRun:
-    """A run that is laid out, with the tables that it holds for."""
+    """A run that is laid out: it ends where a wheel leaves its range."""
 
     prepared: Prepared
     ranges: Ranges
 
-    def travelled(self, which: int, states: Array) -> tuple[float, float]:
-        """Bounds of a corner's travel (m) at and between the samples."""
-        facts, name = self.prepared.compiled.facts, f"{PLACES[which]}.travel"
-        travel, rate = states[facts.states.index(name)], np.abs(states[facts.states.index(speed_of(name))])
-        between = float(rate.max() * np.diff(self.prepared.out.times).max(initial=0.0))
-        return float(travel.min()) - between, float(travel.max()) + between
+    def holds(self, states: Array) -> bool:
+        """Tell whether all wheels are within their ranges at all samples; between these the run itself sees to it."""
+        places = [self.prepared.compiled.facts.states.index(f"{place}.travel") for place in PLACES]
+        return all(
+            low <= travel.min() and travel.max() <= high
+            for travel, (low, high) in zip(states[places], self.ranges, strict=True)
+        )
 
 
 @dataclass(frozen=True)
@@ -238,67 +244,80 @@ class ReducedCar:
     tolerance: float
 
     def run(self) -> tuple[Solution, Prepared] | None:
-        """Run it, over wider ranges of travel where wheels leave the first; None where that does not do."""
-        laid_out = self.lay_out()
-        for _ in range(TRIES):
+        """Run it, over a wider range of travel where a wheel leaves the first; None where that does not do."""
+        left = 0.0
+        for around, degrees in ((self.first_range, DEGREES[:1]), *((wide, DEGREES) for wide in _WIDE)):
+            laid_out = self.lay_out(around, degrees) if around > left else None
             if laid_out is None:
-                return None
-            solution = laid_out.prepared.run()
+                continue
+            prepared, solution = laid_out.prepared, laid_out.prepared.run()
+            if solution.status is Status.NOT_FINITE or not laid_out.holds(solution.states):
+                left = around
+                continue
             if solution.status is not Status.COMPLETED:
                 return None
-            if held_to_its_branch(laid_out.prepared.compiled, solution) is not solution:
+            if held_to_its_branch(prepared.compiled, solution) is not solution:
                 return None
-            wanted = []
-            for which, (low, high) in enumerate(laid_out.ranges):
-                least, most = laid_out.travelled(which, solution.states)
-                wider = BESIDE * (most - least)
-                wanted.append((low, high) if low <= least and most <= high else (least - wider, most + wider))
-            if tuple(wanted) == laid_out.ranges:
-                return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
-            laid_out = self.over(tuple(wanted))
+            return replace(solution, method=f"reduced {solution.method}"), prepared
         return None
 
-    def lay_out(self) -> CarRun | None:
-        """Lay out a run for ranges about the pose at rest; None where no polynomials do, or nothing comes to rest."""
-        compiled = self.reduction.compiled(DEGREES[0])
-        courses = dict(zip(compiled.facts.tracks, self.signals, strict=True))
-        leaning = any(not is_road(name) and signal.extent > 0.0 for name, signal in courses.items())
-        road = max(signal.extent for name, signal in courses.items() if is_road(name))
-        around = first_range(np.inf if leaning else road)
-        about_design = ((-around, around),) * len(PLACES)
-        found = self._numbers(about_design)
+    @property
+    def first_range(self) -> float:
+        """Range of travel (m) to either side to begin with."""
+        extents = {name: signal.extent for name, signal in self._courses.items()}
+        leaning = any(extent > 0.0 for name, extent in extents.items() if not is_road(name))
+        road = max(extent for name, extent in extents.items() if is_road(name))
+        return first_range(np.inf if leaning else road)
+
+    @property
+    def _courses(self) -> dict[str, Segments]:
+        return dict(zip(self.reduction.compiled(DEGREES[0]).facts.tracks, self.signals, strict=True))
+
+    def lay_out(self, around: float, degrees: Sequence[int] = DEGREES) -> CarRun | None:
+        """Lay out a run for a range (m) about the pose at rest; None where no polynomials do, or nothing rests."""
+        ranges: Ranges = ((-around, around),) * len(PLACES)
+        found = self._numbers(ranges, degrees)
         if found is None:
             return None
-        compiled, p = found
-        still = compiled.inputs({name: float(each.evaluate(self.times[:1])[0][0]) for name, each in courses.items()})
+        degree, p = found
+        compiled = self.reduction.compiled(degree)
+        still = compiled.inputs(
+            {name: float(each.evaluate(self.times[:1])[0][0]) for name, each in self._courses.items()}
+        )
         try:
             x = find_equilibrium(compiled, p, still).x
         except SimulationError:  # the full mechanism says why
             return None
         rests = [float(x[compiled.facts.states.index(f"{place}.travel")]) for place in PLACES]
-        if max(map(abs, rests)) < OFF * around:
-            return self.over(about_design)
-        return self.over(tuple((rest - around, rest + around) for rest in rests))
+        if max(map(abs, rests)) >= OFF * around:
+            ranges = tuple((rest - around, rest + around) for rest in rests)
+            found = self._numbers(ranges, degrees)
+        return None if found is None else self._over(ranges, *found)
 
-    def over(self, ranges: Ranges) -> CarRun | None:
+    def _over(self, ranges: Ranges, degree: int, p: Array) -> CarRun | None:
         """Lay out a run for ranges of travel, m."""
-        found = self._numbers(ranges)
-        if found is None:
-            return None
+        compiled = self.reduction.compiled(degree)
         try:
-            return CarRun(prepare(*found, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance), ranges)
+            found = prepare(compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance)
         except SimulationError:
             return None
+        p[self.reduction.places(degree).reach] = 1.0
+        return CarRun(replace(found, problem=found.problem._replace(p=compiled.extended(p))), ranges)
 
-    def _numbers(self, ranges: Ranges) -> tuple[Compiled, Array] | None:
-        """Model of the lowest degree that does for all ranges, and its parameters."""
-        for degree in DEGREES:
-            tables = [self.reduction.table(self.values, which, *each, degree) for which, each in enumerate(ranges)]
-            if max(table.error for table in tables) <= SHARE * self.tolerance:
-                compiled, places = self.reduction.compiled(degree), self.reduction.places(degree)
-                p = np.empty(len(compiled.facts.parameters))
+    def _numbers(self, ranges: Ranges, degrees: Sequence[int]) -> tuple[int, Array] | None:
+        """The first degree that does for all ranges, and parameters of its model, which ends nowhere yet."""
+        for degree in degrees:
+            tables = []
+            for which, each in enumerate(ranges):
+                tables.append(self.reduction.table(self.values, which, *each, degree))
+                if tables[-1].error > SHARE * self.tolerance:
+                    break
+            else:
+                places = self.reduction.places(degree)
+                p = np.empty(len(self.reduction.compiled(degree).facts.parameters))
                 p[list(places.given.values())] = [self.values[path] for path in places.given]
                 for place, table in zip(places.own, tables, strict=True):
                     p[place] = table.numbers
-                return compiled, p
+                p[places.reach] = np.inf
+                return degree, p
         return None
