@@ -10,6 +10,9 @@ import pytest
 import jounce as jn
 from jounce.control.fmu import FmuControl
 from jounce.control.fmu.platforms import this_platform
+from jounce.variants import shards
+from jounce.variants.findings import Tally
+from jounce.variants.summary import summarise
 
 FOLDER = Path(__file__).parents[1] / "files" / "fmu" / "reference_fmus"
 FILES = {version: FOLDER / f"Feedthrough-{version}.fmu" for version in (2, 3)}
@@ -62,3 +65,34 @@ def test_texts_keep_their_start() -> None:
     for file in FILES.values():
         starts = {variable.name: variable.start for variable in jn.read_fmu(file).inputs}
         assert starts["String_input"] == "Set me!"
+
+
+def test_a_sweep_tells_what_its_fmus_found_once(tmp_path, monkeypatch) -> None:
+    """Work of the force that is held differs from variant to variant, in memory as by shards; it is one finding."""
+    law = FmuControl(
+        file=str(FILES[2]), inputs={"Float64_continuous_input": "strut.velocity"}, output="Float64_continuous_output",
+        actuator=ACTUATOR, rate=500.0,
+    )  # fmt: skip
+    monkeypatch.setattr(shards, "_size", lambda *_: 2)
+    given = {"variants": {"strut.damper.coefficient": [1000.0, 1500.0, 2000.0]}, "metrics": ["max strut.velocity"]}
+    trial = jn.Trial(road=TRIAL.road, speed=TRIAL.speed, duration=0.3)
+    rig = jn.load("audi-a6-quarter-car")
+    found = jn.simulate_many(rig, trial, **given, control=law)
+    kept = jn.simulate_many(rig, trial, **given, control=law, out=tmp_path / "out")
+    for one in (found, kept, jn.load_sweep(tmp_path / "out")):
+        told = [str(finding) for finding in summarise(one).findings if "Feedthrough" in finding.place]
+        assert [text for text in told if "3 of 3 variants: its force is held for 2 ms" in text]
+        assert len(told) == 4  # inputs without a connection, two units, the work
+        assert all("3 of 3 variants" in text for text in told)
+
+
+def test_findings_are_counted_by_what_they_say() -> None:
+    tally = Tally()
+    tally.add(["note: a1.fmu: v[1]: held for 0.5 ms", "note: a1.fmu: v[2]: held for 0.5 ms"])
+    tally.add(["note: a1.fmu: v[1]: held for 1.5e-05 ms", "warning: a1.fmu: held"])
+    assert list(zip(*tally.attributes().values(), strict=True)) == [
+        ("note: a1.fmu: v[1]: held for 0.5 ms", 2),
+        ("note: a1.fmu: v[2]: held for 0.5 ms", 1),
+        ("warning: a1.fmu: held", 1),
+    ]
+    assert Tally().attributes() == {}

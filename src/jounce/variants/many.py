@@ -32,6 +32,7 @@ from jounce.simulation.sampled import STEPS_SHARE
 from jounce.simulation.settings import RunSettings
 from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
+from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
 
@@ -138,6 +139,11 @@ class _Results:
     def tally(self) -> dict[str, int]:
         return {"side_by_side": 0}
 
+    @cached_property
+    def found(self) -> Tally:
+        """What controllers found."""
+        return Tally()
+
     def dataset(
         self, study: Study, columns: Mapping[str, Array], first: int, design: Mapping[str, str | int]
     ) -> xr.Dataset:
@@ -166,6 +172,7 @@ class _Results:
         beside = {path: variable(("variant",), column, study.number(path)[1], path) for path, column in columns.items()}
         outside = {"outside": study.outside(columns)}
         attributes = {"rig": str(getattr(study.rig, "model", "")), **self.tally, **outside, **design}
+        attributes |= self.found.attributes()
         return dataset(found, axes, attributes, beside)
 
 
@@ -366,7 +373,7 @@ class _Group:
             careful = self._stepped(results, parameters, rows, threads)
 
         def alone(i: int) -> None:
-            self._alone(results, int(rows[i]), lambda: self._solve(parameters[i], self._signals))
+            self._alone(results, int(rows[i]), lambda: (*self._solve(parameters[i], self._signals), ()))
 
         left = np.flatnonzero(careful).tolist()
         workers = min(threads or os.cpu_count() or 1, len(left))
@@ -534,13 +541,15 @@ class _Group:
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
         return found if steps else None
 
-    def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array]]) -> None:
-        """Fill in what a run gives: samples of all outputs, and their values at rest; or why there is none."""
+    def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array, Sequence[str]]]) -> None:
+        """Fill in what a run gives: samples of all outputs, their values at rest, findings; or why there is none."""
         try:
-            outputs, rest = run()
+            outputs, rest, findings = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
             results.reasons[row] = str(unforeseen(error))
             return
+        if findings:
+            results.found.add(findings)
         names = self.study.compiled.output_names
         for i, metric in enumerate(results.metrics):
             j = names.index(metric.channel)
@@ -548,7 +557,7 @@ class _Group:
         if results.channels:
             results.courses[row] = outputs[[names.index(name) for name in results.channels]]
 
-    def _run(self, changes: Mapping[str, float]) -> tuple[Array, Array]:
+    def _run(self, changes: Mapping[str, float]) -> tuple[Array, Array, Sequence[str]]:
         """Run the rig with some of its numbers changed."""
         settings, compiled, rig = self.study.settings, self.study.compiled, self.study.rig.with_changes(dict(changes))
         if self.control is not None:
@@ -556,9 +565,9 @@ class _Group:
 
             run = solved(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])
-            return outputs, outputs[:, 0]
+            return outputs, outputs[:, 0], run.attributes.get("findings", ())
         signals = excitation(compiled.facts, rig, self.trial)
-        return self._solve(compiled.parameter_values(rig.parameters()), signals)
+        return (*self._solve(compiled.parameter_values(rig.parameters()), signals), ())
 
     def _solve(self, p: Array, signals: list[Segments]) -> tuple[Array, Array]:
         """Run the model with values (SI) of all its parameters."""

@@ -31,6 +31,7 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
+from jounce.variants.findings import Tally
 from jounce.variants.many import Work
 from jounce.variants.workers import Task, here, on_cluster, on_processes, own_locks
 
@@ -230,7 +231,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     spans = {number: kept.spans[number] for number in kept.names()}
     count = sum(end - first for first, end in spans.values())
     found: dict[str, Array] = {}
-    first_shard, row, tally = None, 0, dict.fromkeys(_COUNTED, 0)
+    first_shard, row, tally, findings = None, 0, dict.fromkeys(_COUNTED, 0), Tally()
     for number in sorted(spans):
         shard = _read(kept, number)
         if shard is None:
@@ -253,6 +254,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
         row += size
         for name in _COUNTED:
             tally[name] += int(shard.attrs.get(name, 0))
+        findings.merge(shard.attrs)
     if first_shard is None:
         return xr.Dataset(attrs={"variants": kept.count})
     variables = {
@@ -261,7 +263,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     }
     coordinates = {name: variables[str(name)] for name in map(str, first_shard.coords)}
     data = {name: one for name, one in variables.items() if name not in coordinates}
-    attributes = {**to_plain(first_shard.attrs), **tally, "variants": kept.count}
+    attributes = {**to_plain(first_shard.attrs), **tally, **findings.attributes(), "variants": kept.count}
     return xr.Dataset(data, coordinates, attributes)
 
 

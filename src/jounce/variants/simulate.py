@@ -89,7 +89,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         Metrics on ``variant`` and channels on ``variant`` and ``time`` (s), each with ``units`` (SI) and ``long_name``;
         the varied numbers are coordinates. A variant that does not run has NaN and the reason in ``reason``.
         ``attrs["side_by_side"]`` counts the variants that ran side by side, ``attrs["outside"]`` those of which a
-        number lies outside what its description allows. Channels over time that memory does not hold stay in ``out``.
+        number lies outside what its description allows. What controllers found of their runs is in
+        ``attrs["findings"]``, each once, and of how many variants in ``attrs["finding_variants"]``. Channels over time
+        that memory does not hold stay in ``out``.
 
     Raises
     ------

@@ -12,6 +12,7 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.variants.designs import DESIGNS
+from jounce.variants.findings import findings_of_variants
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 
 if TYPE_CHECKING:
@@ -128,6 +129,7 @@ def summarise(many: xr.Dataset) -> Summary:
         share = outside / len(reasons)
         text = f"{share:.2g} of the variants have a number outside what its description allows and no run: statistics "
         findings.append(Finding("spreads", "warning", f"{text}are of distributions that are cut off there", share))
+    findings += findings_of_variants(many.attrs, ran)
     metrics = tuple(_metric(many, name) for name in names)
     side_by_side = int(many.attrs.get("side_by_side", 0))
     return Summary(count, ran, side_by_side, numbers, metrics, influences, failed, tuple(findings))
