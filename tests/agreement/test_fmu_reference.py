@@ -54,7 +54,10 @@ def test_what_it_is_not_made_for_is_refused() -> None:
         ({"output": None}, "several outputs"),
         ({"rate": 1000.0}, "no multiple of the FMU's fixed step.*multiples of 0.1 s"),
         ({"parameters": {"String_input": 3}}, "not a value of its type.*a text"),
+        ({"parameters": {"String_input": "a\0b"}}, "not a value of its type.*a text"),
         ({"parameters": {"Binary_input": "ff"}}, "cannot be set.*Binary"),
+        ({"parameters": {"UInt8_input": 300}}, "beyond what its type holds.*300.*UInt8"),
+        ({"parameters": {"Int32_input": 2**40}}, "beyond what its type holds"),
     ):
         given = {"output": "Float64_continuous_output", "actuator": ACTUATOR, "rate": 10.0, **changes}
         with pytest.raises(jn.DescriptionError, match=what):

@@ -70,8 +70,18 @@ def test_a_unit_with_an_offset(tmp_path) -> None:
         (fmu_component.description(3, force="mm/s"), "the unit does not fit"),
         (fmu_component.description(3, v_strut="furlong/kg"), "wrong unit"),
         (fmu_component.description(3).replace('valueReference="4"', ""), "no value reference"),
+        (
+            fmu_component.description(3).replace('name="force"', 'name="coefficient"'),
+            "two variables have the same name",
+        ),
         (fmu_component.description(3).replace('factor="0.001"', 'factor="0"'), "a unit of factor 0"),
         (fmu_component.description(3).replace('factor="0.001"', 'factor="1,2"'), "not a number"),
+        (
+            fmu_component.description(
+                3, step='<CoSimulation modelIdentifier="component" fixedInternalStepSize="-0.1"/>'
+            ),
+            "its fixed step is negative",
+        ),
         ("<a", "not XML of an FMU"),
         ('<!DOCTYPE a [<!ENTITY b "c">]><a>&b;</a>', "a document type"),
         (

@@ -297,6 +297,9 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
         if f"binaries/{name if version == 3 else kind.fmi2}/{identifier}{kind.suffix}" in members
     )
     options = {} if step is None else step.attrib
+    pace = _number(options.get("fixedInternalStepSize"), where)
+    if pace is not None and pace < 0.0:
+        raise DescriptionError("its fixed step is negative", where=where, found=f"{pace:g} s")
     findings = []
     if this_platform() not in platforms:
         holds = f"it holds {', '.join(platforms)}" if platforms else "it holds sources only"
@@ -324,7 +327,7 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
         identifier,
         _units(root, where),
         options.get("canBeInstantiatedOnlyOncePerProcess") in ("true", "1"),
-        _number(options.get("fixedInternalStepSize"), where),
+        pace,
         needs_tool,
     )
 
@@ -334,7 +337,7 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
     for kind in root.iterfind("TypeDefinitions/*"):
         typed = kind if version == 3 else next(iter(kind), kind)
         declared[kind.get("name", "")] = typed.get("unit", "")
-    found = []
+    found, names = [], set[str]()
     for row in root.iterfind("ModelVariables/*"):
         typed = row if version == 3 else next((one for one in row if one.tag != "Annotations"), row)
         unit = typed.get("unit") or declared.get(typed.get("declaredType", ""), "")
@@ -345,6 +348,9 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
         if not 0 <= reference < 2**32:
             place = f"{where}: {row.get('name')}"
             raise DescriptionError("no value reference", where=place, found=row.get("valueReference"))
+        if row.get("name", "") in names:
+            raise DescriptionError("two variables have the same name", where=where, found=row.get("name", ""))
+        names.add(row.get("name", ""))
         found.append(
             FmuVariable(
                 row.get("name", ""),

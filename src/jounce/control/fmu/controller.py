@@ -278,7 +278,7 @@ class _Connection:
                     "it cannot be set", where=where, found=variable.kind, allowed="numbers, booleans, texts"
                 )
             if kind == "String":
-                if not isinstance(value, str) or "\0" in value:
+                if not isinstance(value, str) or not _is_text(value):
                     raise DescriptionError("not a value of its type", where=where, found=value, allowed="a text")
                 found.append((kind, variable.reference, value))
                 continue
@@ -293,6 +293,8 @@ class _Connection:
                     or (kind == "Boolean" and value not in (0, 1))
                 ):
                     raise DescriptionError("not a value of its type", where=where, found=value, allowed=kind)
+                if caller._TYPES["Boolean2" if kind == "Boolean" else kind](int(value)).value != value:
+                    raise DescriptionError("beyond what its type holds", where=where, found=value, allowed=kind)
                 found.append((kind, variable.reference, int(value)))
         return found
 
@@ -308,6 +310,14 @@ class _Connection:
                 allowed=", ".join(sorted(known)) if corner else "one value",
             )
         return given.get(corner, given.get(corner.partition("_")[0]))
+
+
+def _is_text(value: str) -> bool:
+    """Whether C can have a text: in UTF-8, and without a zero, which would end it."""
+    try:
+        return b"\0" not in value.encode()
+    except UnicodeEncodeError:
+        return False
 
 
 class _FmuRegulator:
