@@ -146,6 +146,63 @@ def test_the_language_that_was_chosen_stays(workbench, browser):
     assert opened.troubles == []
 
 
+ALIKE = {"exponent", "phase", "schema", "sigma", "progression", "xx", "xy", "xz", "yy", "yz", "zz"}
+"""What German calls the same, or a letter."""
+
+
+def _collect_keys(schema: Any, keys: set[str]) -> None:
+    """Names of the values that a form shows."""
+    if isinstance(schema, dict):
+        keys.update(schema.get("properties", {}))
+        schema = list(schema.values())
+    if isinstance(schema, list):
+        for one in schema:
+            _collect_keys(one, keys)
+
+
+@pytest.mark.pages
+def test_every_quantity_has_its_german_words(workbench, browser):
+    """Catalogues, channels of runs and of an axle's sweep; names that files and commands use stay as they are."""
+    from jounce.kinematics.catalogue import CATALOGUE
+    from jounce.parts.files import library
+    from jounce.recordings.schema import QUANTITIES
+    from jounce.ride.catalogue import CATALOGUE as METRICS
+    from jounce.web import forms
+
+    corner = jn.load("kart-double-wishbone")
+    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.1 s")
+    runs = [
+        jn.simulate(jn.load("kart-quarter-car"), trial),
+        jn.simulate(corner, trial, detail=True),
+        jn.sweep_roll(corner, "-1 deg:1 deg:1 deg"),
+        jn.sweep_travel(corner, "-1 mm:1 mm:1 mm", points=True),
+    ]
+    words = {str(run[name].attrs["long_name"]) for run in runs for name in run.data_vars}
+    words |= (
+        {one.long_name for one in CATALOGUE}
+        | {one.label for one in METRICS}
+        | {text for _, text in QUANTITIES.values()}
+    )
+    names = {one.name for one in CATALOGUE} | {f"left.{one.name}" for one in CATALOGUE}
+    names |= {str(name) for name in runs[2].data_vars}
+    opened = Opened(browser, workbench, locale="de-DE")
+    keys: set[str] = set()
+    for name in library():
+        _collect_keys(forms.schema(jn.load(name).model), keys)
+    opened = Opened(browser, workbench, locale="de-DE")
+    told = "([words, names, keys]) => [words.map(jounce.spoken), names.map(jounce.quantity), keys.map(jounce.key)]"
+    asked = [sorted(words), sorted(names), sorted(keys - ALIKE)]
+    answers = opened.page.evaluate(told, asked)
+    opened.context.close()
+    left = [
+        english
+        for own, said in zip(asked, answers, strict=True)
+        for english, german in zip(own, said, strict=True)
+        if german == english.replace("_", " ") or german == english
+    ]
+    assert left == []
+
+
 @pytest.mark.pages
 def test_what_the_server_refuses_is_said_in_the_language_of_the_page(workbench, browser):
     opened = Opened(browser, workbench, locale="de-DE")

@@ -8,7 +8,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { before, type Mechanism, type Motion } from "./data";
 import { colour, isFast, make, toggle, whenLeft } from "./page";
-import { say } from "./words";
+import { say, tr } from "./words";
 
 /** `roll` in rad, the left side up positive, about the middle of the car at the height of the road at design. */
 export interface Moment { body: number; travel: number; ground: number; load: number; time: number; roll?: number }
@@ -361,11 +361,11 @@ export class MechanismView {
     this.marks(size);
     this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
     this.wide = [];
-    this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, m.names[i]!.replaceAll("_", " ")))));
+    this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, tr(m.names[i]!.replaceAll("_", " "))))));
     this.legend.replaceChildren(...[...m.parts, { words: say("strut"), colour: m.strut.colour }].map((part) => {
       const swatch = make("i", { class: "swatch" });
       swatch.style.background = tint(part.colour);
-      return make("li", {}, swatch, part.words);
+      return make("li", {}, swatch, tr(part.words));
     }));
   }
 

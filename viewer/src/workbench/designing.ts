@@ -4,6 +4,7 @@ import { make, written } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import { field, problem, type Sliders } from "./parts";
+import { part } from "./quantities";
 
 export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string; along?: string }
 interface Found { id: string; state: string; said: string; share: number | null; left: number | null; begun: number; error: string | null; result: unknown }
@@ -16,7 +17,7 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
   const boxes = names.map((one) => make("input", { type: "checkbox", value: one, checked: /tie_rod|link_5/.test(one) }));
   const within = make("input", { type: "text", value: "15 mm" }), starts = make("input", { type: "number", min: "1", max: "100", value: "4" }), out = make("div", { "aria-live": "polite" });
   const begin = make("button", { type: "submit", class: "main" }, tr("Search"));
-  const form = make("form", {}, make("fieldset", { class: "free" }, make("legend", {}, tr("Hardpoints that may move")), ...boxes.map((box, i) => make("label", {}, box, ` ${names[i]!.replace("hardpoints.", "").replaceAll("_", " ")}`))),
+  const form = make("form", {}, make("fieldset", { class: "free" }, make("legend", {}, tr("Hardpoints that may move")), ...boxes.map((box, i) => make("label", {}, box, ` ${part(names[i]!.replace("hardpoints.", ""))}`))),
     make("div", { class: "form" }, field(tr("Each coordinate by up to"), within), field(tr("Searches"), starts), begin));
   form.addEventListener("submit", (event) => {
     event.preventDefault();

@@ -3,6 +3,7 @@
 import { make } from "../page";
 import { tr } from "../words";
 import type { Problem } from "./api";
+import { key } from "./quantities";
 
 export type Key = string | number;
 export type Value = string | number | boolean | null | Value[] | { [key: string]: Value };
@@ -56,7 +57,7 @@ export class Form {
 
   /** What may be added to a table. */
   private more(missing: string[], properties: Record<string, Schema>, keys: Key[]): HTMLElement {
-    const choice = make("select", { "aria-label": tr("Add to #", path(keys) || tr("the rig")) }, make("option", { value: "" }, tr("add …")), ...missing.map((name) => make("option", { value: name }, name.replaceAll("_", " "))));
+    const choice = make("select", { "aria-label": tr("Add to #", path(keys) || tr("the rig")) }, make("option", { value: "" }, tr("add …")), ...missing.map((name) => make("option", { value: name }, key(name))));
     choice.addEventListener("change", () => { if (choice.value) { this.open.add(path([...keys, choice.value])); this.changed([...keys, choice.value], this.first(properties[choice.value]!)); } });
     return make("p", { class: "add" }, choice);
   }
@@ -74,7 +75,7 @@ export class Form {
 
   private field(name: string, schema: Schema, value: Value | undefined, keys: Key[], needed: boolean): HTMLElement {
     const place = path(keys), problems = this.problems.filter((one) => one.path === place), id = `f-${place}`;
-    const label = typeof keys[keys.length - 1] === "number" ? String(keys[keys.length - 1]) : name.replaceAll("_", " ");
+    const label = typeof keys[keys.length - 1] === "number" ? String(keys[keys.length - 1]) : key(name);
     const said = problems.length ? [make("span", { class: "wrong", role: "alert", id: `${id}-wrong` }, problems.map((one) => one.text).join(" "))] : [];
     const away = needed ? [] : [make("button", { type: "button", class: "away", title: tr("Take # away", place), "aria-label": tr("Take # away", place), click: () => this.changed(keys, null) }, "×")];
     const choices = this.choices(schema);
@@ -82,7 +83,7 @@ export class Form {
       const details = make("details", { "data-path": place, open: this.open.has(place) || this.problems.some((one) => one.path.startsWith(place)) });
       details.addEventListener("toggle", () => { if (details.open) this.open.add(place); else this.open.delete(place); });
       const table = isTable(value) ? value : {}, kinds = choices.filter((one) => one.properties), kind = this.kindOf(kinds, table);
-      const choose = make("select", { "aria-label": tr("kind of #", place) }, ...kinds.map((one, i) => make("option", { value: String(i), ...(one === kind ? { selected: true } : {}) }, spoken(one.title ?? ""))));
+      const choose = make("select", { "aria-label": tr("kind of #", place) }, ...kinds.map((one, i) => make("option", { value: String(i), ...(one === kind ? { selected: true } : {}) }, key(spoken(one.title ?? "")))));
       choose.addEventListener("change", () => this.changed(keys, this.become(kinds[Number(choose.value)]!, table)));
       details.append(make("summary", {}, label), ...(kinds.length > 1 ? [make("p", { class: "kind" }, choose)] : []), ...said,
         ...this.rows(kind ?? {}, table, keys), ...away);

@@ -23,6 +23,7 @@ import { trial } from "./pages/trial";
 import { problem } from "./parts";
 import { address, type Page, setLive } from "./shell";
 
+export { key, quantity, spoken } from "./quantities";
 export { live } from "./shell";
 
 /** Every page, by the word in its address, in the order of the head. */

@@ -3,6 +3,7 @@
 import { at, type Model, type Numbers, type Store } from "../data";
 import { colour, make, whenColoursChange, written } from "../page";
 import { localised, tr } from "../words";
+import { quantity } from "./quantities";
 
 export interface Band { quantity: string; at: number[]; low: (number | null)[]; high: (number | null)[] }
 interface One { name: string; lines: { role: string; y: Numbers }[]; band: Band | null; canvas: HTMLCanvasElement; value: HTMLElement; mark: HTMLElement; box: HTMLElement; verdict: HTMLElement }
@@ -75,8 +76,8 @@ export class Multiples {
       const [first, last] = this.ends(), box = holder.getBoundingClientRect();
       this.moved(first + Math.min(Math.max((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0), 1) * (last - first));
     });
-    const box = make("figure", { "data-words": `${name} ${words}`.toLowerCase().replaceAll("_", " ") },
-      make("figcaption", { title: words }, make("b", {}, name.replaceAll("_", " ")), " ", value, make("span", { class: "unit" }, ` ${unit || "–"}`), verdict), holder);
+    const box = make("figure", { "data-words": `${name} ${quantity(name)} ${words}`.toLowerCase().replaceAll("_", " ") },
+      make("figcaption", { title: words }, make("b", {}, quantity(name)), " ", make("span", { class: "whole" }, value, make("span", { class: "unit" }, ` ${unit || "–"}`), verdict)), holder);
     return { name, lines: [], band: null, canvas, value, mark, box, verdict };
   }
 

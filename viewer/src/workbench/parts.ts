@@ -4,6 +4,7 @@ import { type Model, Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
 import { tr } from "../words";
+import { inWords } from "./quantities";
 import { type Answer, type Rig, type RigNumber } from "./api";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
@@ -137,7 +138,7 @@ export class Live {
     const began = performance.now();
     const waiting = setTimeout(() => { this.state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
     try {
-      const store = Store.of(await this.question(this.player?.shown ?? []));
+      const store = inWords(Store.of(await this.question(this.player?.shown ?? [])));
       if (!this.element.isConnected) return;
       const model = store.content.viewers[0]!;
       if (this.player) this.player.replace(model, store);

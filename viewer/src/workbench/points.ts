@@ -4,6 +4,7 @@ import { make } from "../page";
 import { tr } from "../words";
 import type { MechanismView } from "../mechanism";
 import { field } from "./parts";
+import { part } from "./quantities";
 
 const MM = 1e-3;
 
@@ -42,7 +43,7 @@ export class Points {
       found.set(place[1]!, one);
     }
     if ([...found.keys()].join() !== [...this.places.keys()].join())
-      this.choice.replaceChildren(...[...found.keys()].map((name) => make("option", { value: name }, name.replaceAll("_", " "))));
+      this.choice.replaceChildren(...[...found.keys()].map((name) => make("option", { value: name }, part(name))));
     this.places = found;
     this.write();
   }

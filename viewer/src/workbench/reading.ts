@@ -5,7 +5,8 @@ import { make, written } from "../page";
 import { Player } from "../player";
 import { ways, Question } from "./jobs";
 import { field } from "./parts";
-import { told as refused } from "./refusals";
+import { told as refused, advised } from "./refusals";
+import { inWords } from "./quantities";
 
 interface Preview {
   columns: { name: string; unit: string; count: number; least: number | null; greatest: number | null }[]; more: number;
@@ -83,13 +84,13 @@ export class Reading {
     if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) { this.known = found.columns; this.offer(); }
     const shown: HTMLElement[] = [];
     if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, refused(found.problem)));
-    shown.push(...found.findings.map((one) => make("p", { class: one.severity === "problem" ? "problem" : "muted" }, `${one.severity}: ${refused(one.message)}`)));
+    shown.push(...advised(found.findings.map((one) => ({ ...one, place: "" })), "p"));
     if (found.more) shown.push(make("p", { class: "muted" }, `and ${found.more} more columns`));
     if (found.points) shown.push(xy(found.points));
     if (found.content) {
       const holder = make("div", {});
       shown.push(holder);
-      void Store.open(JSON.stringify(found.content)).then((store) => { const model = store.content.viewers[0]; if (model) holder.replaceChildren(new Player(model, store).element); });
+      void Store.open(JSON.stringify(found.content)).then(inWords).then((store) => { const model = store.content.viewers[0]; if (model) holder.replaceChildren(new Player(model, store).element); });
     }
     return [...shown, ways(told)];
   }

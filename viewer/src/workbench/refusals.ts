@@ -1,6 +1,7 @@
 /** What the server refuses, in the language of the page: its messages have one grammar, and the commonest are known by their words. */
 
-import { isGerman } from "../words";
+import { make } from "../page";
+import { heard, isGerman, tr } from "../words";
 
 const PHRASES: Record<string, string> = {
   "out of range": "außerhalb des Bereichs", "not a number": "keine Zahl", "not a finite number": "keine endliche Zahl", "not finite numbers": "keine endlichen Zahlen",
@@ -73,4 +74,18 @@ function hints(given: string): string {
   for (const [english, german] of Object.entries(HINTS)) text = text.replace(english, german);
   return text.replace(/Did you mean (.*?)\?/, (_, names: string) => `Ist ${names.replace(" or ", " oder ")} gemeint?`)
     .replace(/All (\d+): /, "Alle $1: ").replace(/Known: /, "Bekannt: ");
+}
+
+/** A sentence of the library: in the language of the page where it is known by its words, else as it is, and said to be English. */
+export function asSaid(message: string): Node | string {
+  const text = told(message);
+  return isGerman && text === message && heard(message) === message && /[a-z] [a-z]/.test(message) ? make("span", { lang: "en" }, message) : heard(text);
+}
+
+/** Findings, each with how grave it is and what it is about. */
+export function advised(findings: { severity?: string; place?: string; message: string }[], tag: "p" | "li"): HTMLElement[] {
+  const found = new Map<string, HTMLElement>();
+  for (const { severity, place, message } of findings)
+    found.set(`${severity} ${place} ${message}`, make(tag, { class: severity === "problem" ? "problem" : tag === "p" ? "muted" : "" }, ...(severity ? [`${tr(severity)}: `] : []), ...(place ? [`${place}: `] : []), asSaid(message)));
+  return [...found.values()];
 }

@@ -7,6 +7,7 @@ import { ask, begin, dropZone, follow, type Job, JobCard, jobList, Question, rep
 import { field, once, problem } from "../parts";
 import { Reading } from "../reading";
 import { address, type Page, type Values } from "../shell";
+import { advised } from "../refusals";
 
 export const campaign: Page = { label: "Campaign", show };
 
@@ -99,10 +100,10 @@ const UNITS: Record<string, string> = { stiffness: "N/m", intercept: "N", dampin
 function estimates(found: Record<string, unknown>): HTMLElement {
   const rows = Object.entries(found).flatMap(([name, value]) => {
     const one = value as { value?: number; interval?: [number, number] } | null;
-    return one && typeof one === "object" && typeof one.value === "number" && name in UNITS ? [[name.replaceAll("_", " ").replace(" hz", ""), written(one.value), one.interval ? `${written(one.interval[0])} … ${written(one.interval[1])}` : "–", UNITS[name]!]] : [];
+    return one && typeof one === "object" && typeof one.value === "number" && name in UNITS ? [[tr(name.replaceAll("_", " ").replace(" hz", "")), written(one.value), one.interval ? `${written(one.interval[0])} … ${written(one.interval[1])}` : "–", UNITS[name]!]] : [];
   });
   const findings = (found.findings ?? []) as { severity: string; message: string }[];
-  return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...findings.map((one) => make("p", { class: "muted" }, `${one.severity}: ${one.message}`)));
+  return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...advised(findings, "p"));
 }
 
 /** A measured file: how it is read, and how it goes into the campaign. */
@@ -207,12 +208,12 @@ function answer(found: Results, units: Units): HTMLElement[] {
       table("identifiability", ["unknown", "sensitivity", "most alike"], one.identifiability.parameters.map((name, k) => {
         const row = one.identifiability.correlation[k] ?? [], best = row.reduce((at, value, i) => (i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at), -1);
         return [name, written(one.identifiability.sensitivity[k], 3), best >= 0 ? `${one.identifiability.parameters[best]} (${written(row[best], 2)})` : "–"];
-      }), [1]), ...one.identifiability.findings.map((finding) => make("p", { class: "muted" }, `${finding.place}: ${finding.message}`)));
+      }), [1]), ...advised(one.identifiability.findings, "p"));
   }
   const numbers = [...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number)))];
   if (numbers.length) shown.push(make("h2", {}, "Every update on every trial"), make("p", { class: "muted" }, "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked."),
     table("every update on every trial", ["update", ...numbers.map((one) => `trial ${one}`)], found.updates.map((one) => [one.name, ...numbers.map((number) => { const two = one.comparisons.find((three) => three.number === number); return two ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? tr(", fitted") : ""}${two.after?.verdict ? `: ${tr(two.after.verdict)}` : ""}` : "–"; })])));
-  if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...found.findings.map((one) => make("li", { class: one.severity === "problem" ? "problem" : "" }, `${one.place}: ${one.message}`))));
+  if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...advised(found.findings, "li")));
   return shown;
 }
 

@@ -7,6 +7,7 @@ import { dropZone, Question, report, ways } from "../jobs";
 import { field } from "../parts";
 import { Reading } from "../reading";
 import { address, type Page, RIGS, type Values } from "../shell";
+import { advised, asSaid } from "../refusals";
 
 export const inspection: Page = { label: "Inspection", show };
 
@@ -68,8 +69,9 @@ function graded(found: Graded): HTMLElement[] {
     make("tbody", {}, make("tr", {}, make("th", { scope: "row" }, tr("verdict")), ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))), make("td", {})),
       ...quantities.map(([key, words, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, tr(words)), ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))), make("td", {}, unit))),
       ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, tr("grade #", method.toUpperCase())), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ?? "–")), make("td", {})))))));
-  const reasons = [...wheels.flatMap((one) => one.reasons.map((text) => `${name(one)}: ${text}`)), ...(found.axle?.reasons ?? []), ...wheels.flatMap((one) => one.findings.map((finding) => `${name(one)}, ${finding.severity}: ${finding.message}`)), ...(found.findings ?? []).map((finding) => `${finding.severity}: ${finding.message}`)];
-  shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons.map((text) => make("li", {}, text)))));
+  const reasons = [...wheels.flatMap((one) => one.reasons.map((text) => make("li", {}, `${name(one)}: `, asSaid(text)))), ...(found.axle?.reasons ?? []).map((text) => make("li", {}, asSaid(text))),
+    ...wheels.flatMap((one) => advised(one.findings.map((finding) => ({ ...finding, place: name(one) })), "li")), ...advised(found.findings ?? [], "li")];
+  shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons)));
   return shown;
 }
 

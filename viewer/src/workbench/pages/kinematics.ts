@@ -9,6 +9,7 @@ import { designing, type Target } from "../designing";
 import { type Band, Multiples } from "../multiples";
 import { field, Newest, once, problem, Sliders, Ways } from "../parts";
 import { Points } from "../points";
+import { inWords, quantity } from "../quantities";
 import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
 export const kinematics: Page = { label: "Kinematics", show };
@@ -106,10 +107,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
     const waiting = setTimeout(() => { state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
     try {
-      const store = Store.of(await api.curves("kinematics", {
+      const store = inWords(Store.of(await api.curves("kinematics", {
         rig: name, changes: sliders.changes, over: now, against: against.value, targets, study: chosen.value,
         travel: now === "roll" ? "" : text(drives.travel), rack: hasRack ? text(drives.rack) : "", roll: now === "roll" ? text(drives.roll) : "",
-      }));
+      })));
       if (!place.isConnected) return;
       const extra = store.content as unknown as Extra & api.Answer, model = store.content.viewers[0]!, scene = model.scenes[0]!, x = store.get(scene.x);
       centres = extra.centres;
@@ -200,11 +201,11 @@ class Targets {
     if (names.join() === this.known) return;
     this.known = names.join();
     const before = this.quantity.value;
-    this.quantity.replaceChildren(...names.map((one) => make("option", { value: one }, one.replaceAll("_", " "))));
+    this.quantity.replaceChildren(...names.map((one) => make("option", { value: one }, quantity(one))));
     if (names.includes(before)) this.quantity.value = before;
   }
   private list(): void {
-    this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, one.quantity.replaceAll("_", " ")),
+    this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, quantity(one.quantity)),
       make("td", {}, one.value !== undefined ? `= ${one.value} ± ${one.tolerance}` : one.at_least !== undefined ? `≥ ${one.at_least} − ${one.tolerance}` : `≤ ${one.at_most} + ${one.tolerance}`), make("td", {}, `${one.over ?? one.at ?? tr("at design")}${one.along ? ` (${tr("rack travel")})` : ""}`),
       make("td", {}, make("button", { type: "button", "aria-label": tr("Take # away", one.quantity), click: () => { this.targets.splice(i, 1); this.list(); this.changed(); } }, "×"))))
       : [make("tr", {}, make("td", { class: "muted" }, tr("None yet: add one below, and its band stands in its curve.")))]));

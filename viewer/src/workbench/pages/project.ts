@@ -7,6 +7,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { field, once, problem, ways } from "../parts";
 import { address, type Page } from "../shell";
+import { inWords } from "../quantities";
 
 export const project: Page = { label: "Project", show };
 
@@ -73,7 +74,7 @@ function history(kept: Kept[]): HTMLElement {
     const paths = kept.filter((_, i) => boxes[i]!.checked).map((one) => one.path).slice(0, 6);
     if (!paths.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Choose one or more of them."))); return; }
     api.binary("/api/compare", { paths }).then((answer) => {
-      const store = Store.of(answer);
+      const store = inWords(Store.of(answer));
       out.replaceChildren(new Player(store.content.viewers[0]!, store).element, make("div", { class: "ways" }, ...ways(store.content as unknown as api.Answer)));
     }, (error) => out.replaceChildren(problem(error)));
   });

@@ -9,6 +9,8 @@ import { begin, follow, type Job, JobCard, jobList, Question, report, undone, wa
 import { field, once, problem } from "../parts";
 import { address, type Page, RIGS, type Values } from "../shell";
 import type { Choices } from "./inspection";
+import { inWords } from "../quantities";
+import { advised } from "../refusals";
 
 export const ride: Page = { label: "Ride and control", show };
 
@@ -65,7 +67,7 @@ function overlay(): HTMLElement {
   over.addEventListener("change", () => draw());
   const question = new Question<Drawn>("Draw them", () => ({ kind: "overlay", rides: [...chosen.values()] }), ({ result, ...told }) => {
     const holder = make("div", {});
-    void Store.open(JSON.stringify(result.content)).then((store) => {
+    void Store.open(JSON.stringify(result.content)).then(inWords).then((store) => {
       draw = () => { const model = store.content.viewers[Number(over.value)]; if (model) holder.replaceChildren(new Player(model, store).element); };
       draw();
     });
@@ -157,7 +159,7 @@ function merits(found: Compared): HTMLElement[] {
       return make("td", { class: "right" }, value !== undefined && value === best[name] && found.runs.length > 1 && value > 0 ? make("span", { class: "mark good" }, written(value * factor)) : written(value === undefined ? null : value * factor), change);
     }), make("td", {}, Object.values(one.comfort).map((text) => tr(text)).join("; "))))))),
   ...Object.entries(found.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: ${reason}`)),
-  ...[...new Set(found.runs.flatMap((one) => one.findings.map((two) => `${two.severity}: ${two.place}: ${two.message}`)))].map((text) => make("p", { class: "muted" }, text))];
+  ...advised(found.runs.flatMap((one) => one.findings), "p")];
 }
 
 /** The front as dots that open as rides, with the rig as it is and the best dampers beside it. */
@@ -186,5 +188,5 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
   return [...(found.converged ? [] : [make("p", { class: "mark fair" }, "Not every design is surely the best of its kind.")]), figure,
     make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "designs" }, make("table", {}, make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "design"), ...(["comfort", "holding", "travel"] as const).map((role) => make("th", { scope: "col", class: "right" }, `${found.metrics[role]} [${as(found.units[role]!)[0]}]`)), ...numbers.map((path) => make("th", { scope: "col", class: "right" }, `${path} [${as(found.number_units[path]!)[0]}]`)), make("th", { scope: "col" }, ""))),
       make("tbody", {}, ...points.map((one) => make("tr", {}, make("th", { scope: "row" }, one.name), ...(["comfort", "holding", "travel"] as const).map((role) => make("td", { class: "right" }, written(one[role] * as(found.units[role]!)[1]))), ...numbers.map((path) => make("td", { class: "right" }, written(one.values[path] === undefined ? null : one.values[path]! * as(found.number_units[path]!)[1]))), make("td", {}, make("a", { href: opened(one), "aria-label": `drive ${one.name}, as a ride` }, "drive it"))))))),
-    ...found.findings.map((one) => make("p", { class: "muted" }, `${one.severity}: ${one.message}`))];
+    ...advised(found.findings.map((one) => ({ ...one, place: "" })), "p")];
 }

@@ -9,6 +9,7 @@ import { Form, type Key, type Value } from "../form";
 import { Newest, once, problem } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, type Values } from "../shell";
+import { asSaid } from "../refusals";
 
 export const rig: Page = { label: "Rig", show };
 
@@ -50,7 +51,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       try { form.show(await api.schema(found.model), found.values as { [key: string]: Value }, found.problems); } catch { form.element.replaceChildren(); }
     }
     const all = found.problems.map((one) => problem(new Error(`${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
-    told.replaceChildren(...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...(found.rig?.findings ?? []).map((one) => make("p", {}, one)));
+    told.replaceChildren(...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...(found.rig?.findings ?? []).map((one) => make("p", {}, asSaid(one))));
     difference.replaceChildren();
     if (found.rig) { points.set(found.rig.numbers); await draw(); }
     if (found.rig && !found.rig.spatial) picture.hidden = true;
