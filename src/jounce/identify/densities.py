@@ -15,7 +15,8 @@ from jounce.identify.fit_problem import FitTrial, Free, Residuals
 from jounce.identify.log_density import Region
 from jounce.identify.update import robust_covariance
 
-_CLIMBS, _LITTLE_GAIN = 4, 0.1  # steps of the doubts, and twice the log density that a further one may bring
+_SETTLING, _CLIMBS = 16, 3  # climbs of the doubts: at the best parameters, and from there at others
+_LITTLE_GAIN = 0.01  # twice the log density that a further climb may bring
 _WIDE = 10.0  # scaled units that nothing is wider than
 
 
@@ -85,6 +86,17 @@ class NoiseDensity:
 # model error ---------------------------------------------------------------------------------------------------------
 
 
+@dataclass(frozen=True)
+class _Climbed:
+    """Where doubts have climbed to: their ``step``, what there is still to go, information, score, sum of squares."""
+
+    step: Array
+    more: Array
+    information: Array
+    score: Array
+    square: float
+
+
 class DoubtDensity:
     """Log density of scaled parameters with all doubts integrated out around their best values."""
 
@@ -106,6 +118,12 @@ class DoubtDensity:
         self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
         self.seen: list[tuple[Array, Array]] = []
         self.beside = [dict(run.beside) for run in one.runs]
+        self.settled = np.zeros(len(information) - p)  # what the doubts had still to go when the calibration ended
+        try:
+            self.settled = self._climbed(state, calibration.blocks, _SETTLING).step
+            self.beside = [dict(run.beside) for run in one.runs]
+        except SimulationError:  # then every point has that way to go
+            pass
 
     def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
         """Information and score of all unknowns, and the sum of squares, with the calibration's variances kept."""
@@ -124,30 +142,45 @@ class DoubtDensity:
         """Log density and slopes; None where the richer model does not run."""
         found, p = self.found, self.size
         moved = x - found.state.theta
-        step = np.concatenate([moved, self.follow @ moved])
+        step = np.concatenate([moved, self.settled + self.follow @ moved])
         for run, beside in zip(found.one.runs, self.beside, strict=True):
             run.beside = beside  # not those of the point before: the density is a function of x alone
-        for _ in range(_CLIMBS):
-            try:
-                state = found.one.moved(found.state, step, found.blocks, 1.0)
-                blocks, _ = found.one.blocks(state)
-            except SimulationError:
-                return None
-            information, score, square = self._linear(blocks, state)
-            inner = information[p:, p:]
-            more = np.linalg.solve(inner, score[p:])
-            gain = float(score[p:] @ more)
-            step[p:] += more
-            if gain < _LITTLE_GAIN:
+        try:
+            state = found.one.moved(found.state, step, found.blocks, 1.0)
+            at = self._climbed(state, found.one.blocks(state)[0], _CLIMBS)
+        except SimulationError:
+            return None
+        inner = at.information[p:, p:]
+        self.seen.append((x, step[p:] + at.step + at.more))
+        value = -0.5 * (at.square - float(at.score[p:] @ at.more))
+        return value, at.score[:p] - at.information[:p, p:] @ at.more, -0.5 * float(np.linalg.slogdet(inner)[1])
+
+    def _climbed(self, state: Any, blocks: Any, climbs: int) -> _Climbed:
+        """Let the doubts climb to where they are best, by the slopes of the blocks, which are those at the state.
+
+        Forces beside the strut follow from the motion that they cause: from one climb to the next they are those of
+        the run before, and come to rest with the doubts. Where wheels lift off the sum of squares jumps: the climb ends
+        where it would rise.
+        """
+        one, p = self.found.one, self.size
+        information, score, square = self._linear(blocks, state)
+        step = np.zeros(len(information) - p)
+        for left in range(climbs, -1, -1):
+            more = np.asarray(np.linalg.solve(information[p:, p:], score[p:]), dtype=float)
+            if not left or float(score[p:] @ more) < _LITTLE_GAIN:
                 break
-        value = -0.5 * (square - gain)
-        self.seen.append((x, step[p:]))
-        return value, score[:p] - information[:p, p:] @ more, -0.5 * float(np.linalg.slogdet(inner)[1])
+            state = one.moved(state, np.concatenate([np.zeros(p), more]), blocks, 1.0)
+            blocks = one.residuals(state, blocks)
+            _, following, left_over = self._linear(blocks, state)
+            if left_over > square:
+                break
+            step, score, square = step + more, following, left_over
+        return _Climbed(step, more, information, score, square)
 
     def doubts(self, x: Array, seed: int) -> Array:
         """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
         rng = np.random.default_rng([seed, 7])
-        mean = (x - self.found.state.theta) @ self.follow.T
+        mean = self.settled + (x - self.found.state.theta) @ self.follow.T
         if len(self.seen) > 2 * self.size + 2:  # what is left of a straight line: its mean over all points seen
             at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
             rows = np.column_stack([np.ones(len(at)), at - self.found.state.theta])

@@ -30,7 +30,7 @@ from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
 from jounce.parts import QuarterCar, Rig
 from jounce.recordings.sensors import Sensor
-from jounce.recordings.signals import shift_with_derivative
+from jounce.recordings.signals import shift_signals, shift_with_derivative
 from jounce.roads import Enveloped, Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
@@ -359,6 +359,20 @@ class _Calibration:
 
     # one linearisation ----------------------------------------------------------------------------------------------
 
+    def residuals(self, state: _State, blocks: Sequence[_Block]) -> list[_Block]:
+        """The same blocks with the residuals of another state: one run a trial, a fifth of what slopes take."""
+        found, at = [], iter(blocks)
+        for i, run in enumerate(self.runs):
+            plain = run.compiled.plain
+            solution = run.simulate(plain, run.numbers(state), self.inputs(state, i))
+            run.beside = run.forces(States.of(plain, solution))
+            prepared = replace(run.prepared, compiled=plain)
+            for channel in run.channels:
+                table = prepared.table(self._sensed(channel, state.xi), solution)
+                shifted = channel.offset(shift_signals(table, prepared.rate, float(state.lags[i])), np.zeros(1))[0]
+                found.append(replace(next(at), residual=channel.measured - shifted[:, 0]))
+        return found
+
     def blocks(self, state: _State) -> tuple[list[_Block], list[States]]:
         found, states = [], []
         for i, run in enumerate(self.runs):
@@ -586,33 +600,6 @@ def noise_variance(residual: Array) -> float:
     return float(np.mean(power[int(_NOISE_FROM * len(power)) : -1]))
 
 
-def calibrate(  # noqa: PLR0913 - each is a choice of its own
-    trials: Sequence[FitTrial],
-    free: Sequence[Free],
-    start: Mapping[str, float],
-    *,
-    doubt: Doubt,
-    lags: Mapping[str, float],
-    align: bool,
-    channels: Sequence[str] | None = None,
-    weights: str | Mapping[str, float] = "normalised",
-    tolerance: float = 1e-8,
-    bench: Mapping[str, Estimate] | None = None,
-    priors: Mapping[str, tuple[float, float]] | None = None,
-) -> Discrepancy:
-    """Find the parameters again with all doubts as further unknowns, from where an update ended.
-
-    ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``bench`` are values of component tests to
-    hold the result against, ``priors`` mean and standard deviation of parameters that are known beforehand (both SI,
-    of the first trial's set-up).
-    """
-    found = calibrated(
-        trials, free, start, doubt=doubt, lags=lags, align=align, channels=channels, weights=weights,
-        tolerance=tolerance, priors=priors,
-    )  # fmt: skip
-    return _reported(found, bench or {})
-
-
 @dataclass(frozen=True)
 class Calibrated:
     """Where the richer model ended: its unknowns, all blocks there, and the linear equations with their solution.
@@ -657,7 +644,11 @@ def calibrated(
     tolerance: float = 1e-8,
     priors: Mapping[str, tuple[float, float]] | None = None,
 ) -> Calibrated:
-    """Search as :func:`calibrate` does, and give where it ended."""
+    """Find the parameters again with all doubts as further unknowns, from where an update ended.
+
+    ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``priors`` are mean and standard deviation of
+    parameters that are known beforehand (both SI, of the first trial's set-up).
+    """
     one = _Calibration(
         trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {},
         start=start,
@@ -748,7 +739,8 @@ def readings_of(calibration: Calibrated) -> Readings:
     return Readings(values, slopes, errors, freedom)
 
 
-def _reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepancy:
+def reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepancy:
+    """Tell what a calibration found; ``bench`` are values of component tests (SI) to hold it against."""
     one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
     p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), calibration.first
     read = readings_of(calibration)

@@ -52,12 +52,13 @@ class States:
 
     def sliding(self) -> Array:
         """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance, whatever the speed."""
-        z = np.zeros(len(self.time))
         moved = 0.5 * (self.velocity[1:] + self.velocity[:-1]) * np.diff(self.time)
         left, ends = np.exp(-np.abs(moved) / SLIDING_OVER), np.sign(moved)
-        for i in range(len(moved)):
-            z[i + 1] = ends[i] + (z[i] - ends[i]) * left[i] if ends[i] else z[i]
-        return z
+        z, now = [0.0], 0.0
+        for end, share in zip(ends.tolist(), left.tolist(), strict=True):  # plain floats: arrays take ten times as long
+            now = end + (now - end) * share if end else now
+            z.append(now)
+        return np.array(z)
 
     def acceleration(self) -> Array:
         """Rate of the strut's velocity, m/s^2."""

@@ -80,10 +80,22 @@ class Polynomial:
         """Values at points (n, variables), shape (n,)."""
         return np.asarray(self.rows(self.powers, u) @ self.coefficients)
 
-    def slopes(self, u: Array) -> Array:
-        """Slopes at points (n, variables), shape (n, variables)."""
-        both = [self.slope_rows(self.powers, u, i) @ self.coefficients for i in range(u.shape[1])]
-        return np.stack(both, axis=1)
+    @cached_property
+    def _derived(self) -> Array:
+        """Coefficients (terms, 1 + variables) of the polynomial and of its derivatives, which have no other terms."""
+        place = {tuple(power): k for k, power in enumerate(self.powers.tolist())}
+        found = np.zeros((len(self.powers), 1 + self.powers.shape[1]))
+        found[:, 0] = self.coefficients
+        for power, coefficient in zip(self.powers.tolist(), self.coefficients, strict=True):
+            for i, k in enumerate(power):
+                if k:
+                    found[place[(*power[:i], k - 1, *power[i + 1 :])], 1 + i] = k * coefficient
+        return found
+
+    def with_slopes(self, u: Array) -> tuple[float, Array]:
+        """Value and slopes (variables,) at one point (variables,)."""
+        found = np.prod(u**self.powers, axis=1) @ self._derived
+        return float(found[0]), found[1:]
 
 
 def _weights(u: Array) -> Array:
@@ -359,9 +371,8 @@ def _climbed(
 
     def lowered(z: Array) -> tuple[float, Array]:
         x[others] = begin[others] + scale * z
-        u = region.whitened(x[None])
-        slope = inverse.T @ density.polynomial.slopes(u)[0]
-        return -float(density.polynomial(u)[0]), -slope[others] * scale
+        value, slopes = density.polynomial.with_slopes(inverse @ (x - region.centre))
+        return -value, -(inverse.T @ slopes)[others] * scale
 
     bounds = [
         (max(-3.0, (region.lower[j] - begin[j]) / s), min(3.0, (region.upper[j] - begin[j]) / s))

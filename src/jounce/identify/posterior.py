@@ -23,13 +23,13 @@ from jounce.core.text import aligned
 from jounce.core.types import Array
 from jounce.identify.datum import with_datums
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
-from jounce.identify.discrepancy import FEWEST_TRIALS, calibrated, noise_variance, readings_of
-from jounce.identify.doubt import Doubt, doubts_of
+from jounce.identify.discrepancy import FEWEST_TRIALS, noise_variance, readings_of
+from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
 from jounce.identify.prediction import RICHER, Band, bands_of
-from jounce.identify.update import UpdateResult, bounds_and_priors, update_model
+from jounce.identify.update import UpdateResult, bounds_and_priors, updated
 from jounce.parts.rig import unit_of
 from jounce.variants.designs import is_whole
 
@@ -201,35 +201,29 @@ def rested(  # noqa: PLR0913 - as for the posterior
 ) -> Rested:  # fmt: skip
     """Update a model, and give the density of its parameters with what it rests on; arguments as in `posterior`."""
     progress(f"{name}: update")
-    bounds_, priors = bounds_and_priors(trials[0].rig, free, name) if trials else ({}, {})
-    update = update_model(
+    bounds_ = bounds_and_priors(trials[0].rig, free, name)[0] if trials else {}
+    update, calibration = updated(
         trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
         doubt=doubt, bench=bench,
     )  # fmt: skip
     limits = free_parameters(trials[0].rig, bounds_, where=name)
     trials = with_datums(trials, channels)[0]
-    settings: dict[str, Any] = {"channels": channels, "weights": weights, "align": align == "lag"}
     findings = [one for one in update.findings if one.severity != "note"]
     values = update.values()
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
-        progress(f"{name}: what the model may lack")
-        calibration = calibrated(
-            trials,
-            limits,
-            values,
-            doubt=doubts_of(doubt),
-            lags=update.lags,
-            priors=priors,
-            tolerance=_TOLERANCE,
-            **settings,
-        )
+        if calibration is None:
+            why = next(one.message for one in update.findings if one.place == "intervals")
+            raise FitError("model error cannot be counted", where=name, found=why, hint="Leave out doubt.")
+        calibration.one.tolerance = _TOLERANCE
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, channels, align == "lag")
     else:
         if doubt is not None:
             text = f"noise only: what the model lacks is counted from {FEWEST_TRIALS} trials on, fitted: {len(trials)}"
             findings.append(Finding("posterior", "warning", text, float(len(trials))))
-        problem = UpdateProblem(trials, limits, lag_bound=0.02, tolerance=1e-8, **settings)
+        problem = UpdateProblem(
+            trials, limits, channels=channels, weights=weights, align=align == "lag", lag_bound=0.02, tolerance=1e-8
+        )
         best = np.array([item.scaled(values[item.path]) for item in limits])
         lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in limits])
         size = len(limits)

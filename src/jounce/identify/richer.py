@@ -113,7 +113,8 @@ class Richer:
         """Numbers of the richer rig by path, from those of a set-up, fitted ones and nuisances."""
         p = self.plain(values, fitted, xi)
         moving = (*self.free, *self._shares.values(), *self._added.values(), *self._factors.values())
-        out = {path: p[path] for path in moving if path not in self._gone()}
+        gone = self._gone()
+        out = {path: p[path] for path in moving if path not in gone}
         if self._knots is not None:
             force = self.damper_force(p, xi, self._knots)
             out.update({f"strut.damper.force[{i}]": float(f) for i, f in enumerate(force) if self._knots[i] != 0.0})

@@ -14,7 +14,7 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
-from jounce.identify.discrepancy import FEWEST_TRIALS, Discrepancy, calibrate
+from jounce.identify.discrepancy import FEWEST_TRIALS, Calibrated, Discrepancy, calibrated, reported
 from jounce.identify.doubt import Doubt, doubts_of
 from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem, free_parameters
@@ -450,6 +450,19 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     >>> round(result.parameters["strut.spring.rate"].value, 3)
     24000.0
     """
+    return updated(
+        trials, free, name=name, method=method, weights=weights, channels=channels, align=align, lag_bound=lag_bound,
+        starts=starts, seed=seed, tolerance=tolerance, doubt=doubt, bench=bench,
+    )[0]  # fmt: skip
+
+
+def updated(  # noqa: PLR0913 - as update_model
+    trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str,
+    weights: str | Mapping[str, float], channels: Sequence[str] | None, align: str | None, starts: int,
+    doubt: Doubt | Mapping[str, Any] | None, bench: Mapping[str, Estimate] | None, lag_bound: float = 0.02,
+    seed: int = 1, tolerance: float = 1e-8,
+) -> tuple[UpdateResult, Calibrated | None]:  # fmt: skip
+    """Update as :func:`update_model` does; gives also where the richer model ended, where model error is counted."""
     check_method(method)
     if not trials:
         raise FitError("no trial to fit", where=name, hint='Mark trials with use = "fit" or name their numbers.')
@@ -516,16 +529,19 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     alike = _correlated(names[: len(bounds)], correlations)
     at_start = [one for one in known.findings if any(one.place == pair.place for pair in alike)]
     findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
-    discrepancy = None
+    discrepancy = calibration = None
     if doubt is not None:
         counted = doubts_of(doubt)
         values = {path: parameter.value for path, parameter in parameters.items()}
         settings = {"channels": channels, "weights": weights, "tolerance": problem.tolerance}
-        discrepancy, more = _with_doubt(
-            trials, bounds, values, counted, priors, bench or {}, lags=lags, align=align == "lag", **settings
+        calibration, more = _with_doubt(
+            trials, bounds, values, counted, priors, lags=lags, align=align == "lag", **settings
         )
+        if calibration is not None:
+            discrepancy = reported(calibration, bench or {})
+            more = list(discrepancy.findings)
         findings = [*more, *findings]
-    return UpdateResult(
+    result = UpdateResult(
         name,
         method,
         before,
@@ -540,6 +556,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         tuple(findings),
         discrepancy,
     )
+    return result, calibration
 
 
 _CORRELATED = 0.9
@@ -605,10 +622,9 @@ def _with_doubt(
     values: Mapping[str, float],
     doubt: Doubt,
     priors: Mapping[str, tuple[float, float]],
-    bench: Mapping[str, Estimate],
     **settings: Any,
-) -> tuple[Discrepancy | None, list[Finding]]:
-    """The parameters with what the model lacks counted, or why there is no such thing."""
+) -> tuple[Calibrated | None, list[Finding]]:
+    """The richer model where it ended, or why there is no such thing."""
     if len(trials) < FEWEST_TRIALS:
         text = (
             f"no interval that counts what the model lacks: that takes {FEWEST_TRIALS} trials, fitted: {len(trials)}; "
@@ -616,11 +632,10 @@ def _with_doubt(
         )
         return None, [Finding("intervals", "warning" if priors else "note", text, float(len(trials)))]
     try:
-        found = calibrate(trials, free, values, doubt=doubt, bench=bench, priors=priors, **settings)
+        return calibrated(trials, free, values, doubt=doubt, priors=priors, **settings), []
     except SimulationError as error:
         text = f"no interval that counts what the model lacks: {error} Intervals are those of the noise only."
         return None, [Finding("intervals", "warning", text)]
-    return found, list(found.findings)
 
 
 def _whole(problem: UpdateProblem, scaled: Array) -> Array:

@@ -187,9 +187,8 @@ class Road(Description, ABC):
         >>> Iso8608(class_="C", length="500 m").check_covers(400.0)
         """
         known = self.known_length()
-        if continue_level and self.ends_level():
-            return
-        if distance - behind > known * (1.0 + 1e-9) + 1e-9:
+        beyond = distance - behind > known * (1.0 + 1e-9) + 1e-9
+        if beyond and not (continue_level and self.ends_level()):
             raise DescriptionError(
                 "the road is shorter than the run",
                 where=where,

@@ -8,7 +8,18 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.discrepancy import _Calibration, _drawn_by, _one_sided, _State, _Stray, calibrate, noise_variance
+from jounce.core.findings import Finding
+from jounce.identify.densities import DoubtDensity
+from jounce.identify.discrepancy import (
+    _Calibration,
+    _drawn_by,
+    _one_sided,
+    _State,
+    _Stray,
+    calibrated,
+    noise_variance,
+    reported,
+)
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
@@ -263,7 +274,7 @@ def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
         made = [jn.FitTrial(one.name, told, one.trial, one.measured) for one in passes]
         free = free_parameters(told, {rate: "15 %", **{path: ["10 N*s/m", "900 N*s/m"] for path in truth}})
         start = {rate: 22730.0, **truth}
-        found.append(calibrate(made, free, start, doubt=jn.Doubt(), lags={}, align=False).parameters)
+        found.append(reported(calibrated(made, free, start, doubt=jn.Doubt(), lags={}, align=False), {}).parameters)
     for path, value in {rate: 22730.0, **truth}.items():
         low, high = found[0][path].interval
         assert found[1][path].interval == pytest.approx((low, high), rel=1e-6), path
@@ -277,7 +288,7 @@ def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong
     made = trials({"strut.damper": {"bump_coefficient": 180.0, "rebound_coefficient": 120.0}}, noise=0.1)
     free = free_parameters(RIG, {"strut.spring.rate": "15 %", "strut.damper.coefficient": "50 %"})
     start = {"strut.spring.rate": 22730.0, "strut.damper.coefficient": 150.0}
-    found = calibrate(made, free, start, doubt=jn.Doubt(), lags={}, align=False)
+    found = reported(calibrated(made, free, start, doubt=jn.Doubt(), lags={}, align=False), {})
     told = [finding for finding in found.findings if finding.place == "strut.damper"]
     assert [finding.severity for finding in told] == ["warning"]
     assert told[0].value == pytest.approx(60.0, abs=6.0)
@@ -430,3 +441,35 @@ def test_masses_that_move_far_and_pairs_that_act_alike_lead():
     assert any("known from the scale" in finding.message for finding in found.findings)
     value = found.correlation[0][1]
     assert any("strongly correlated" in finding.message for finding in found.findings) == (abs(value) > 0.9)
+
+
+# the density of a posterior ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def density(wrong):
+    made, update = wrong
+    free = free_parameters(RIG, FREE)
+    settings = {"doubt": jn.Doubt(), "lags": update.lags, "align": True, "tolerance": 1e-6}
+    return DoubtDensity(calibrated(made, free, update.values(), **settings))
+
+
+def test_a_density_is_that_of_the_parameters_alone_and_has_its_own_slopes(density):
+    """Whatever was asked before; a rise is that of both slopes, within what it jumps by where wheels lift off."""
+    step = density.region.root @ np.array([0.9, -0.2, 0.3, 0.2])
+    found = [density(density.best + share * step) for share in (-1.0, 0.0, 1.0)]
+    assert density(density.best - step)[0] == found[0][0]
+    rises = [found[1][0] - found[0][0], found[2][0] - found[1][0]]
+    slopes = [float(one[1] @ step) for one in found]
+    assert rises == pytest.approx([0.5 * (slopes[0] + slopes[1]), 0.5 * (slopes[1] + slopes[2])], abs=0.15)
+    assert rises[0] - rises[1] == pytest.approx(step @ np.linalg.inv(density.covariance) @ step, rel=0.2)
+
+
+def test_where_the_richer_model_does_not_run_a_posterior_is_refused(wrong, monkeypatch):
+    """An update then tells of intervals of the noise only; a posterior that was asked for model error is none."""
+    made, update = wrong
+    why = Finding("intervals", "warning", "no interval that counts what the model lacks: the richer model diverged")
+    lost = replace(update, discrepancy=None, findings=(why,))
+    monkeypatch.setattr("jounce.identify.posterior.updated", lambda *_, **__: (lost, None))
+    with pytest.raises(FitError, match="the richer model diverged"):
+        jn.posterior(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), draws=1000)
