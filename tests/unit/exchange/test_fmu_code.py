@@ -79,3 +79,11 @@ def test_every_operation_of_native_code_has_its_c():
     assert native == set(code._NUMBERS)
     with pytest.raises(NotImplementedError, match="OP_ERF"):
         code.function_text("f", packed(ca.erf(X[4])), ["x", "u", "p", "m"], {"y": 1})
+
+
+def test_constants_without_end_have_their_words_in_c():
+    limits = ca.vertcat(ca.fmin(X[0], ca.inf), ca.fmax(X[0], -ca.inf), X[1] * ca.nan, X[1] + -2.5)
+    text = code.function_text("f", packed(limits), ["x", "u", "p", "m"], {"y": 4})
+    assert all(word in text for word in (", INFINITY)", "(-INFINITY)", "NAN"))
+    assert "(-2.5)" in text or "- 2.5" in text
+    assert "inf)" not in text

@@ -37,7 +37,8 @@ class _Statements:
         self._made: list[tuple[str, str, str, list[str]]] = []  # type, name, operation, operands
 
     def constant(self, value: float) -> str:
-        return repr(float(value)) if value >= 0.0 else f"({float(value)!r})"
+        text = {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(repr(float(value)), repr(float(value)))
+        return f"({text})" if text.startswith("-") else text
 
     def load(self, argument: int, element: int) -> str:
         return f"{self._arguments[argument]}[{element}]"
