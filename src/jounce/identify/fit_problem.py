@@ -24,6 +24,7 @@ from jounce.identify.lags import Shifted, best_lag
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
+from jounce.recordings.schema import check_recording
 from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
 from jounce.recordings.signals import shift_signals
 from jounce.roads import Trial
@@ -33,6 +34,7 @@ from jounce.simulation.problem import excitation, known_actuator
 from jounce.simulation.reduced import with_slopes
 from jounce.simulation.result import Solution
 
+_FEWEST = 2  # samples of a recording
 _FREE_LAG = 1.0 - 1e-9
 """Share of its bound at which a lag counts as held by it."""
 
@@ -359,18 +361,6 @@ def prepare_trial(
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
     _check_channels(compiled.output_names, names, weights)
-    values = trial.rig.parameters()
-    time = trial.measured["time"].to_numpy()
-    rate = 1.0 / float(np.median(np.diff(time)))
-    times, uniform = _from_rest(time, rate)
-    if time[-1] < trial.trial.obstacle_end():
-        raise FitError(
-            "the recording ends before the obstacle pass does",
-            where=trial.name,
-            found=f"{time[-1]:.4g} s",
-            allowed=f"at least {trial.trial.obstacle_end():.4g} s",
-            hint="Check speed and start, or record longer.",
-        )
     given = ("command", "actuator.force") if trial.trial.actuator_force is not None else ()  # inputs, not answers
     common = [
         name
@@ -384,6 +374,21 @@ def prepare_trial(
             found=", ".join(str(name) for name in trial.measured.data_vars),
             allowed=", ".join(compiled.output_names),
             hint='Map the columns, e.g. columns = {"sprung.az" = "acc1 [g]"}.',
+        )
+    check_recording(trial.measured[common], where=trial.name)
+    values = trial.rig.parameters()
+    time = trial.measured["time"].to_numpy()
+    if len(time) < _FEWEST:
+        raise FitError("too few samples", where=trial.name, found=len(time), allowed=f"at least {_FEWEST}")
+    rate = 1.0 / float(np.median(np.diff(time)))
+    times, uniform = _from_rest(time, rate)
+    if time[-1] < trial.trial.obstacle_end():
+        raise FitError(
+            "the recording ends before the obstacle pass does",
+            where=trial.name,
+            found=f"{time[-1]:.4g} s",
+            allowed=f"at least {trial.trial.obstacle_end():.4g} s",
+            hint="Check speed and start, or record longer.",
         )
     channels = [_channel(trial, compiled, name, weights) for name in common]
     if not any(channel.weight > 0.0 for channel in channels):

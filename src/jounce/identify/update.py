@@ -16,8 +16,8 @@ from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
 from jounce.identify.discrepancy import FEWEST_TRIALS, Calibrated, Discrepancy, calibrated, reported
 from jounce.identify.doubt import Doubt, doubts_of
-from jounce.identify.estimate import Estimate, correlation_of
-from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem, free_parameters
+from jounce.identify.estimate import Estimate, correlation_of, r_squared
+from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of
 from jounce.simulation.settings import RunSettings
@@ -499,6 +499,7 @@ def updated(  # noqa: PLR0913 - as update_model
     findings += _common_factors(problem)
     best = optima[0]
     residuals = problem.residuals(best.scaled)
+    findings += [*_unexplained(problem, residuals), *_copies(problem)]
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     whole = _whole(problem, best.scaled)
     inner = np.atleast_1d(whole.any(axis=0))
@@ -666,6 +667,41 @@ def _several_minima(name: str, optima: list[Optimum]) -> list[Finding]:
         return []
     text = f"{len(other)} of {len(optima)} starts converged elsewhere, the next best at {other[0].objective:.4g}"
     return [Finding(name, "note", text, other[0].objective)]
+
+
+_EXPLAINED = 0.5  # of the variance of a channel: a fit that leaves more than the rest is none
+
+
+def _unexplained(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:
+    """Name the channels of which the updated model explains little: nothing that was fitted to them holds."""
+    both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
+    poor = dict[str, dict[str, float]]()
+    for (trial, channel), block in zip(both, residuals.blocks, strict=True):
+        measured = channel.weight * channel.measured
+        explained = r_squared(measured, residuals.vector[block])
+        if channel.weight > 0.0 and explained < _EXPLAINED:
+            poor.setdefault(channel.name, {})[trial.source.name] = explained
+    findings = []
+    for name, found in poor.items():
+        trials = ", ".join(list(found)[:4]) + (f" and {len(found) - 4} more" if len(found) > 4 else "")
+        text = (
+            f"the updated model explains little of the record in {trials} (R² {min(found.values()):.2g}), so that "
+            "values fitted to it mean nothing: check speed, start, unit and sign, or what the model lacks"
+        )
+        findings.append(Finding(name, "warning", text, min(found.values())))
+    return findings
+
+
+def _copies(problem: UpdateProblem) -> list[Finding]:
+    """Name trials whose recording is that of another one: they tell nothing more."""
+    first, findings = dict[tuple[bytes, ...], str](), []
+    for trial in problem.trials:
+        record = tuple(channel.measured.tobytes() for channel in trial.channels)
+        if record in first:
+            text = f"the same numbers as {first[record]}: a copy is no repetition, and intervals come out too narrow"
+            findings.append(Finding(trial.source.name, "warning", text))
+        first.setdefault(record, trial.source.name)
+    return findings
 
 
 def _common_factors(problem: UpdateProblem) -> list[Finding]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import jounce as jn
@@ -79,3 +80,60 @@ def test_a_frequency_response_names_what_it_has():
         model.frequency_response([1.0], "sprung.zz")
     with pytest.raises(jn.DescriptionError, match=r"unknown track 'road'.*allowed: road.z"):
         model.frequency_response([1.0], "sprung.z", "road")
+
+
+def told(results: jn.UpdateResult) -> str:
+    return " | ".join(f"{one.place}: {one.message}" for one in results.findings)
+
+
+@pytest.fixture(scope="module")
+def passed() -> tuple[jn.Rig, jn.Trial, Any]:
+    """A rig, a trial, and a record of the same rig with another spring."""
+    rig = jn.load("kart-quarter-car")
+    trial = jn.Trial(road=jn.HalfSine(height=0.01, length=0.06, start=0.2), speed=1.95, duration=0.6)
+    truth = rig.with_changes({"strut.spring.rate": 25e3})
+    return rig, trial, jn.simulate(truth, trial)[["sprung.az", "strut.deflection"]]
+
+
+def updated(passed: tuple[jn.Rig, jn.Trial, Any], *records: Any) -> jn.UpdateResult:
+    rig, trial, _ = passed
+    trials = [jn.FitTrial(f"trial {i}", rig, trial, record) for i, record in enumerate(records, 1)]
+    return jn.update_model(trials, {"strut.spring.rate": "30 %"})
+
+
+def test_a_record_that_the_model_does_not_explain_is_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
+    """A wrong speed, a scale of 1000, and a dead channel gave values and intervals without a word."""
+    rig, trial, record = passed
+    assert "explains little" not in told(updated(passed, record))
+    slower = trial.model_copy(update={"speed": 1.5})
+    assert "sprung.az: the updated model explains little of the record in trial 1 (R² " in told(
+        updated((rig, slower, record), record)
+    )
+    for factor in (0.0, 1000.0):
+        scaled = record.assign(
+            {"strut.deflection": record["strut.deflection"].copy(data=factor * record["strut.deflection"])}
+        )
+        found = updated(passed, record, scaled)
+        assert "strut.deflection: the updated model explains little of the record in trial 2" in told(found)
+
+
+def test_copies_of_a_record_are_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
+    found = updated(passed, passed[2], passed[2].copy(deep=True))
+    assert "trial 2: the same numbers as trial 1: a copy is no repetition" in told(found)
+
+
+def test_what_is_no_recording_is_refused_by_what_is_wrong(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
+    record = passed[2]
+    gap = record.copy(deep=True)
+    gap["sprung.az"][50] = np.nan
+    in_g = record.copy(deep=True)
+    in_g["sprung.az"].attrs["units"] = "g"
+    for wrong, text in (
+        (gap, "trial 1: sprung.az: sample 51 is not a finite number"),
+        (in_g, "another unit; found 'g'; allowed: m/s"),
+        (record.isel(time=slice(None, None, -1)), "time does not ascend"),
+        (record.isel(time=slice(0, 0)), "too few samples; found 0"),
+        (record.isel(time=slice(0, 1)), "too few samples; found 1"),
+    ):
+        with pytest.raises(jn.JounceError, match=text):
+            updated(passed, wrong)
