@@ -82,8 +82,8 @@ def test_every_operation_of_native_code_has_its_c():
 
 
 def test_constants_without_end_have_their_words_in_c():
-    limits = ca.vertcat(ca.fmin(X[0], ca.inf), ca.fmax(X[0], -ca.inf), X[1] * ca.nan, X[1] + -2.5)
+    limits = ca.vertcat(X[0] * np.inf, X[0] * -np.inf, X[1] * np.nan, X[1] + -2.5)
     text = code.function_text("f", packed(limits), ["x", "u", "p", "m"], {"y": 4})
-    assert all(word in text for word in (", INFINITY)", "(-INFINITY)", "NAN"))
-    assert "(-2.5)" in text or "- 2.5" in text
-    assert "inf)" not in text
+    for word in (" INFINITY", "(-INFINITY)", "NAN", "(-2.5)"):
+        assert word in text
+    assert "inf" not in text
