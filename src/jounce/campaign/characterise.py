@@ -165,7 +165,7 @@ def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation
 
 
 def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
-    """Find the files of a table; every pattern must match at least one."""
+    """Find the files of a table, each once; every pattern must match at least one."""
     found: list[Path] = []
     for pattern in patterns:
         matches = sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
@@ -173,7 +173,7 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
             raise RecordingError(
                 "no file matches", where=where, found=pattern, hint=f"The pattern is relative to {folder}."
             )
-        found += matches
+        found += [file for file in matches if file not in found]  # counted twice, it would look like a repetition
     return found
 
 

@@ -298,7 +298,16 @@ def third_octaves(spectrum: Spectrum) -> Bands:
 
 
 def _checked(values: ArrayLike, sample_rate: float, what: str) -> Array:
-    signal = np.asarray(values, dtype=float)
+    try:
+        signal = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise RecordingError(
+            "not a signal",
+            where=what,
+            found=type(values).__name__,
+            allowed="an array of numbers",
+            hint='Give the values of one channel, e.g. run["sprung.az"].',
+        ) from None
     if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not sample_rate > 0.0:
         raise RecordingError(
             "too little for a spectrum",

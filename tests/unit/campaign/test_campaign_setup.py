@@ -54,8 +54,9 @@ def test_a_spring_that_carries_nothing_is_measured_all_the_same(tmp_path: Path) 
     (tmp_path / "spring.csv").write_text(f"displacement [mm], force [N]\n{rows}", encoding="utf-8")
     bar = {"stiffness": 60.0, "preload": 60.0, "on": "lower_arm"}
     rig = jn.load("kart-double-wishbone").with_changes({"torsion_bar": bar})
-    found, knowledge = characterise(rig, Bench(spring={"files": ["spring.csv"]}), tmp_path)
+    found, knowledge = characterise(rig, Bench(spring={"files": ["spring.csv", "*.csv"]}), tmp_path)
     assert not found.failed
     assert knowledge.rig.parameters()["strut.spring.rate"] == pytest.approx(22700.0)
     assert found.spring is not None
     assert found.spring.operating_deflection is None
+    assert len(found.spring.trials) == 1  # a file that two patterns match is no repetition

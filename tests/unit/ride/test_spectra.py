@@ -120,6 +120,10 @@ def test_a_channel_that_is_missing() -> None:
     [
         (lambda: power_spectrum(NOISE[:4], RATE), "too little for a spectrum"),
         (lambda: power_spectrum(NOISE, 0.0), "too little for a spectrum"),
+        (
+            lambda: power_spectrum(recording(np.arange(9.0), {"sprung.az": (NOISE[:9], "m/s^2", "")}), RATE),
+            r"not a signal; found 'Dataset'.*one channel, e.g. run..sprung.az",
+        ),
         (lambda: power_spectrum([*NOISE[:20], np.nan], RATE), "sample 21 is not a finite number"),
         (lambda: power_spectrum(NOISE, RATE, segment="300 s"), "the segment does not fit the record"),
         (lambda: power_spectrum(NOISE, RATE, segment="1 ms"), "the segment does not fit the record"),
