@@ -44,7 +44,7 @@ BOTH = ca.vertcat(force(0), force(1), P[2] - force(0) - force(1), X[4], -3.0)
 def test_code_gives_what_the_graph_gives(tmp_path, flags):
     text = code.function_text("found", packed(BOTH), ["x", "u", "p", "m"], {"one": 3, "two": 2})
     assert "times(" in text
-    (tmp_path / "f.c").write_text(f'#include "pairs.h"\n#include <math.h>\n{text}')
+    (tmp_path / "f.c").write_text(f'#include <math.h>\n#include "pairs.h"\n{text}')
     words = [
         "gcc",
         "-std=c99",

@@ -100,7 +100,7 @@ def _plain(function: ca.Function) -> tuple[Packed, tuple[int, ...]]:
 
 def source(graphs: Graphs) -> str:
     """Text of ``model.c``."""
-    texts = ['#include "core.h"', '#include "pairs.h"', "#include <math.h>", ""]
+    texts = ['#include "core.h"', "#include <math.h>", '#include "pairs.h"', ""]
     for name, (packed, sizes) in graphs.functions.items():
         takes, gives = (text.split() for text in _ARGUMENTS[name])
         texts.append(function_text(f"jn_{name}", packed, takes, dict(zip(gives, sizes, strict=True))))

@@ -2,6 +2,9 @@
  * pair in one register, which is as wide on every 64-bit processor. */
 #ifndef JN_PAIRS_H
 #define JN_PAIRS_H
+#if defined(_MSC_VER) && !defined(__clang__)
+#define restrict __restrict /* behind all headers of the system, which use the word otherwise */
+#endif
 #if defined(__GNUC__) && !defined(JN_NO_VECTORS)
 typedef double pair __attribute__((vector_size(16)));
 #define both(a, b) ((pair){a, b})
