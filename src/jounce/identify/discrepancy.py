@@ -1106,17 +1106,27 @@ class DrawnRun:
         if self.fitted is not None:
             mine = step[q:].reshape(len(found.one.runs), -1)[self.fitted]
             own = found.state.own[self.fitted] + mine[: len(found.one.own)]
-        return _State(theta, xi, own[None, :], np.zeros(1))
+        return _State(theta, xi, own[None, :], np.array([self._lag(step, rng)]))
+
+    def _lag(self, step: Array, rng: np.random.Generator | None) -> float:
+        """Lag (s) of the recording where lags are not fitted; where they are, that which fits best is looked for."""
+        found, unsure = self.found, _LAG_UNSURE / self.rate
+        if self.one.align:
+            return 0.0
+        if self.fitted is None:
+            return 0.0 if rng is None else unsure * float(rng.normal())
+        mine = step[len(found.one.nuisances) :].reshape(len(found.one.runs), -1)[self.fitted]
+        return float(found.state.lags[self.fitted] + unsure * mine[-1])
 
     def drawn(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
-        """Reading of each channel without lag, for scaled parameters and a step of the doubts."""
+        """Reading of each channel for scaled parameters and a step of the doubts; where lags are fitted, without."""
         state = self._state(theta, step, rng)
         plain = self.run.compiled.plain
         solution = self.run.simulate(plain, self.run.numbers(state), self.one.inputs(state, 0))
         prepared, readings = replace(self.run.prepared, compiled=plain), {}
         for channel in self.channels:
             sensed = self.one._sensed(channel, state.xi)
-            table = prepared.table(sensed, solution)
+            table = shift_signals(prepared.table(sensed, solution), prepared.rate, float(state.lags[0]))
             readings[channel.name] = channel.offset(table, np.zeros(len(table)))[0][:, 0]
         return readings
 

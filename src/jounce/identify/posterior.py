@@ -38,7 +38,8 @@ if TYPE_CHECKING:
 
 
 _FEWEST, _MOST = 1000, 10_000_000
-_HALF_DROP = 1.920729410347062  # of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two
+HALF_DROP = 1.920729410347062
+"""Of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two."""
 _R_HAT, _FEW_DRAWS = 1.01, 400.0  # [vehtari2021]
 _TOLERANCE = 1e-6  # with model error: a log density moves by some thousandths, and simulations take half the time
 _ERROR = 0.5  # of the log density, from which on it is told
@@ -104,9 +105,9 @@ class Profile(Shown):
         for side in (range(top, -1, -1), range(top, len(self.values))):
             before = top
             for k in side:
-                if self.log_likelihood[k] < -_HALF_DROP:
+                if self.log_likelihood[k] < -HALF_DROP:
                     pair = sorted((k, before), key=lambda i: self.log_likelihood[i])
-                    ends.append(float(np.interp(-_HALF_DROP, self.log_likelihood[pair], self.values[pair])))
+                    ends.append(float(np.interp(-HALF_DROP, self.log_likelihood[pair], self.values[pair])))
                     break
                 before = k
         return (ends[0], ends[1]) if len(ends) == 2 else None
@@ -279,7 +280,8 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     predict : sequence of FitTrial, optional
         Trials for which bands are predicted, the fitted ones by default; an empty sequence for none.
     predicted_with : int
-        Draws that are simulated exactly for each of them.
+        Draws that are simulated exactly for each of them: 2 to 10 000. A band is as unsure as a standard deviation of
+        so many: 10 % with 50.
     progress : callable
         Is told in one line of text what is being done.
 
@@ -291,7 +293,8 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     Raises
     ------
     FitError
-        As :func:`update_model`, for numbers of draws that are none, and where the data do not react to a parameter.
+        As :func:`update_model`, for numbers of draws that are none, two trials of one name, and where the data do not
+        react to a parameter.
     MissingPackageError
         Without the packages of the extra ``posterior``.
 
@@ -313,11 +316,14 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     True
     """
     _check_counts(draws, predicted_with, seed)
+    _check_names(trials, "trials")
+    _check_names(predict or (), "predict")
     at = rested(
         trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
         doubt=doubt, bench=bench, progress=progress,
     )  # fmt: skip
     density, basis, update = at.density, at.basis, at.update
+    chosen = basis.trials if predict is None else with_datums(predict, channels)[0]
     limits = basis.free
     progress(f"{name}: the density around the estimate")
     table = fitted(density, density.region, seed)
@@ -325,7 +331,6 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     units = {item.path: unit_of(basis.trials[0].rig, item.path) for item in limits}
     found = _told(name, density, table, limits, units, draws, seed, update)
     result = replace(found, update=update, basis=basis, findings=(*at.findings, *found.findings))
-    chosen = basis.trials if predict is None else with_datums(predict, channels)[0]
     if not chosen:
         return result
     progress(f"{name}: what it predicts for {len(chosen)} trials")
@@ -379,7 +384,7 @@ def posterior_of(
     >>> bool(low < 2.0 < high)
     True
     """
-    _check_counts(draws, 1, seed)
+    _check_counts(draws, 2, seed)
     limits = []
     for path, (value, lower, upper) in free.items():
         if not lower <= value <= upper or not lower < upper:
@@ -416,9 +421,17 @@ class _Given:
 def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
     if not is_whole(seed) or seed < 0:
         raise FitError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
-    for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 1, 10_000)):
+    for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 2, 10_000)):
         if not (is_whole(given) and low <= given <= high):
             raise FitError("not a number of draws", where=where, found=given, allowed=f"{low} to {high}")
+
+
+def _check_names(trials: Sequence[FitTrial], where: str) -> None:
+    """Refuse two trials of one name: what is predicted, and the lag, are told by it."""
+    names = [trial.name for trial in trials]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise FitError("two trials of one name", where=where, found=twice, hint="Give each a name of its own.")
 
 
 def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Array], float]) -> dict[str, float]:

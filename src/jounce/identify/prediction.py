@@ -87,7 +87,7 @@ def bands_of(
         time = trial.measured["time"].to_numpy()
         for channel, simulated, unit in channels:
             name, measured = channel.name, channel.measured
-            mean, spread = simulated.mean(axis=0), simulated.std(axis=0, ddof=1) if len(simulated) > 1 else 0.0 * time
+            mean, spread = simulated.mean(axis=0), simulated.std(axis=0, ddof=1)
             level = _moving(mean - mean[0], time)
             whole = np.sqrt(spread**2 + noise.get(name, 0.0) ** 2 + rest.get(name, 0.0) * level**2)
             inside = float(np.mean(np.abs(measured - mean) <= _TWO_SIDED * whole))
@@ -165,6 +165,7 @@ def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping
 
 
 def _moving(signal: Array, time: Array) -> Array:
-    """Root mean square of a signal around each instant."""
-    width = max(1, round(_AROUND / max(float(np.median(np.diff(time))), 1e-9)))
-    return np.asarray(np.sqrt(np.convolve(signal**2, np.full(width, 1.0 / width), mode="same")))
+    """Root mean square of a signal around each instant; near its ends of what there is."""
+    width = max(1, min(round(_AROUND / max(float(np.median(np.diff(time))), 1e-9)), len(signal)))
+    total, count = (np.convolve(one, np.ones(width), mode="same") for one in (signal**2, np.ones(len(signal))))
+    return np.asarray(np.sqrt(total / count))

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from jounce.identify.prediction import Band
 
 _MOST_POINTS, _BINS = 4000, 60
-_HALF_DROP = 1.920729410347062
 
 
 @styled
@@ -127,6 +126,8 @@ def profile_likelihood(found: Posterior) -> Figure:
     matplotlib.figure.Figure
         Axes for each parameter, with the level that bounds 95 %.
     """
+    from jounce.identify.posterior import HALF_DROP  # whose package loads more than a picture needs
+
     count = len(found.profiles)
     wide = min(count, 3)
     tall = -(-count // wide)
@@ -141,7 +142,7 @@ def profile_likelihood(found: Posterior) -> Figure:
         if curvature > 0.0:
             parabola = -0.5 * curvature * (values - values[top]) ** 2
             axes.plot(values, parabola, "--", color=MUTED, lw=1.0, label="Gaussian")
-        axes.axhline(-_HALF_DROP, color=PALETTE[1], lw=0.9, label="95 %")
+        axes.axhline(-HALF_DROP, color=PALETTE[1], lw=0.9, label="95 %")
         axes.set_ylim(-8.5, 0.5)
         axes.locator_params(axis="x", nbins=4)
         axes.set_xlabel(unit.label(at_tick(path, 30)))

@@ -11,6 +11,7 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.identify.densities import DoubtDensity
 from jounce.identify.discrepancy import (
+    DrawnRun,
     _Calibration,
     _drawn_by,
     _one_sided,
@@ -463,6 +464,22 @@ def test_a_density_is_that_of_the_parameters_alone_and_has_its_own_slopes(densit
     slopes = [float(one[1] @ step) for one in found]
     assert rises == pytest.approx([0.5 * (slopes[0] + slopes[1]), 0.5 * (slopes[1] + slopes[2])], abs=0.15)
     assert rises[0] - rises[1] == pytest.approx(step @ np.linalg.inv(density.covariance) @ step, rel=0.2)
+
+
+def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():
+    """A fitted trial by what the calibration found and the draw adds; another by half a sample's doubt."""
+    state = SimpleNamespace(lags=np.array([1e-4, 3e-4]))
+    one = SimpleNamespace(nuisances=[None], runs=[None, None], align=False)
+    drawn = object.__new__(DrawnRun)
+    drawn.found, drawn.one, drawn.rate = SimpleNamespace(one=one, state=state), one, 1000.0
+    step, lags = np.array([9.0, 1.0, 2.0, 3.0, -0.4]), []  # of a doubt; speed and lag of each trial
+    for drawn.fitted in (0, 1, None):
+        lags.append(drawn._lag(step, None))
+    assert lags == pytest.approx([1e-4 + 2.0 * 5e-4, 3e-4 - 0.4 * 5e-4, 0.0])
+    many = [drawn._lag(step, np.random.default_rng(i)) for i in range(200)]
+    assert np.std(many) == pytest.approx(5e-4, rel=0.2)
+    one.align = True
+    assert drawn._lag(step, None) == 0.0
 
 
 def test_where_the_richer_model_does_not_run_a_posterior_is_refused(wrong, monkeypatch):

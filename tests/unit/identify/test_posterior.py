@@ -10,7 +10,7 @@ from jounce.identify.fit_problem import Channel
 from jounce.identify.log_density import Polynomial, Region, by_ensemble, convergence, fitted, sample
 from jounce.identify.next_trial import Candidate, next_trials
 from jounce.identify.posterior import posterior_of
-from jounce.identify.prediction import _laid
+from jounce.identify.prediction import _laid, _moving
 
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="2 m/s", duration="0.6 s")
 FREE = {"strut.spring.rate": "20 %", "tyre.stiffness": "20 %"}
@@ -221,7 +221,7 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
     [
         ({"draws": 10}, "not a number of draws"),
         ({"draws": True}, "not a number of draws"),
-        ({"predicted_with": 0}, "not a number of draws"),
+        ({"predicted_with": 1}, "not a number of draws"),
         ({"seed": -1}, "not a seed"),
         ({"seed": 1.5}, "not a seed"),
         ({"doubt": 3}, "not what is in doubt"),
@@ -234,6 +234,20 @@ def test_what_a_posterior_refuses(rig, change, words):
     given = {"trials": [jn.FitTrial("one", rig, TRIAL, jn.simulate(rig, TRIAL)[["sprung.az"]])], "free": FREE, **change}
     with pytest.raises((FitError, DescriptionError), match=words):
         jn.posterior(given.pop("trials"), given.pop("free"), **given)
+
+
+def test_two_trials_of_one_name_are_refused(rig, found):
+    both = [jn.FitTrial("one", rig, TRIAL, jn.simulate(rig, TRIAL)[["sprung.az"]])] * 2
+    with pytest.raises(FitError, match="trials: two trials of one name; found 'one'"):
+        jn.posterior(both, FREE)
+    with pytest.raises(FitError, match="predict: two trials of one name; found 'one'"):
+        jn.posterior(both[:1], FREE, predict=both)
+
+
+def test_the_level_of_a_signal_does_not_fall_towards_its_ends():
+    for count in (20, 400):  # shorter than what it is taken over, and longer
+        time = np.arange(count) / 1000.0
+        assert _moving(np.full(count, -3.0), time) == pytest.approx(np.full(count, 3.0))
 
 
 def test_a_fit_without_noise_and_one_without_influence_are_refused():
