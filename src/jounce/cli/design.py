@@ -640,18 +640,17 @@ def draw_design_front(console: Console, plain: dict[str, Any], front: DesignFron
 
 def draw_front(console: Console, plain: dict[str, Any], front: ParetoFront) -> None:
     """Print the designs of a front and what stands beside it."""
-    roles = ("comfort", "holding", "travel")
-    units = ["–" if front.units[role] == "1" else front.units[role] for role in roles]
-    names = [f"{front.metrics[role]} [{unit}]" for role, unit in zip(roles, units, strict=True)]
+    units = ["–" if front.units[role] == "1" else front.units[role] for role in front.roles]
+    names = [f"{front.metrics[role]} [{unit}]" for role, unit in zip(front.roles, units, strict=True)]
     numbers = [f"{path} [{front.number_units[path]}]" for path in front.numbers]
-    columns = [front.comfort, front.holding, front.travel, *front.numbers.values()]
+    columns = [*(getattr(front, role) for role in front.roles), *front.numbers.values()]
     rows = [(str(i + 1), *(float(column[i]) for column in columns)) for i in range(len(front.comfort))]
-    title = f"Pareto front, comfort to road holding: {plain['rig']}, {front.driven}"
+    title = f"Pareto front, {front.heading}: {plain['rig']}, {front.driven}"
     console.print(table(title, ("", *names, *numbers), rows))
     marks = []
     for mark in front.marks:
-        dampers = ", ".join(f"{path} = {value:.5g}" for path, value in mark.values.items())
-        marks.append((mark.name, mark.kind, mark.comfort, mark.holding, mark.travel, dampers))
-    console.print(table("For comparison", ("design", "by", *names, "dampers"), marks, text=(0, 1, 5)))
+        dampers = ", ".join(f"{path} = {value:.5g}" for path, value in mark.values.items()) or "–"
+        marks.append((mark.name, mark.kind, *(getattr(mark, role) for role in front.roles), dampers))
+    console.print(table("For comparison", ("design", "by", *names, "dampers"), marks, text=(0, 1, 2 + len(names))))
     show_findings(console, front.findings)
     show_written(console, plain)

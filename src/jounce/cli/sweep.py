@@ -131,13 +131,16 @@ def _variants(found: SweepResult) -> str:
     return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
 
 
-def _measured(measure: Mapping[str, Any]) -> str:
-    """A measure with its interval, in words."""
+def _measured(name: str, measure: Mapping[str, Any]) -> str:
+    """A measure with its interval, in words; of shares and coefficients to a thousandth, less than a design tells."""
     if not math.isfinite(measure["value"]):
         return ""
-    told = f"{measure['value']:.3g}"
-    ends = measure["interval"]
-    return told if ends is None else f"{told} ({ends[0]:.2g} to {ends[1]:.2g})"
+    in_units = "effect" in name
+    value, *ends = (
+        f"{each:.3g}" if in_units else f"{round(each, 3) + 0.0:.3f}"
+        for each in (measure["value"], *(measure["interval"] or ()))
+    )
+    return f"{value} ({' to '.join(ends)})" if ends else value
 
 
 def draw_sweep(console: Console, plain: dict[str, Any], summary: Summary) -> None:
@@ -159,7 +162,9 @@ def draw_sweep(console: Console, plain: dict[str, Any], summary: Summary) -> Non
         ordered = sorted(
             summary.influences, key=lambda one: (places.index(one.metric), -abs(one.measures[heaviest]["value"] or 0.0))
         )
-        told = [(one.metric, one.number, *(_measured(one.measures[name]) for name in measures)) for one in ordered]
+        told = [
+            (one.metric, one.number, *(_measured(name, one.measures[name]) for name in measures)) for one in ordered
+        ]
         words = [name.replace("_", " ") for name in measures]
         title = "What they depend on (SI, with 95 % intervals)"
         console.print(table(title, ("metric", "number", *words), told, text=(0, 1)))

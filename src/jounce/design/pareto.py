@@ -178,16 +178,27 @@ class ParetoFront(Plain):
     driven: str
     findings: tuple[Finding, ...]
 
+    @property
+    def roles(self) -> tuple[str, ...]:
+        """``comfort``, ``holding`` and, where it is a metric of its own, ``travel``."""
+        pair = ("comfort", "holding")
+        return pair if self.metrics["travel"] in [self.metrics[role] for role in pair] else (*pair, "travel")
+
+    @property
+    def heading(self) -> str:
+        """Between what its designs lie, in words."""
+        usual = self.metrics["comfort"] == COMFORT and self.metrics["holding"] == HOLDING
+        return "comfort to road holding" if usual else f"{self.metrics['comfort']} to {self.metrics['holding']}"
+
     def __str__(self) -> str:
-        roles = ("comfort", "holding", "travel")
-        rows = [["", *(f"{self.metrics[role]} [{self.units[role]}]" for role in roles), *self.numbers]]
-        columns = [self.comfort, self.holding, self.travel, *self.numbers.values()]
+        rows = [["", *(f"{self.metrics[role]} [{self.units[role]}]" for role in self.roles), *self.numbers]]
+        columns = [*(getattr(self, role) for role in self.roles), *self.numbers.values()]
         rows += [[str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(len(self.comfort))]
         beside = [
-            f"{mark.name} ({mark.kind}): {mark.comfort:.5g}, {mark.holding:.5g}, {mark.travel:.5g}"
+            f"{mark.name} ({mark.kind}): {', '.join(f'{getattr(mark, role):.5g}' for role in self.roles)}"
             for mark in self.marks
         ]
-        head = f"From comfort to road holding on {self.driven}"
+        head = f"From {self.heading} on {self.driven}"
         return "\n".join([head, *aligned(rows), *beside, *map(str, self.findings)])
 
 

@@ -46,7 +46,7 @@ _BAR = 0.55
 
 @styled
 def pareto_front(front: ParetoFront) -> Figure:
-    """Draw a front: both metrics (r.m.s.) coloured by travel, with the best dampers; beside it the design variables.
+    """Draw a front: both metrics, coloured by a third where there is one, and best dampers; beside it the free numbers.
 
     Examples
     --------
@@ -178,13 +178,15 @@ def _label(front: ParetoFront, role: str) -> str:
 
 def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
     x, y, travel = (display_unit(front.units[role]).factor for role in ("comfort", "holding", "travel"))
-    points = axes.scatter(
-        front.comfort * x, front.holding * y, c=front.travel * travel, cmap="viridis", s=26, zorder=3, linewidths=0
-    )
+    places: dict[str, Any] = {"x": front.comfort * x, "y": front.holding * y, "s": 26, "zorder": 3, "linewidths": 0}
+    if "travel" in front.roles:
+        points = axes.scatter(**places, c=front.travel * travel, cmap="viridis")
+        bar = figure.colorbar(points, ax=axes, orientation="horizontal", aspect=45, pad=0.02)
+        bar.set_label(_label(front, "travel"), fontsize=8.5)
+        bar.outline.set_visible(False)
+    else:
+        axes.scatter(**places, color=PALETTE[0])
     axes.plot(front.comfort * x, front.holding * y, color=MUTED, linewidth=0.8, zorder=2)
-    bar = figure.colorbar(points, ax=axes, orientation="horizontal", aspect=45, pad=0.02)
-    bar.set_label(_label(front, "travel"), fontsize=8.5)
-    bar.outline.set_visible(False)
     every = [*front.comfort, *(mark.comfort for mark in front.marks)]
     middle = 0.5 * (min(every) + max(every))
     for mark in front.marks:

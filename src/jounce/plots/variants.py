@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from jounce.core.types import Array
 
+_MOST_ROWS = 45  # bars of all metrics of one picture
 _MOST_BARS, _MOST_AXES, _MOST_POINTS, _MOST_LINES = 15, 7, 4000, 1500
 _FEW_VALUES = 16  # of a number, as on a grid or on the levels of Morris
 _LOWER, _HIGHER = PALETTE[0], PALETTE[1]
@@ -44,7 +45,7 @@ def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Fig
     many : xarray.Dataset
         Metrics on ``variant``, as :func:`jounce.simulate_many` gives them; SI, shown in usual units.
     metrics : sequence of str, optional
-        Which; the first three by default.
+        Which; by default the first that 45 bars do for: three of 15 numbers, seven of six.
 
     Returns
     -------
@@ -60,9 +61,10 @@ def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Fig
     >>> [axes.get_title("left") for axes in tornado(many).axes]
     ['max sprung.az', 'Regression']
     """
-    names = metrics_of(many, metrics)[: 3 if metrics is None else None]
+    names = metrics_of(many, metrics)
     found = sensitivity_indices(many, names)
     count = min(found.sizes["number"], _MOST_BARS)
+    names = names[: _MOST_ROWS // count if metrics is None else None]
     figure = new_figure((1.15 + 0.26 * count) * len(names), 9.2)
     grid = figure.subplots(len(names), 2, squeeze=False, width_ratios=[1.3, 1.0])
     for row, name in zip(grid, names, strict=True):

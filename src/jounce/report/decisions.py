@@ -123,7 +123,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    roles = ("comfort", "holding", "travel")
+    roles = front.roles
     columns = {role: getattr(front, role) for role in roles}
     units = {role: display_unit(front.units[role], float(abs(columns[role]).max())) for role in roles}
     ends = [
@@ -151,7 +151,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
         )
         for mark in front.marks
     )
-    beside = Table("For comparison", ("design", "by", *heads, "dampers"), marks, "llrrrl")
+    beside = Table("For comparison", ("design", "by", *heads, "dampers"), marks, f"ll{'r' * len(heads)}l")
     given = {path: display_unit(front.number_units[path], float(abs(v).max())) for path, v in front.numbers.items()}
     rows = tuple(
         (
@@ -162,10 +162,8 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
         for i in range(len(front.comfort))
     )
     header = ("", *heads, *(unit.label(path) for path, unit in given.items()))
-    every = Table(
-        "From the most comfortable design to the one that holds the road best", header, rows, "r" * len(header)
-    )
-    words = "Comfort against road holding of the designs on the front, beside the present one; numbers along the front."
+    every = Table(f"From {front.heading}", header, rows, "r" * len(header))
+    words = f"Designs on the front, from {front.heading}, beside the present one; numbers along the front."
     answer: list[Block] = [facts, Picture(figure_of(front), "front", words, words), beside]
     if front.findings:
         answer.append(Findings(front.findings))

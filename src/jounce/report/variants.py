@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
@@ -167,6 +169,15 @@ def _with_interval(level: Mapping[str, Any], factor: float) -> str:
     return value if ends is None else f"{value} ({' … '.join(number(end * factor, 3) for end in ends)})"
 
 
+def _share(measure: Mapping[str, Any]) -> str:
+    """A share of a variance or a coefficient, to a thousandth, which is less than a design tells."""
+    if not math.isfinite(measure["value"]):
+        return "–"
+    every = measure["value"], *(measure["interval"] or ())
+    value, *ends = (f"{round(each, 3) + 0.0:.3f}".replace("-", "−") for each in every)
+    return f"{value} ({' … '.join(ends)})" if ends else value
+
+
 def _matters(summary: Summary, data: xr.Dataset) -> tuple[Block, ...]:
     return Picture(tornado(data), "tornado", _TORNADO, _TORNADO), *(
         _table(summary, one.name) for one in summary.metrics
@@ -178,14 +189,13 @@ def _table(summary: Summary, metric: str) -> Table:
     own = [one for one in summary.influences if one.metric == metric]
     measures = [name for name in own[0].measures if name in _WORDS]
     unit = display_unit(next(one.unit for one in summary.metrics if one.name == metric))
-    factors = {name: unit.factor if name in _IN_UNITS else 1.0 for name in measures}
+    told = {name: partial(_with_interval, factor=unit.factor) if name in _IN_UNITS else _share for name in measures}
 
     def weight(one: Influence) -> float:
         return -abs(float(one.measures["total" if "total" in one.measures else measures[0]]["value"]))
 
     rows = tuple(
-        (one.number, *(_with_interval(one.measures[name], factors[name]) for name in measures))
-        for one in sorted(own, key=weight)
+        (one.number, *(told[name](one.measures[name]) for name in measures)) for one in sorted(own, key=weight)
     )
     header = ("number", *(unit.label(_WORDS[name]) if name in _IN_UNITS else _WORDS[name] for name in measures))
     return Table(f"What {metric} depends on", header, rows, "l" + "r" * len(measures))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -41,6 +43,19 @@ def test_front_shows_designs_travel_and_numbers(front):
     assert [text.get_text() for text in main.texts] == ["for comfort", "for road holding"]
     assert len(main.collections) == 1 + len(front.marks)
     assert main.get_xlabel() == "comfort: sprung.az [m/s²]"
+
+
+def test_a_front_of_two_metrics_shows_neither_twice(front):
+    pair = replace(front, metrics={**front.metrics, "travel": front.metrics["comfort"]}, travel=front.comfort)
+    main, *numbers = pareto_front(pair).axes
+    assert len(numbers) == 2  # springs and dampers: no colours need a bar
+    assert np.asarray(main.collections[0].get_offsets()) == pytest.approx(
+        np.column_stack([front.comfort, front.holding])
+    )
+    assert (front.roles, pair.roles) == (("comfort", "holding", "travel"), ("comfort", "holding"))
+    assert str(pair).count("sprung.az [m/s^2]") == 1
+    named = replace(pair, metrics={"comfort": "a: p95 sprung.az", "holding": "b: sprung.az", "travel": "b: sprung.az"})
+    assert str(named).startswith("From a: p95 sprung.az to b: sprung.az on ")
 
 
 def test_optimisation_shows_numbers_in_their_bounds_and_limits(best):

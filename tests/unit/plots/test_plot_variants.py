@@ -38,6 +38,15 @@ def test_a_tornado_s_bars_go_from_the_mean_to_the_means_at_the_ends():
     assert right.get_title("left") == "Regression"
 
 
+@pytest.mark.parametrize(("numbers", "rows"), [(2, 5), (15, 3)])
+def test_a_tornado_has_as_many_metrics_as_bars_fit(numbers, rows):
+    idle = {f"idle {i}": [0.0, 1.0] for i in range(numbers - 2)}
+    many = runs(jn.sobol({"a": [0.0, 1.0], "b": ["2 kg", "4 kg"], **idle}, 64))
+    many = many.assign({f"max x{i}.z": many["max x.z"] for i in range(4)})
+    assert len(tornado(many).axes) == 2 * rows
+    assert len(tornado(many, ["max x.z"]).axes) == 2
+
+
 def test_a_tornado_of_trajectories_shows_half_of_their_effects():
     left, _ = tornado(runs(jn.morris({"a": [0.0, 1.0], "b": [2.0, 4.0]}, 12))).axes
     assert [bar.get_width() for bar in left.patches] == pytest.approx([-1.5, 1.0, 1.5, -1.0])  # mm: 3 over a, -2 over b
