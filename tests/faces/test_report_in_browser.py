@@ -131,8 +131,7 @@ def test_a_campaign_s_report_is_zoomed_and_played(browser: Any, report: Path, wi
     assert scales == [[low, high]] * 2  # both plots show the same
     page.evaluate(f"{player}.goTo({low})")
     page.get_by_role("button", name="Play", exact=True).click()
-    page.wait_for_timeout(600)
-    assert page.evaluate(f"{player}.now") != pytest.approx(low, abs=1e-6)
+    page.wait_for_function(f"Math.abs({player}.now - {low}) > 1e-6 && {player}.view.renderer !== null")
     page.get_by_role("button", name="Pause", exact=True).click()
     painted = page.evaluate(
         """() => { const one = jounce.players[0].view; one.isDirty = true; one.draw();
@@ -301,7 +300,7 @@ def test_a_german_page_has_german_buttons_and_decimal_commas(browser: Any, pages
 def test_an_animation_is_turned_named_and_swept_back(browser: Any, pages: dict[str, Path]) -> None:
     opened = Opened(browser, pages["animation"])
     page = opened.page
-    page.wait_for_timeout(300)
+    page.wait_for_function("[...document.querySelectorAll('.names span')].every(one => one.style.transform)")
     names = page.locator(".names span")
     assert names.count() == 11
     places = [tuple(names.nth(k).bounding_box()[key] for key in ("x", "y", "width")) for k in range(11)]
@@ -448,8 +447,7 @@ def test_a_sweep_is_played_over_its_travel(browser: Any, tmp_path: Path) -> None
         assert place == pytest.approx(true, abs=0.02)  # mm
     assert opened.page.locator(".clock").inner_text() == "3.000 mm"
     opened.page.get_by_role("button", name="Play", exact=True).click()
-    opened.page.wait_for_timeout(500)
-    assert opened.page.evaluate("jounce.players[0].now") > 3.2
+    opened.page.wait_for_function("jounce.players[0].now > 3.2")
     opened.close()
 
 

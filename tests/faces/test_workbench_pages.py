@@ -18,6 +18,7 @@ uvicorn = pytest.importorskip("uvicorn")
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 TOKEN = "a-token-of-these-tests"
+DRAWN = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
 EVIL = "<img src=x onerror=document.title='gone'>"
 STUDY = """schema = "jounce.sweep/1"
 rig = "kart-quarter-car"
@@ -67,7 +68,7 @@ class Opened:
         for width, scheme in ((390, "dark"), (1280, "light")):
             self.page.set_viewport_size({"width": width, "height": 720})
             self.page.emulate_media(color_scheme=scheme)
-            self.page.wait_for_timeout(200)
+            self.page.evaluate(DRAWN)
             assert self.page.evaluate("document.documentElement.scrollWidth") <= width
 
 
@@ -196,7 +197,8 @@ def test_a_record_is_graded_kept_and_found_again(server, browser):
         page.get_by_text("No record at hand?").click()
         page.get_by_role("button", name="Simulate the test").click()
         page.get_by_role("link", name="Evaluate it").click()
-        page.get_by_label("Keep it in the store").wait_for()
+        page.locator("select:has(option[value='simulated.csv'])").first.wait_for()  # the page that was left knows none
+        assert page.get_by_label("Record of one axle").input_value() == "simulated.csv"
         page.get_by_label("Number plate").first.fill(f"B-AB 1 {EVIL}")
         page.get_by_label("Keep it in the store").fill("lane.sqlite")
         page.get_by_role("button", name="Evaluate and grade").click()

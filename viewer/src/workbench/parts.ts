@@ -59,6 +59,13 @@ export class Newest {
   }
 }
 
+/** Does one thing after the other, every one of them: what is edited is not to be lost where an answer takes long. */
+export class InTurn {
+  private last = Promise.resolve();
+  constructor(private readonly refused: (error: unknown) => void) {}
+  do(work: () => Promise<void>): Promise<void> { return (this.last = this.last.then(work).catch(this.refused)); }
+}
+
 /** Numbers of a rig as sliders from half to one and a half of what they are; what is not moved is not sent. */
 export class Sliders {
   readonly element = make("div", { class: "sliders" });

@@ -161,7 +161,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     if (job.steps?.length) live.replaceChildren(search(job.steps, job.state === "running", units));
     if (job.state !== "done" || done) return;
     done = true;
-    const end = await whole<Results>(id);
+    const end = await whole<Results>(id).catch((error) => { done = false; throw error; });
     if (end.result) results.replaceChildren(...answer(end.result, units), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
   };
   await take(first);

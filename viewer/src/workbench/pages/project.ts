@@ -73,7 +73,7 @@ function history(kept: Kept[]): HTMLElement {
   compare.addEventListener("click", () => {
     const paths = kept.filter((_, i) => boxes[i]!.checked).map((one) => one.path).slice(0, 6);
     if (!paths.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Choose one or more of them."))); return; }
-    api.binary("/api/compare", { paths }).then((answer) => {
+    once(compare, api.binary("/api/compare", { paths })).then((answer) => {
       const store = inWords(Store.of(answer));
       out.replaceChildren(new Player(store.content.viewers[0]!, store).element, make("div", { class: "ways" }, ...ways(store.content as unknown as api.Answer)));
     }, (error) => out.replaceChildren(problem(error)));

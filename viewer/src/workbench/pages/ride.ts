@@ -109,7 +109,9 @@ function pareto(rigs: string[], roads: string[]): HTMLElement {
   };
   const load = async () => {
     try {
-      numbers = (await api.rig(vehicle.value)).numbers;
+      const name = vehicle.value, found = await api.rig(name);
+      if (vehicle.value !== name) return; // another one was chosen meanwhile
+      numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
       rows.replaceChildren();
       add(numbers.find((one) => /damper\.coefficient$/.test(one.path))?.path ?? numbers[0]?.path);
@@ -137,7 +139,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     card.show(job);
     if (job.state !== "done" || done) return;
     done = true;
-    const end = await whole<Compared | Front>(id);
+    const end = await whole<Compared | Front>(id).catch((error) => { done = false; throw error; });
     if (!end.result) return;
     results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ...undone("runs" in end.result ? end.result : null), ways(end),
       ...(end.has_page ? [report(`/api/jobs/${id}/report`, "runs" in end.result ? "Over time, as spectra, and every metric" : "Report")] : []));

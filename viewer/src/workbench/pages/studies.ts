@@ -92,7 +92,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const load = async () => {
     told.replaceChildren();
     try {
-      numbers = (await api.rig(rig.value)).numbers;
+      const name = rig.value, found = await api.rig(name);
+      if (rig.value !== name) return; // another one was chosen meanwhile
+      numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
       rows.replaceChildren();
       const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter((path) => numbers.some((one) => one.path === path));
