@@ -1140,7 +1140,7 @@ class CombinedDecay:
     runs : int
         Number of decays.
     findings : tuple of Finding
-        Those of the runs, and runs that contradict each other.
+        Those of the runs, and runs that contradict or copy each other.
     """
 
     damping_ratio: Estimate
@@ -1184,6 +1184,13 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
             f"{max(frequencies):.4g} Hz: was something changed between them?"
         )
         findings.append(Finding("decays", "warning", text, float(np.ptp(frequencies))))
+    copies = len(results) - len({result.parameters for result in results})
+    if copies:
+        text = (
+            f"{copies} of {len(results)} runs repeat another one to the last digit: a copy is no repetition, and "
+            "intervals come out too narrow."
+        )
+        findings.append(Finding("decays", "warning", text, float(copies)))
     drags = [result.quadratic_drag for result in results if result.quadratic_drag is not None]
     if drags and len(drags) < len(results):
         text = (

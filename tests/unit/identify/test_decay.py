@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import count
 
 import numpy as np
 import pytest
@@ -251,6 +252,8 @@ def test_several_decays_become_one():
     assert found.damping_coefficient.has(120.0)
     assert found.equilibrium.has(0.003)
     assert combine_decays(runs[:1]).damping_coefficient == runs[0].damping_coefficient
+    assert "a copy" not in messages(found)
+    assert "1 of 3 runs repeat another one to the last digit: a copy" in messages(combine_decays([*runs[:2], runs[0]]))
     with pytest.raises(FitError, match="no decays"):
         combine_decays([])
 
@@ -317,14 +320,19 @@ def test_decrements_of_one_two_and_many_amplitudes():
 
 
 def test_runs_are_held_against_each_other(exact):
+    number = count()
+
     def run(frequency=5.0, **more):
-        return replace(exact, natural_frequency_hz=Estimate(frequency, 0.01), findings=(), **more)
+        own = replace(exact.parameters, release_time=float(next(number)))  # no copies
+        return replace(exact, natural_frequency_hz=Estimate(frequency, 0.01), findings=(), parameters=own, **more)
 
     for other, told in ((5.25, 0), (5.26, 1), (4.76, 0), (4.75, 1)):  # 5 % of the mean
         found = combine_decays([run(), run(other)]).findings
         assert [one.value for one in found] == [pytest.approx(abs(other - 5.0))] * told
     drag = {"quadratic_drag": Estimate(2.0, 0.1)}
-    both, mixed, none = (combine_decays(each) for each in ([run(**drag)] * 2, [run(**drag), run(), run()], [run()] * 2))
+    both, mixed, none = (
+        combine_decays(each) for each in ([run(**drag), run(**drag)], [run(**drag), run(), run()], [run(), run()])
+    )
     assert both.quadratic_drag.value == pytest.approx(2.0)
     assert (both.findings, none.findings, mixed.quadratic_drag, none.quadratic_drag) == ((), (), None, None)
     assert [(one.severity, one.value) for one in mixed.findings] == [("warning", 1.0)]
