@@ -15,6 +15,8 @@ from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s
+LOGGED_LATEST = 30.0
+"""How far apart (s) lines of a log may get: the longer it lasts, the fewer say so."""
 _LOOKS = 4  # of the teller, in the shorter of the two
 _LOG = logging.getLogger("jounce")
 _listeners: list[Callable[[str | None], None]] = []
@@ -65,7 +67,7 @@ class _Teller:
                     return
                 if self._wait is not wait:
                     wait, last = self._wait, 0.0
-                every = SHOWN_EVERY if wait.listener else LOGGED_EVERY
+                every = SHOWN_EVERY if wait.listener else min(max(LOGGED_EVERY, last), LOGGED_LATEST)
                 waited = time.monotonic() - wait.started
                 if waited < last + every:
                     continue

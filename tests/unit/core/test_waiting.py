@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import time
+from itertools import pairwise
 
 import pytest
 
@@ -31,6 +32,15 @@ def test_a_long_wait_is_logged_again_and_again_with_its_time(caplog):
     count = len(caplog.messages)
     time.sleep(0.05)
     assert len(caplog.messages) == count  # it has ended
+
+
+def test_the_longer_it_lasts_the_fewer_lines_say_so(caplog):
+    """Each comes when twice the time of the last one has passed: forty seconds are five lines instead of twenty."""
+    with caplog.at_level(logging.WARNING, "jounce"), told("compiling the model"):
+        wait_for(lambda: len(caplog.records) >= 5)
+    times = [record.created for record in caplog.records]
+    gaps = [after - before for before, after in pairwise(times)]
+    assert gaps[-1] > 2.0 * gaps[0]
 
 
 def test_a_short_one_is_not(caplog, monkeypatch):
