@@ -255,14 +255,17 @@ def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tup
     return first, last
 
 
-def _cycles(displacement: Array) -> float:
-    """Number of cycles: half the crossings of the middle, or the path over twice the stroke where that is more."""
+def _cycles(displacement: Array, *, is_closed: bool = False) -> float:
+    """Number of cycles: half the crossings of the middle, or the path over twice the stroke where that is more.
+
+    What ``is_closed`` begins and ends at a crossing, which are one more than those within.
+    """
     stroke = float(np.ptp(displacement))
     side = displacement - 0.5 * float(displacement.max() + displacement.min())
     clear = np.sign(side[np.abs(side) > 0.1 * stroke])
     turns = displacement[[*zigzag(displacement, 0.05 * stroke), len(displacement) - 1]]
     path = float(np.abs(np.diff(turns)).sum())
-    return max(0.5 * float(np.count_nonzero(np.diff(clear))), path / (2.0 * stroke))
+    return max(0.5 * float(np.count_nonzero(np.diff(clear)) + is_closed), path / (2.0 * stroke))
 
 
 # laws -----------------------------------------------------------------------------------------------------------------
@@ -582,7 +585,7 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     measured, x = motion.force[used], motion.displacement[used]
     cycles = motion.cycles - (0.5 if chosen.remembers else 0.0)
     closed = closed_part(x)
-    turned = _cycles(x[closed])
+    turned = _cycles(x[closed], is_closed=closed != slice(None))
     rms = float(np.sqrt(np.mean(residual**2)))
     table = {
         "force": max(plain.get("friction_force", 0.0), 0.0),
