@@ -45,6 +45,8 @@ def test_what_goes_in_comes_out(version, way) -> None:
     assert np.ptp(same["command"].values) > 0.1
     for channel in ("command", "sprung.z", "tyre.force"):
         np.testing.assert_array_equal(run[channel], same[channel])
+    (left,) = (text for text in run.attrs["findings"] if "keep their start" in text)
+    assert not [name for name in EACH[version] if name in left]  # they have another
 
 
 def test_what_it_is_not_made_for_is_refused() -> None:

@@ -227,7 +227,7 @@ class _Connection:
                 channel = f"{corner}.{variable.name}" if corner else variable.name
                 if channel in channels and variable.is_real:
                     given[variable.name] = channel
-                else:
+                elif variable.name not in self.law.parameters:
                     left.append(variable)
         if left:
             names = ", ".join(f"{v.name} = {v.start or '0'}" for v in left)
