@@ -6,8 +6,10 @@ see the same operations. What no lane feeds stays one number, and is made a vect
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, TypeAlias
 
 import casadi as ca
@@ -161,13 +163,12 @@ class Lowering:
         )
         builder.ret_void()
 
-    def add_many(self, name: str, function: AnyFunction, *, internal: bool = False) -> None:
+    def add_many(self, name: str, function: AnyFunction) -> None:
         """Append ``void name(x, u, p, m, out, int64 total, int64 first, int64 count)`` for ``count`` samples.
 
-        ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element, so that LLVM can vectorise the
-        loop over the samples; ``p`` and ``m`` are the same for all of them. Of a wide function one system is sampled
-        after the other, and a vector takes as many samples as there are systems: LLVM makes vectors of large functions
-        not by itself. An internal function is inlined where it is called.
+        ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element; ``p`` and ``m`` are the same for
+        all of them. Of a wide function one system is sampled after the other. LLVM makes vectors of the samples of
+        small functions; those of large ones are written here, in half the time that it takes to find them.
 
         Raises
         ------
@@ -177,47 +178,93 @@ class Lowering:
         if isinstance(function, Lanes):
             raise NotImplementedError("lanes of many samples")
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
-        if internal:
-            native.linkage = "internal"
-            native.attributes.add("alwaysinline")
+        builder = ir.IRBuilder(native.append_basic_block("entry"))
+        with builder.if_then(builder.icmp_signed("<", _INDEX(0), native.args[7])):
+            if isinstance(function, Wide) or (isinstance(function, ca.Function) and function.n_instructions() > _SMALL):
+                self._in_vectors(builder, native, function)
+            else:
+                self._one_by_one(builder, native, function)
+        builder.ret_void()
+
+    def _one_by_one(self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Packed) -> None:
         first, count = native.args[6:]
-        parts = ("entry", "systems", "loop", "next", "leave")
-        entry, systems, loop, another, leave = (native.append_basic_block(part) for part in parts)
-        builder = ir.IRBuilder(entry)
-        end = builder.add(first, count)
-        builder.cbranch(builder.icmp_signed("<", first, end), systems, leave)
-        builder.position_at_end(systems)
-        system, wide = builder.phi(_INDEX), _count_of(function)
-        system.add_incoming(_INDEX(0), entry)
-        if isinstance(function, Wide):
-            self._many_in_vectors(builder, native, function, system, loop, another)
-        else:
-            builder.branch(loop)
-        head = builder.block
-        builder.position_at_end(loop)
-        sample = builder.phi(_INDEX)
-        sample.add_incoming(first, head)
+        with _repeated(builder, first, builder.add(first, count)) as sample:
 
-        def place(argument: int, element: int) -> ir.Value:
-            return self._sample(builder, native, (argument, element), wide, system, sample)
+            def place(argument: int, element: int) -> ir.Value:
+                return self._sample(builder, native, (argument, element), 1, _INDEX(0), sample)
 
-        if isinstance(function, Packed):
-            self._side_by_side(builder, function, native.args[2], place)
-        else:
-            self._body(
-                builder,
-                _graph_of(function),
-                load=lambda argument, element: builder.load(place(argument, element)),
-                store=lambda value, element: builder.store(value, place(4, element)),
-            )
-        following = builder.add(sample, _INDEX(1))
-        sample.add_incoming(following, builder.block)
-        builder.cbranch(builder.icmp_signed("<", following, end), loop, another)
-        builder = ir.IRBuilder(another)
-        further = builder.add(system, _INDEX(1))
-        system.add_incoming(further, another)
-        builder.cbranch(builder.icmp_signed("<", further, _INDEX(wide)), systems, leave)
-        ir.IRBuilder(leave).ret_void()
+            if isinstance(function, Packed):
+                self._side_by_side(builder, function, native.args[2], place)
+            else:
+                self._body(
+                    builder,
+                    function,
+                    load=lambda argument, element: builder.load(place(argument, element)),
+                    store=lambda value, element: builder.store(value, place(4, element)),
+                )
+
+    def _in_vectors(self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Wide) -> None:
+        """All samples of each system, the last vector ending with the last sample.
+
+        Fewer than a vector holds are copied to where there is room for one, and come here again.
+        """
+        graph, wide, (first, count) = _graph_of(function), _count_of(function), native.args[6:]
+        width = wide if wide > 1 else vector_width()
+        vector, size = ir.VectorType(_DOUBLE, width).as_pointer(), _INDEX(width)
+        with builder.if_else(builder.icmp_signed("<", count, size)) as (few, enough):
+            with few:
+                rows = {0: graph.numel_in(0) * wide, 1: graph.numel_in(1), 4: graph.numel_out(0) * wide}
+                self._with_room(builder, native, rows, width)
+            with enough:
+                last = builder.sub(builder.add(first, count), size)
+                vectors = builder.udiv(builder.add(count, _INDEX(width - 1)), size)
+                with _repeated(builder, _INDEX(0), _INDEX(wide)) as system, _repeated(builder, _INDEX(0), vectors) as k:
+                    sample = builder.add(first, builder.mul(k, size))
+                    sample = builder.select(builder.icmp_signed("<", sample, last), sample, last)
+
+                    def load(argument: int, element: int) -> ir.Value:
+                        place = self._sample(builder, native, (argument, element), wide, system, sample)
+                        return builder.load(builder.bitcast(place, vector) if argument < 2 else place, align=8)
+
+                    def store(value: ir.Value, element: int) -> None:
+                        place = self._sample(builder, native, (4, element), wide, system, sample)
+                        self._store(builder, value, builder.bitcast(place, vector))
+
+                    self._body(builder, graph, load, store, self._each)
+
+    def _with_room(self, builder: ir.IRBuilder, native: ir.Function, rows: dict[int, int], width: int) -> None:
+        """Call a function of samples for one whole vector of them; where there are fewer the first stands again."""
+        x, u, p, m, out, total, first, count = native.args
+        size = _INDEX(width)
+        with builder.goto_entry_block():  # where room on the stack is cheap
+            rooms = {i: builder.alloca(_DOUBLE, max(length, 1) * width) for i, length in rows.items()}
+
+        def copy(argument: int, to: ir.Value, step: ir.Value, of: ir.Value, step_of: ir.Value) -> None:
+            builder.call(self._copy, [to, step, of, step_of, _INDEX(rows[argument])])
+
+        with _repeated(builder, _INDEX(0), size) as k:
+            sample = builder.add(first, builder.select(builder.icmp_signed("<", k, count), k, _INDEX(0)))
+            for i, array in ((0, x), (1, u)):
+                copy(i, builder.gep(rooms[i], [k]), size, builder.gep(array, [sample]), total)
+        builder.call(native, [rooms[0], rooms[1], p, m, rooms[4], size, _INDEX(0), size])
+        with _repeated(builder, _INDEX(0), count) as k:
+            copy(4, builder.gep(out, [builder.add(first, k)]), total, builder.gep(rooms[4], [k]), size)
+
+    @cached_property
+    def _copy(self) -> ir.Function:
+        """``void copy(to, step, of, step_of, count)``, of numbers so many places apart."""
+        pointer = _DOUBLE.as_pointer()
+        kind = ir.FunctionType(ir.VoidType(), [pointer, _INDEX, pointer, _INDEX, _INDEX])
+        native = ir.Function(self.module, kind, "copy")
+        native.linkage = "internal"
+        native.attributes.add("noinline")
+        to, step, of, step_of, count = native.args
+        builder = ir.IRBuilder(native.append_basic_block())
+        with builder.if_then(builder.icmp_signed("<", _INDEX(0), count)), _repeated(builder, _INDEX(0), count) as k:
+            value = builder.load(builder.gep(of, [builder.mul(k, step_of)]))
+            builder.store(value, builder.gep(to, [builder.mul(k, step)]))
+        builder.ret_void()
+        return native
 
     def _sample(
         self,
@@ -236,52 +283,19 @@ class Lowering:
             own = builder.add(builder.mul(own, native.args[5]), sample)
         return builder.gep(native.args[argument], [own])
 
-    def _many_in_vectors(
-        self,
-        builder: ir.IRBuilder,
-        native: ir.Function,
-        function: Wide,
-        system: ir.Value,
-        few: ir.Block,
-        done: ir.Block,
+    def add_wide(
+        self, name: str, function: ca.Function, count: int, total: int | None = None, *, inlined: bool = False
     ) -> None:
-        """All samples of one system, a vector at a time, the last one ending with the last sample; then on to ``done``.
+        """Append ``void name(x, u, p, m, out)`` of the first ``count`` of ``total`` samples (all), in vectors of them.
 
-        Where there are not enough for a single vector, on to ``few``.
+        ``x``, ``u`` and ``out`` hold one row of ``total`` samples for each element; ``p`` and ``m`` are the same for
+        all of them. The last vector ends with the last sample. LLVM makes vectors of the loop of ``add_many`` by itself
+        only where functions are small, and takes three times as long to do so. A function may be one that is inlined
+        where it is called; that takes few samples one by one.
         """
-        wide, (first, count) = function.count, native.args[6:]
-        last = builder.sub(builder.add(first, count), _INDEX(wide))
-        loop = native.append_basic_block("vectors")
-        head = builder.block
-        builder.cbranch(builder.icmp_signed("<", count, _INDEX(wide)), few, loop)
-        inside = ir.IRBuilder(loop)
-        sample = inside.phi(_INDEX)
-        sample.add_incoming(first, head)
-        vector = ir.VectorType(_DOUBLE, wide).as_pointer()
-
-        def load(argument: int, element: int) -> ir.Value:
-            pointer = self._sample(inside, native, (argument, element), wide, system, sample)
-            return inside.load(inside.bitcast(pointer, vector), align=8) if argument < 2 else inside.load(pointer)
-
-        def store(value: ir.Value, element: int) -> None:
-            pointer = self._sample(inside, native, (4, element), wide, system, sample)
-            self._store(inside, value, inside.bitcast(pointer, vector))
-
-        self._body(inside, function.function, load, store, self._each)
-        following = inside.add(sample, _INDEX(wide))
-        beyond = inside.icmp_signed(">", following, last)
-        sample.add_incoming(inside.select(beyond, last, following), inside.block)
-        inside.cbranch(inside.icmp_signed("<", sample, last), loop, done)
-
-    def add_wide(self, name: str, function: ca.Function, count: int) -> None:
-        """Append ``void name(x, u, p, m, out)`` of ``count`` samples, whole vectors of them.
-
-        ``x``, ``u`` and ``out`` hold one row of the samples for each element; ``p`` and ``m`` are the same for all of
-        them. LLVM makes vectors of the loop of ``add_many`` by itself only where functions are small.
-        """
-        native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        width = vector_width()
-        vector = ir.VectorType(_DOUBLE, width).as_pointer()
+        native = self.declare(name, [_DOUBLE.as_pointer()] * 5, inlined=inlined)
+        width, rows = 1 if inlined and count <= _FEW else vector_width(), count if total is None else total
+        kind = (ir.VectorType(_DOUBLE, width) if width > 1 else _DOUBLE).as_pointer()
         entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
         ir.IRBuilder(entry).branch(loop)
         builder = ir.IRBuilder(loop)
@@ -291,8 +305,8 @@ class Lowering:
         def place(argument: int, element: int) -> ir.Value:
             if argument in (2, 3):
                 return builder.gep(native.args[argument], [_INDEX(element)])
-            row = builder.gep(native.args[argument], [builder.add(first, _INDEX(element * count))])
-            return builder.bitcast(row, vector)
+            row = builder.gep(native.args[argument], [builder.add(first, _INDEX(element * rows))])
+            return builder.bitcast(row, kind)
 
         self._body(
             builder,
@@ -301,9 +315,11 @@ class Lowering:
             store=lambda value, element: self._store(builder, value, place(4, element)),
             operation=self._each,
         )
-        following = builder.add(first, _INDEX(width))
+        following, last = builder.add(first, _INDEX(width)), _INDEX(count - width)
+        if count % width:
+            following = builder.select(builder.icmp_signed(">", following, last), last, following)
         first.add_incoming(following, builder.block)
-        builder.cbranch(builder.icmp_signed("<", following, _INDEX(count)), loop, leave)
+        builder.cbranch(builder.icmp_signed("<", first, last), loop, leave)
         ir.IRBuilder(leave).ret_void()
 
     def add_sum(self, name: str, function: ca.Function, total: int, count: int) -> None:
@@ -395,9 +411,12 @@ class Lowering:
         other = call("sqrt", [b.fmul(b.fsub(one, x[0]), b.fadd(one, x[0]))])
         return angle_of(b, call, *((x[0], other) if name == "ASIN" else (other, x[0])))
 
-    def declare(self, name: str, arguments: list[Any]) -> ir.Function:
-        """Append an empty function; its pointers must not overlap."""
+    def declare(self, name: str, arguments: list[Any], *, inlined: bool = False) -> ir.Function:
+        """Append an empty function; its pointers must not overlap. It may be one that is inlined and not seen."""
         native = ir.Function(self.module, ir.FunctionType(ir.VoidType(), arguments), name)
+        if inlined:
+            native.linkage = "internal"
+            native.attributes.add("alwaysinline")
         for argument in native.args[:5]:
             argument.attributes.add("noalias")
         return native
@@ -491,6 +510,27 @@ def _graph_of(function: ca.Function | Wide) -> ca.Function:
 def _count_of(function: object) -> int:
     """How many systems a function is of."""
     return function.count if isinstance(function, Wide) else 1
+
+
+_SMALL = 300
+"""Instructions of a function of whose samples LLVM makes vectors."""
+_FEW = 8
+"""A vector of so few samples would be read before what wrote them number by number is through: that waits longer."""
+
+
+@contextmanager
+def _repeated(builder: ir.IRBuilder, first: ir.Value, end: ir.Value) -> Iterator[ir.Value]:
+    """A loop over the numbers from the first, which is below the end, to before the end."""
+    before, loop = builder.block, builder.append_basic_block("loop")
+    builder.branch(loop)
+    builder.position_at_end(loop)
+    number = builder.phi(_INDEX)
+    number.add_incoming(first, before)
+    yield number
+    following, after = builder.add(number, _INDEX(1)), builder.append_basic_block("after")
+    number.add_incoming(following, builder.block)
+    builder.cbranch(builder.icmp_signed("<", following, end), loop, after)
+    builder.position_at_end(after)
 
 
 _LONGEST = 250  # instructions; from about there the compiler's time for a block grows faster than its length

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
+from itertools import product
 
 import casadi as ca
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from llvmlite import ir
 from llvmlite.binding import parse_assembly
 
-from jounce.kernel.lowering import _OPCODES, Lanes, Lowering, Wide
+from jounce.kernel.lowering import _OPCODES, _SMALL, Lanes, Lowering, Wide
 from jounce.kernel.machine import Code, machine_code, this_machine
 from jounce.kernel.native import compile_functions
 
@@ -199,6 +201,57 @@ def test_systems_side_by_side_are_each_what_they_are_alone(count):
     for i, alone in enumerate(found.reshape(5, count).T):
         expected = function(states[:, i], felt, numbers[:, i], modes[:, i]).full().ravel()
         assert alone == pytest.approx(expected, rel=1e-15)
+
+
+@pytest.mark.parametrize("systems", [1, 4])
+def test_samples_of_a_large_function_are_each_what_they_are_alone(systems):
+    """However many there are: fewer than a vector holds, whole vectors, some more; and no other is touched."""
+    x, u, p, m = (ca.SX.sym(name, size) for name, size in (("x", 2), ("u", 1), ("p", 2), ("m", 1)))
+    value = x[0]
+    for k in range(40):
+        value = ca.sqrt(1 + value**2) * p[k % 2] + x[1] * (u + k) / (60 + value**2) + m / (k + 1)
+    function = ca.Function("output", [x, u, p, m], [ca.vertcat(ca.sin(value), ca.exp(-x[1] * p[0]), ca.SX(0.25))])
+    assert function.n_instructions() > _SMALL
+    native = compile_functions({"output": function if systems == 1 else Wide(function, systems)})
+    total, random = 30, np.random.default_rng(systems)
+    states, felt = random.normal(size=(2, systems, total)), random.normal(size=(1, total))
+    numbers, modes = random.uniform(0.2, 0.9, (2, systems)), random.uniform(0.0, 1.0, (1, systems))
+    pointer = ctypes.POINTER(ctypes.c_double)
+    call = ctypes.CFUNCTYPE(None, *[pointer] * 5, *[ctypes.c_int64] * 3)(native.address["output"])
+    for first, count in ((3, 0), (29, 1), (0, 3), (5, 8), (2, 9), (0, 30)):
+        found = np.full((3, systems, total), -7.0)
+        call(*(array.ctypes.data_as(pointer) for array in (states, felt, numbers, modes, found)), total, first, count)
+        for i, sample in product(range(systems), range(total)):
+            alone = function(states[:, i, sample], felt[:, sample], numbers[:, i], modes[:, i]).full()[:, 0]
+            expected = alone if first <= sample < first + count else np.full(3, -7.0)
+            np.testing.assert_allclose(found[:, i, sample], expected, rtol=1e-12, atol=1e-13)
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A function over so many of nineteen samples, inlined into another."""
+
+    count: int
+    names = ("rows",)
+
+    def add(self, lowering: Lowering) -> None:
+        x, u, p, m = (ca.SX.sym(name, size) for name, size in (("x", 2), ("u", 1), ("p", 1), ("m", 1)))
+        function = ca.Function("f", [x, u, p, m], [ca.vertcat(p * x[0] + u, x[1] - m)])
+        lowering.add_wide("inner", function, self.count, 19, inlined=True)
+        native = lowering.declare("rows", [ir.DoubleType().as_pointer()] * 5)
+        builder = ir.IRBuilder(native.append_basic_block())
+        builder.call(lowering.module.globals["inner"], native.args)
+        builder.ret_void()
+
+
+@pytest.mark.parametrize("count", [1, 8, 9, 16, 19])
+def test_the_first_samples_only_are_taken(count):
+    x, u = np.arange(38.0).reshape(2, 19), np.linspace(-1.0, 1.0, 19)
+    native, out, pointer = compile_functions({}, Rows(count)), np.full((2, 19), -7.0), ctypes.POINTER(ctypes.c_double)
+    call = ctypes.CFUNCTYPE(None, *[pointer] * 5)(native.address["rows"])
+    call(*(array.ctypes.data_as(pointer) for array in (x, u, 3.0 * ONE, 0.5 * ONE, out)))
+    assert (out[:, count:] == -7.0).all()
+    np.testing.assert_allclose(out[:, :count], np.array([3.0 * x[0] + u, x[1] - 0.5])[:, :count], rtol=1e-14)
 
 
 def test_several_functions_and_outputs_share_a_module():

@@ -95,7 +95,7 @@ class RosenbrockStep:
         - ``interpolant``: rows of the interpolant, in the nested form of the explicit method.
         """
         for name, function in _element_functions().items():
-            lowering.add_many(name, function, internal=True)
+            lowering.add_wide(name, function, self.size, inlined=True)
         for i in range(STAGES):
             self._stage(lowering, i)
         native, builder, h = self._start(lowering, "interpolant")
@@ -128,7 +128,7 @@ class RosenbrockStep:
         return builder.gep(matrix, [_INDEX(row * self.size)])
 
     def _over_states(self, lowering: Lowering, builder: ir.IRBuilder, name: str, pointers: list[ir.Value]) -> None:
-        builder.call(lowering.module.globals[name], [*pointers, *map(_INDEX, (self.size, 0, self.size))])
+        builder.call(lowering.module.globals[name], pointers)
 
 
 def _element_functions() -> dict[str, ca.Function]:

@@ -221,7 +221,8 @@ class Step:
         - ``probe``: switching functions at all probes; ``switch_at``: at the fraction ``h``, the input at node 0.
         """
         for name, function in _element_functions().items():
-            lowering.add_many(name, function, internal=True)
+            lowering.add_wide(name, function, self.size, inlined=True)
+        lowering.add_wide("probed", _element_functions()["point"], self.controlled, self.size, inlined=True)
         lowering.add_sum("error", _error_function(), self.size, self.controlled)
         driver = _Driver(lowering, self, "step")
         for i in range(1, LAST_STAGE + 1):
@@ -230,7 +231,7 @@ class Step:
         driver = _Driver(lowering, self, "dense")
         for i in range(LAST_STAGE + 1, STAGES):
             driver.stage(i, TRIAL)
-        driver.over_states("interpolant", RATES, driver.scalar, DENSE, self.size)
+        driver.over_states("interpolant", RATES, driver.scalar, DENSE)
         driver.finish()
         lowering.add_sum("short_error", _error_function(short=True), self.size, self.controlled)
         driver = _Driver(lowering, self, "short_step")
@@ -238,10 +239,10 @@ class Step:
             driver.stage(i, END if i == LAST_STAGE else TRIAL, "short")
         driver.finish()
         driver = _Driver(lowering, self, "short_dense")
-        driver.over_states("short_interpolant", RATES, driver.scalar, DENSE, self.size)
+        driver.over_states("short_interpolant", RATES, driver.scalar, DENSE)
         driver.finish()
         driver = _Driver(lowering, self, "point_at")
-        driver.over_states("point", DENSE, driver.scalar, TRIAL, self.size)
+        driver.over_states("point", DENSE, driver.scalar, TRIAL)
         driver.finish()
         driver = _Driver(lowering, self, "probe")
         for i, fraction in enumerate(PROBES):
@@ -262,14 +263,14 @@ class _Driver:
         self.scalar = self._builder.alloca(_DOUBLE)
         self._builder.store(self.native.args[5], self.scalar)
 
-    def over_states(self, name: str, inputs: int, scalar: ir.Value, out: int, count: int) -> None:
-        """Run a function of one state over the first ``count`` states, from the rows ``inputs`` to the rows ``out``."""
+    def over_states(self, name: str, inputs: int, scalar: ir.Value, out: int) -> None:
+        """Run a function of one state over the states, from the rows ``inputs`` to the rows ``out``."""
         x, u, to = (self._row(i) for i in (STATE, inputs, out))
-        self._call(name, [x, u, scalar, scalar, to, _INDEX(self._step.size), _INDEX(0), _INDEX(count)])
+        self._call(name, [x, u, scalar, scalar, to])
 
     def stage(self, i: int, at: int, method: str = "stage") -> None:
         """Place stage ``i`` in row ``at`` and evaluate the rates there."""
-        self.over_states(f"{method}{i}", RATES, self.scalar, at, self._step.size)
+        self.over_states(f"{method}{i}", RATES, self.scalar, at)
         _, u, p, m, *_ = self.native.args
         self._call(self._step.rate, [self._row(at), self._offset(u, i * self._step.inputs), p, m, self._row(RATES + i)])
 
@@ -279,7 +280,7 @@ class _Driver:
             return
         _, u, p, m, g, _ = self.native.args
         self._builder.store(fraction, self.scalar)
-        self.over_states("point", DENSE, self.scalar, TRIAL, self._step.controlled)
+        self.over_states("probed", DENSE, self.scalar, TRIAL)
         inputs, to = self._offset(u, node * self._step.inputs), self._offset(g, place * self._step.switches)
         self._call("switch", [self._row(TRIAL), inputs, p, m, to])
 
