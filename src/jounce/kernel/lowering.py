@@ -16,6 +16,7 @@ import casadi as ca
 from llvmlite import binding as llvm
 from llvmlite import ir
 
+from jounce.kernel.builder import Builder
 from jounce.kernel.elementary import angle_of, sine_and_cosine
 from jounce.kernel.machine import vector_width
 from jounce.kernel.packing import Emission, Packed
@@ -135,7 +136,7 @@ class Lowering:
         What is called ``seldom`` is cut into blocks: over one long block the compiler takes much more than linear time.
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        builder = _Blocks(native.append_basic_block()) if seldom else ir.IRBuilder(native.append_basic_block())
+        builder = _Blocks(native.append_basic_block()) if seldom else Builder(native.append_basic_block())
         if isinstance(function, Packed):
 
             def point(argument: int, element: int) -> ir.Value:
@@ -178,7 +179,7 @@ class Lowering:
         if isinstance(function, Lanes):
             raise NotImplementedError("lanes of many samples")
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
-        builder = ir.IRBuilder(native.append_basic_block("entry"))
+        builder = Builder(native.append_basic_block("entry"))
         with builder.if_then(builder.icmp_signed("<", _INDEX(0), native.args[7])):
             if isinstance(function, Wide) or (isinstance(function, ca.Function) and function.n_instructions() > _SMALL):
                 self._in_vectors(builder, native, function)
@@ -259,7 +260,7 @@ class Lowering:
         native.linkage = "internal"
         native.attributes.add("noinline")
         to, step, of, step_of, count = native.args
-        builder = ir.IRBuilder(native.append_basic_block())
+        builder = Builder(native.append_basic_block())
         with builder.if_then(builder.icmp_signed("<", _INDEX(0), count)), _repeated(builder, _INDEX(0), count) as k:
             value = builder.load(builder.gep(of, [builder.mul(k, step_of)]))
             builder.store(value, builder.gep(to, [builder.mul(k, step)]))
@@ -297,8 +298,8 @@ class Lowering:
         width, rows = 1 if inlined and count <= _FEW else vector_width(), count if total is None else total
         kind = (ir.VectorType(_DOUBLE, width) if width > 1 else _DOUBLE).as_pointer()
         entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
-        ir.IRBuilder(entry).branch(loop)
-        builder = ir.IRBuilder(loop)
+        Builder(entry).branch(loop)
+        builder = Builder(loop)
         first = builder.phi(_INDEX)
         first.add_incoming(_INDEX(0), entry)
 
@@ -320,7 +321,7 @@ class Lowering:
             following = builder.select(builder.icmp_signed(">", following, last), last, following)
         first.add_incoming(following, builder.block)
         builder.cbranch(builder.icmp_signed("<", first, last), loop, leave)
-        ir.IRBuilder(leave).ret_void()
+        Builder(leave).ret_void()
 
     def add_sum(self, name: str, function: ca.Function, total: int, count: int) -> None:
         """Append ``void name(x, u, p, m, out)``: the sum of a function over the first ``count`` samples.
@@ -330,8 +331,8 @@ class Lowering:
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
         entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
-        ir.IRBuilder(entry).branch(loop)
-        builder = ir.IRBuilder(loop)
+        Builder(entry).branch(loop)
+        builder = Builder(loop)
         sample = builder.phi(_INDEX)
         sums = [builder.phi(_DOUBLE) for _ in range(function.numel_out(0))]
         places = {0: lambda i: builder.add(_INDEX(i * total), sample), 3: lambda _: sample}
@@ -350,7 +351,7 @@ class Lowering:
         for part, value in zip(sums, further, strict=True):
             part.add_incoming(_ZERO, entry)
             part.add_incoming(value, loop)
-        builder = ir.IRBuilder(leave)
+        builder = Builder(leave)
         for i, value in enumerate(further):
             builder.store(value, builder.gep(native.args[4], [_INDEX(i)]))
         builder.ret_void()
@@ -358,7 +359,7 @@ class Lowering:
     def add_single(self, name: str, many: str) -> None:
         """Append ``void name(x, u, p, m, out)``: one sample of a function that takes many."""
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        builder = ir.IRBuilder(native.append_basic_block())
+        builder = Builder(native.append_basic_block())
         builder.call(self.module.globals[many], [*native.args, _INDEX(1), _INDEX(0), _INDEX(1)])
         builder.ret_void()
 
@@ -536,7 +537,7 @@ def _repeated(builder: ir.IRBuilder, first: ir.Value, end: ir.Value) -> Iterator
 _LONGEST = 250  # instructions; from about there the compiler's time for a block grows faster than its length
 
 
-class _Blocks(ir.IRBuilder):  # type: ignore[misc]
+class _Blocks(Builder):
     """Begins a new block after a while."""
 
     def _insert(self, instruction: Any) -> None:

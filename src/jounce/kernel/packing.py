@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any, NamedTuple, Protocol
 
 import casadi as ca
+import numpy as np
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 SHARED = -1
@@ -103,8 +104,6 @@ class Graph:
                 leaf, inputs = (inputs[0], inputs[1]), []
             self.nodes.append(Node(operation, tuple(work[i] for i in inputs), leaf))
             work[outputs[0]] = len(self.nodes) - 1
-        every = range(len(parts.prefixes))
-        self._within = {mask: [i for i in every if mask >> i & 1] for mask in range(1 << len(every))}
         self._groups = [sum(1 << part for part in group) for group in parts.groups]
         self.shapes, self.masks = [-1] * len(self.nodes), [SHARED] * len(self.nodes)
         self._known: dict[Any, int] = {}
@@ -140,7 +139,8 @@ class Graph:
     def _name_after(self, numbers: set[int]) -> None:
         """Name anew what has become a number, and what is made of it."""
         changed = set[int]()
-        for i, node in enumerate(self.nodes):
+        for i in range(min(numbers), len(self.nodes)):
+            node = self.nodes[i]
             if i in numbers or not changed.isdisjoint(node.operands):
                 was_sum = i in self._sums
                 self._sums.discard(i)
@@ -149,20 +149,20 @@ class Graph:
 
     def _gather(self) -> None:
         """Find the nodes of each shape by their parts, and the groups of parts in which it is complete."""
-        self.members: dict[int, dict[int, int]] = {}
-        present: dict[int, int] = {}
-        for i, (shape, mask) in enumerate(zip(self.shapes, self.masks, strict=True)):
-            if mask == SHARED:
-                continue
-            lanes = self.members.get(shape)
-            if lanes is None:
-                lanes, present[shape] = self.members.setdefault(shape, {}), 0
-            if mask & ~present[shape]:
-                present[shape] |= mask
-                for part in self._within[mask]:
-                    lanes.setdefault(part, i)
-        whole = {mask: sum(group for group in self._groups if group & mask == group) for mask in {*present.values()}}
-        self._complete = {shape: whole[mask] for shape, mask in present.items()}
+        shapes, masks, count = np.array(self.shapes, int), np.array(self.masks, int), len(self._known)
+        own = np.flatnonzero(masks != SHARED)
+        present = np.zeros(count, dtype=int)
+        np.bitwise_or.at(present, shapes[own], masks[own])
+        members = np.full((count, len(self.parts.prefixes)), -1)
+        for part in range(len(self.parts.prefixes)):
+            last_first = own[masks[own] >> part & 1 == 1][::-1]
+            members[shapes[last_first], part] = last_first
+        complete = np.zeros(count, dtype=int)
+        for group in self._groups:
+            complete += np.where(present & group == group, group, 0)
+        self.members: list[list[int]] = members.tolist()
+        self._complete: list[int] = complete.tolist()
+        self._incomplete = own[complete[shapes[own]] & masks[own] == 0]
 
     def _combined(self, i: int, node: Node) -> tuple[tuple[Any, ...], int]:
         """Shape and parts of an operation."""
@@ -190,10 +190,11 @@ class Graph:
     def _alone(self) -> set[int]:
         """Nodes of one part that the others have not, the first ones on each way: sums over all parts end in such."""
         found, touched = set[int](), set[int]()
-        for i, node in enumerate(self.nodes):
-            if not touched.isdisjoint(node.operands):
+        incomplete = {i for i in self._incomplete.tolist() if self.nodes[i].operands}
+        for i in range(min(incomplete), len(self.nodes)) if incomplete else ():
+            if not touched.isdisjoint(self.nodes[i].operands):
                 touched.add(i)
-            elif node.operands and self.masks[i] != SHARED and not self._complete[self.shapes[i]] & self.masks[i]:
+            elif i in incomplete:
                 touched.add(i)
                 found.add(i)
         return found

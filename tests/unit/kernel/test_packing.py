@@ -60,6 +60,11 @@ def test_what_parts_do_alike_is_one_vector_and_sums_over_parts_are_numbers():
     assert len(spread) == 2  # the difference across each bar is one number for both parts
 
 
+def test_a_function_without_results_has_no_nodes():
+    graph = packed(ca.SX(0, 1)).graph
+    assert (graph.nodes, graph.results, graph.members) == ([], {}, [])
+
+
 def test_a_part_that_differs_stays_a_number():
     same = [ca.sin(X[2 * i]) * P[i] for i in range(4)]
     odd = [*same[:3], ca.cos(X[6]) * P[3]]

@@ -1,0 +1,109 @@
+"""A builder of LLVM IR that writes the instructions of long functions as text at once.
+
+A car's functions are thirty thousand instructions. As objects of llvmlite, each with a name that is searched for, and
+turned into text in the end, they take three times as long as this.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import count
+from typing import Any
+
+from llvmlite import ir
+
+_NUMBERS = count()  # one for all functions: names need only be different
+
+
+class _Line(ir.Value):  # type: ignore[misc]
+    """An instruction as text, and its result where it has one."""
+
+    __slots__ = ("reference", "text", "type")
+
+    def __init__(self, kind: ir.Type, reference: str, text: str) -> None:
+        self.type, self.reference, self.text = kind, reference, text
+
+    def get_reference(self) -> str:
+        """How other instructions call the result."""
+        return self.reference
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class Builder(ir.IRBuilder):  # type: ignore[misc]
+    """Writes what lowering needs most; all else stays as in llvmlite."""
+
+    def _write(self, kind: ir.Type, text: str) -> ir.Value:
+        reference = f"%v{next(_NUMBERS)}"
+        line = _Line(kind, reference, f"{reference} = {text}")
+        self._insert(line)
+        return line
+
+    def _binary(self, operation: str, x: ir.Value, y: ir.Value, flags: Sequence[str]) -> ir.Value:
+        if x.type is not y.type and x.type != y.type:
+            raise ValueError(f"operands of {operation} differ: {x.type} and {y.type}")
+        words = " ".join((operation, *flags))
+        return self._write(x.type, f"{words} {x.type} {x.get_reference()}, {y.get_reference()}")
+
+    def fadd(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+        """Sum."""
+        return self._binary("fadd", lhs, rhs, flags)
+
+    def fsub(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+        """Difference."""
+        return self._binary("fsub", lhs, rhs, flags)
+
+    def fmul(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+        """Product."""
+        return self._binary("fmul", lhs, rhs, flags)
+
+    def fdiv(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+        """Quotient."""
+        return self._binary("fdiv", lhs, rhs, flags)
+
+    def fneg(self, arg: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+        """Negative."""
+        return self._write(arg.type, f"{' '.join(('fneg', *flags))} {arg.type} {arg.get_reference()}")
+
+    def gep(self, ptr: ir.Value, indices: Sequence[ir.Value], *more: Any, **options: Any) -> ir.Value:
+        """Place so many numbers behind another."""
+        if len(indices) != 1 or more or options:
+            return super().gep(ptr, indices, *more, **options)
+        (index,) = indices
+        text = f"{ptr.type} {ptr.get_reference()}, {index.type} {index.get_reference()}"
+        return self._write(ptr.type, f"getelementptr {ptr.type.pointee}, {text}")
+
+    def bitcast(self, value: ir.Value, typ: ir.Type, name: str = "") -> ir.Value:  # noqa: ARG002
+        """The same as another type."""
+        if value.type == typ:
+            return value
+        return self._write(typ, f"bitcast {value.type} {value.get_reference()} to {typ}")
+
+    def load(self, ptr: ir.Value, name: str = "", align: int | None = None, typ: ir.Type | None = None) -> ir.Value:  # noqa: ARG002
+        """What is at a place."""
+        kind = ptr.type.pointee if typ is None else typ
+        return self._write(kind, f"load {kind}, {ptr.type} {ptr.get_reference()}{_aligned(align)}")
+
+    def store(self, value: ir.Value, ptr: ir.Value, align: int | None = None) -> ir.Value:
+        """Put to a place."""
+        if value.type is not ptr.type.pointee and value.type != ptr.type.pointee:
+            raise TypeError(f"cannot store {value.type} at {ptr.type}")
+        text = f"store {value.type} {value.get_reference()}, {ptr.type} {ptr.get_reference()}{_aligned(align)}"
+        line = _Line(ir.VoidType(), "", text)
+        self._insert(line)
+        return line
+
+    def extract_element(self, vector: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:  # noqa: ARG002
+        """A lane."""
+        text = f"{vector.type} {vector.get_reference()}, {idx.type} {idx.get_reference()}"
+        return self._write(vector.type.element, f"extractelement {text}")
+
+    def insert_element(self, vector: ir.Value, value: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:  # noqa: ARG002
+        """The vector with another lane."""
+        parts = ", ".join(f"{part.type} {part.get_reference()}" for part in (vector, value, idx))
+        return self._write(vector.type, f"insertelement {parts}")
+
+
+def _aligned(align: int | None) -> str:
+    return "" if align is None else f", align {align}"
