@@ -40,10 +40,12 @@ BOTH = ca.vertcat(force(0), force(1), P[2] - force(0) - force(1), X[4], -3.0)
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize("flags", [(), ("-DJN_NO_VECTORS",)])
-def test_code_gives_what_the_graph_gives(tmp_path, flags):
+@pytest.mark.parametrize(("flags", "longest"), [((), 10**6), ((), 10), (("-DJN_NO_VECTORS",), 10**6)])
+def test_code_gives_what_the_graph_gives(tmp_path, monkeypatch, flags, longest):
+    monkeypatch.setattr(code, "_LONG", longest)
     text = code.function_text("found", packed(BOTH), ["x", "u", "p", "m"], {"one": 3, "two": 2})
     assert "times(" in text
+    assert text.startswith("JN_LONG ") == (longest == 10)
     (tmp_path / "f.c").write_text(f'#include <math.h>\n#include "pairs.h"\n{text}')
     words = [
         "gcc",

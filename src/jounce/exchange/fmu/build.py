@@ -13,7 +13,7 @@ from jounce.core.errors import OutputError, unknown
 from jounce.core.programs import program_on_path
 
 C = Path(__file__).parent / "c"
-_LARGE = 1_000_000  # bytes of C: beyond, -O2 takes minutes for code without branches, and gains nothing
+_LARGE = 1_000_000  # bytes of C: beyond, -O2 takes half as long again for code without branches, and gains nothing
 _FLAGS = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=default", "-fPIC", "-shared")
 _LONGEST = 600.0  # s
 

@@ -28,6 +28,8 @@ _PAIRS = {
 }  # fmt: skip
 """C of each operation of pairs; all others are done number by number."""
 
+_LONG = 1_000_000  # characters of a function: slopes of a car, for whose registers GCC looks for a minute
+
 
 class _Statements:
     """Writes a function as statements: names and constants are the values, elements of arguments stand as they are."""
@@ -92,5 +94,6 @@ def function_text(name: str, packed: Packed, takes: Sequence[str], gives: Mappin
     results = [f"{places[element]} = {emission.number(node)};" for element, node in packed.graph.results.items()]
     parameters = [f"const double *restrict {word}" for word in takes] + [f"double *restrict {word}" for word in gives]
     unused = " ".join(f"(void){word};" for word in (*takes, *gives))
-    lines = [unused, *statements.lines(), *results]
-    return "\n    ".join([f"void {name}({', '.join(parameters)}) {{", *lines]) + "\n}\n"
+    body = "\n    ".join([unused, *statements.lines(), *results])
+    kind = "JN_LONG " if len(body) > _LONG else ""
+    return f"{kind}void {name}({', '.join(parameters)}) {{\n    {body}\n}}\n"

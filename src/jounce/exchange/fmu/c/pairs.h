@@ -5,6 +5,11 @@
 #if defined(_MSC_VER) && !defined(__clang__)
 #define restrict __restrict /* behind all headers of the system, which use the word otherwise */
 #endif
+#if defined(__GNUC__) && !defined(__clang__)
+#define JN_LONG __attribute__((optimize("O0"))) /* of a long function, which is called seldom: a second, not a minute */
+#else
+#define JN_LONG
+#endif
 #if defined(__GNUC__) && !defined(JN_NO_VECTORS)
 typedef double pair __attribute__((vector_size(16)));
 #define both(a, b) ((pair){a, b})
