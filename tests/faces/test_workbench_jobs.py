@@ -60,13 +60,16 @@ def test_what_a_field_holds_is_never_another_option(tmp_path, text):
     for task in (
         {"kind": "compare", **fields, "changes": {text: text}},
         {"kind": "pareto", "vehicle": "kart-quarter-car", "free": {text: text}, "road": text, "speed": text},
-        {"kind": "evaluate", "records": ["a.csv"], "tester": text, "plate": text, "methods": [text]},
+        {"kind": "evaluate", "records": ["a.csv"], "tester": "eusama", "plate": text, "methods": [text]},
         {"kind": "decay", "files": ["a.csv"], "mass": text, "channel": text, "columns": {text: text}},
     ):
         doing = doing_of(task_of(task), project)
         options = [word for word in doing.words if text in word]
         assert options
         assert all(word.startswith("--") and "=" in word.partition(text)[0] for word in options)
+    tester = {"kind": "evaluate", "records": ["a.csv"], "tester": text}
+    with pytest.raises(DescriptionError, match="unknown tester"):
+        doing_of(task_of(tester), project)
 
 
 @pytest.mark.parametrize(
@@ -315,6 +318,8 @@ def test_bad_requests_of_jobs_are_told(tmp_path):
         task_of({"kind": "shell", "command": "ls"})
     with pytest.raises(DescriptionError, match="nothing of a job"):
         task_of({**SWEEP, "more": 1})
+    with pytest.raises(DescriptionError, match=r"decay\.mass"):
+        task_of({"kind": "decay", "files": ["a.csv"]})
     (tmp_path / "swept").write_text("")
     (tmp_path / "study.toml").write_text("")
     with pytest.raises(DescriptionError, match="a file, not a folder"):

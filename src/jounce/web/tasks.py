@@ -309,7 +309,7 @@ class EvaluateTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         records = [_file(project, one) for one in self.records]
-        tester = _shipped_or_file(project, self.tester)
+        tester = _tester(project, self.tester)
         words = ["inspect", "evaluate", *records, f"--tester={tester}"]
         words += [f"--vehicle={_rig(project, self.vehicle)}"] if self.vehicle else []
         words += [f"--method={one}" for one in self.methods]
@@ -418,7 +418,7 @@ class TestTask(_Task):
     def _doing(self, project: Project) -> Doing:
         rig, tester, out = (
             _rig(project, self.vehicle),
-            _shipped_or_file(project, self.tester),
+            _tester(project, self.tester),
             _folder(project, self.out),
         )
         words = ["inspect", "simulate", rig, f"--tester={tester}", f"--wheel={self.wheel}", f"--out={out}"]
@@ -550,7 +550,9 @@ def task_of(plain: Mapping[str, Any]) -> AnyTask:
     try:
         return _READ.validate_python(dict(plain))
     except ValidationError as error:
-        raise DescriptionError("this says nothing of a job", where="job", found=error.errors()[0]["msg"]) from None
+        first = error.errors()[0]
+        place = ".".join(("job", *(str(one) for one in first["loc"])))
+        raise DescriptionError("this says nothing of a job", where=place, found=first["msg"]) from None
 
 
 def doing_of(task: AnyTask, project: Project) -> Doing:
@@ -588,8 +590,15 @@ def _rig(project: Project, name: str) -> str:
     return name
 
 
-def _shipped_or_file(project: Project, name: str) -> str:
-    return _file(project, name) if name.endswith(".toml") else name
+def _tester(project: Project, name: str) -> str:
+    from jounce.core.errors import unknown
+    from jounce.parts.testers import library
+
+    if name.endswith(".toml"):
+        return _file(project, name)
+    if name not in library():
+        raise unknown(name, library(), what="tester", where="tester")
+    return name
 
 
 def _store(project: Project, path: str) -> str:

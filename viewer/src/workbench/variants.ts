@@ -5,6 +5,8 @@ import { tr } from "../words";
 
 export interface Column { name: string; unit: string; factor: number; is_number: boolean; values: (number | null)[] }
 
+/** A name that may go on in the next line behind a dot, and in no word of it. */
+const dotted = (text: string) => text.split(/(?<=\.)(?=[a-z])/).flatMap((part, i) => (i ? [make("wbr"), part] : [part]));
 const named = (one: Column) => `${one.name} [${one.unit || "–"}]`;
 const ends = (values: (number | null)[]): [number, number] => {
   let low = Infinity, high = -Infinity;
@@ -125,7 +127,7 @@ export function parallel(brushes: Brushes): HTMLElement {
   brushes.listen(draw);
   whenColoursChange(draw);
   draw();
-  const heads = make("div", { class: "axes" }, ...columns.map((one) => make("span", { title: named(one) }, one.name, make("small", {}, one.unit || "–"))));
+  const heads = make("div", { class: "axes" }, ...columns.map((one) => make("span", { title: named(one) }, ...dotted(one.name), make("small", {}, one.unit || "–"))));
   heads.style.width = `${width}px`;
   heads.style.gridTemplateColumns = `repeat(${columns.length}, ${SPACE}px)`;
   return make("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "parallel coordinates" }, heads, drawing);
@@ -197,8 +199,8 @@ function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
 export function matrix(brushes: Brushes): HTMLElement {
   const numbers = brushes.columns.filter((one) => one.is_number).slice(0, 8), metrics = brushes.columns.filter((one) => !one.is_number).slice(0, 6);
   return make("div", { class: "wide table", tabindex: "0", role: "region", "aria-label": "matrix of dots" }, make("table", { class: "matrix" },
-    make("thead", {}, make("tr", {}, make("td", {}), ...numbers.map((one) => make("th", { scope: "col" }, named(one))))),
-    make("tbody", {}, ...metrics.map((metric) => make("tr", {}, make("th", { scope: "row" }, named(metric)), ...numbers.map((number) => make("td", {}, dots(brushes, number, metric))))))));
+    make("thead", {}, make("tr", {}, make("td", {}), ...numbers.map((one) => make("th", { scope: "col" }, ...dotted(named(one)))))),
+    make("tbody", {}, ...metrics.map((metric) => make("tr", {}, make("th", { scope: "row" }, ...dotted(named(metric))), ...numbers.map((number) => make("td", {}, dots(brushes, number, metric))))))));
 }
 
 export interface Influence { metric: string; number: string; measures: Record<string, { value: number; interval: [number, number] | null } | number> }

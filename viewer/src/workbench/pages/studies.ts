@@ -54,7 +54,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const rows = make("tbody", {}), paths = make("datalist", { id: "paths-of-the-rig" });
   const design = make("select", {}, ...Object.entries(DESIGNS).map(([kind, [words]]) => make("option", { value: kind }, words)));
   const count = make("input", { type: "number", min: "1", value: "256" }), seed = make("input", { type: "number", min: "0", value: "0" });
-  const metrics = make("input", { type: "text", value: "rms sprung.az, max strut.deflection" });
+  const metrics = make("input", { type: "text", size: "34", value: "rms sprung.az, max strut.deflection" });
   const road = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))), make("option", { value: "iso" }, "random road (ISO 8608)"));
   const sizes = make("span", { class: "sizes" });
   const speed = make("input", { type: "text", value: "2 m/s" }), duration = make("input", { type: "text", value: "1.5 s" });
