@@ -358,7 +358,7 @@ def _meet_all(address: str) -> None:
     head = {"Authorization": f"Bearer {token}", "Content-Type": "application/json"}
     for name in library():
         for path, asked in (
-            ("simulate", {"road": road, "speed": "2 m/s"}),
+            ("simulate", {"road": road, "speed": "2 m/s", "duration": "0.5 s"}),
             ("kinematics", {"travel": "-5 mm:5 mm:5 mm"}),
         ):
             content = json.dumps({"rig": name, **asked}).encode()
