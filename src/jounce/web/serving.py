@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import gc
 import secrets
@@ -9,7 +10,7 @@ import socket
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from jounce.core.errors import DescriptionError, OutputError
@@ -58,7 +59,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="websockets-sansio",
                             timeout_graceful_shutdown=1)  # fmt: skip
     try:
-        with compiling_apart():
+        with compiling_apart(), _within_bounds():
             uvicorn.Server(config).run(sockets=[listening])
     except KeyboardInterrupt:
         pass  # its ordinary end
@@ -67,29 +68,42 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
 
 
 _ARENAS, _LARGE, _TRIMMED = (-8, 2), (-3, 1 << 18), (-1, 1 << 20)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
+
+
+def _give_memory_back() -> None:
+    """Have the C library give back what a request has freed, where it is glibc.
+
+    Else each of the threads that answer keeps a heap of its own, as large as its largest run was.
+    """
+    if sys.platform == "linux" and (mallopt := getattr(ctypes.CDLL(None), "mallopt", None)):
+        for option, value in (_ARENAS, _LARGE, _TRIMMED):
+            mallopt(option, value)
+
+
 _MOST_MODELS = 16  # of each kind: one takes up to 2 MB, and 10 ms to be loaded again
 _PAUSE = 2.0  # s
 _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
 
 
-def _give_memory_back() -> None:
-    """Keep what a server holds within bounds, however long it runs and however many models it meets.
+@contextlib.contextmanager
+def _within_bounds() -> Iterator[None]:
+    """Keep few models, however many a server meets, and look for garbage while nobody waits.
 
-    Where the C library is glibc, it shall give back what a request has freed: else each of the threads that answer
-    keeps a heap of its own, as large as its largest run was. Garbage is looked for while nobody waits: left to itself,
-    Python does so once a quarter as many objects as there are have come, and stops an answer for it.
+    Left to itself, Python does so once a quarter as many objects as there are have come, and stops an answer for it.
     """
-    if sys.platform == "linux" and (mallopt := getattr(ctypes.CDLL(None), "mallopt", None)):
-        for option, value in (_ARENAS, _LARGE, _TRIMMED):
-            mallopt(option, value)
-    Recent.most = _MOST_MODELS
-    threading.Thread(target=_collect_in_pauses, name="garbage", daemon=True).start()
+    before, Recent.most = Recent.most, _MOST_MODELS
+    ended = threading.Event()
+    threading.Thread(target=_collect_in_pauses, args=(ended,), name="garbage", daemon=True).start()
+    try:
+        yield
+    finally:
+        ended.set()
+        Recent.most = before
 
 
-def _collect_in_pauses() -> None:
+def _collect_in_pauses(ended: threading.Event) -> None:
     before = collected = time.process_time()
-    while True:
-        time.sleep(_PAUSE)
+    while not ended.wait(_PAUSE):
         now = time.process_time()
         if now - before < _IDLE and now - collected > _BUSY:
             gc.collect()
