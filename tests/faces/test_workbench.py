@@ -10,6 +10,7 @@ import shutil
 import socket
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -22,10 +23,10 @@ import xarray as xr
 import jounce as jn
 from jounce.cli import main
 from jounce.core.errors import DescriptionError, OutputError
-from jounce.web import serve
+from jounce.core.remembered import Recent
+from jounce.web import serve, serving
 from jounce.web.project import Project
 from jounce.web.safety import HEADERS
-from jounce.web.serving import _listening
 
 uvicorn = pytest.importorskip("uvicorn")
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
@@ -568,7 +569,7 @@ def test_no_folder_no_port(tmp_path):
         serve(tmp_path / "nowhere")
     with pytest.raises(OutputError, match="no such port"):
         serve(tmp_path, port=70000)
-    taken = _listening(0)
+    taken = serving._listening(0)
     try:
         with pytest.raises(OutputError, match="cannot be had"):
             serve(tmp_path, port=taken.getsockname()[1])
@@ -579,12 +580,12 @@ def test_no_folder_no_port(tmp_path):
 @pytest.mark.skipif(sys.platform == "win32", reason="there a port is free at once")
 def test_a_port_can_be_had_again_at_once():
     """What ends a connection first keeps its port for a minute: a server that was ended, with a page open."""
-    first = _listening(0)
+    first = serving._listening(0)
     port = first.getsockname()[1]
     with socket.create_connection(("127.0.0.1", port)):
         first.accept()[0].close()
         first.close()
-    _listening(port).close()
+    serving._listening(port).close()
 
 
 def test_a_kept_connection_answers_at_once(ask):
@@ -773,3 +774,26 @@ print(held() - before)
     )
     assert given < 10.0
     assert kept > 30.0  # or there would be nothing to do
+
+
+def test_a_server_keeps_few_models_and_collects_in_pauses_until_it_ends(monkeypatch):
+    monkeypatch.setattr(serving, "_PAUSE", 0.01)
+    monkeypatch.setattr(serving, "_IDLE", 10.0)  # the test's own work is no pause's end
+    monkeypatch.setattr(serving, "_BUSY", 0.0)
+    given_back, before = threading.Event(), Recent.most
+    with serving._within_bounds(given_back.set):
+        assert Recent.most == serving._MOST_MODELS < before
+        assert given_back.wait(30.0)
+        [collecting] = [one for one in threading.enumerate() if one.name == "garbage"]
+    collecting.join(30.0)
+    assert not collecting.is_alive()
+    assert Recent.most == before
+
+
+def test_a_server_at_work_is_not_stopped_to_look_for_garbage(monkeypatch):
+    monkeypatch.setattr(serving, "_PAUSE", 0.01)
+    monkeypatch.setattr(serving, "_IDLE", -1.0)  # never idle
+    monkeypatch.setattr(serving, "_BUSY", 0.0)
+    given_back = threading.Event()
+    with serving._within_bounds(given_back.set):
+        assert not given_back.wait(0.1)

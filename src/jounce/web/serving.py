@@ -49,7 +49,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     from jounce.kernel.apart import compiling_apart
     from jounce.web.app import create_app
 
-    _give_memory_back()
+    trim = _give_memory_back()
     listening = _listening(port)
     number = listening.getsockname()[1]
     token = secrets.token_urlsafe(32)
@@ -59,7 +59,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="websockets-sansio",
                             timeout_graceful_shutdown=1)  # fmt: skip
     try:
-        with compiling_apart(), _within_bounds():
+        with compiling_apart(), _within_bounds(trim):
             uvicorn.Server(config).run(sockets=[listening])
     except KeyboardInterrupt:
         pass  # its ordinary end
@@ -70,14 +70,18 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
 _ARENAS, _LARGE, _TRIMMED = (-8, 2), (-3, 1 << 18), (-1, 1 << 20)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
 
 
-def _give_memory_back() -> None:
-    """Have the C library give back what a request has freed, where it is glibc.
+def _give_memory_back() -> Callable[[], object]:
+    """Have the C library give back what a request has freed, where it is glibc; return what makes it do so now.
 
-    Else each of the threads that answer keeps a heap of its own, as large as its largest run was.
+    Else each of the threads that answer keeps a heap of its own, as large as its largest run was, and what is free
+    between two pieces in use stays with the process: some megabytes an hour.
     """
-    if sys.platform == "linux" and (mallopt := getattr(ctypes.CDLL(None), "mallopt", None)):
-        for option, value in (_ARENAS, _LARGE, _TRIMMED):
-            mallopt(option, value)
+    library = ctypes.CDLL(None) if sys.platform == "linux" else None
+    if library is None or not hasattr(library, "malloc_trim"):
+        return lambda: None
+    for option, value in (_ARENAS, _LARGE, _TRIMMED):
+        library.mallopt(option, value)
+    return lambda: library.malloc_trim(0)
 
 
 _MOST_MODELS = 16  # of each kind: one takes up to 2 MB, and 10 ms to be loaded again
@@ -86,14 +90,14 @@ _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at leas
 
 
 @contextlib.contextmanager
-def _within_bounds() -> Iterator[None]:
-    """Keep few models, however many a server meets, and look for garbage while nobody waits.
+def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
+    """Keep few models, however many a server meets, and look for garbage, and give it back, while nobody waits.
 
     Left to itself, Python does so once a quarter as many objects as there are have come, and stops an answer for it.
     """
     before, Recent.most = Recent.most, _MOST_MODELS
     ended = threading.Event()
-    threading.Thread(target=_collect_in_pauses, args=(ended,), name="garbage", daemon=True).start()
+    threading.Thread(target=_collect_in_pauses, args=(ended, trim), name="garbage", daemon=True).start()
     try:
         yield
     finally:
@@ -101,12 +105,13 @@ def _within_bounds() -> Iterator[None]:
         Recent.most = before
 
 
-def _collect_in_pauses(ended: threading.Event) -> None:
+def _collect_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
     before = collected = time.process_time()
     while not ended.wait(_PAUSE):
         now = time.process_time()
         if now - before < _IDLE and now - collected > _BUSY:
             gc.collect()
+            trim()
             now = collected = time.process_time()
         before = now
 

@@ -89,16 +89,19 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const offerRoad = () => sizes.replaceChildren(...(road.value === "iso" ? [field("Class", make("select", { name: "class" }, ..."ABCDEFGH".split("").map((one) => make("option", one === "C" ? { value: one, selected: true } : { value: one }, one))))]
     : OBSTACLES[road.value]!.map((one) => field(one[0]!.toUpperCase() + one.slice(1), make("input", { type: "text", value: USUAL[one]!, name: one })))));
   road.addEventListener("change", offerRoad);
+  const save = make("button", { type: "button" }, "Write the study"), go = make("button", { type: "submit", class: "main" }, "Write it and begin");
   const load = async () => {
     told.replaceChildren();
+    rows.replaceChildren(); // the numbers of another rig are none to be edited
+    save.disabled = go.disabled = true;
     try {
       const name = rig.value, found = await api.rig(name);
       if (rig.value !== name) return; // another one was chosen meanwhile
       numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
-      rows.replaceChildren();
       const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter((path) => numbers.some((one) => one.path === path));
       for (const path of usual.length ? usual : numbers.slice(0, 2).map((one) => one.path)) add(path);
+      save.disabled = go.disabled = false;
     } catch (error) { told.replaceChildren(problem(error)); }
   };
   rig.addEventListener("change", () => void load());
@@ -127,7 +130,6 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     return made;
   };
   const form = make("form", {});
-  const save = make("button", { type: "button" }, "Write the study"), go = make("button", { type: "submit", class: "main" }, "Write it and begin");
   save.addEventListener("click", () => { once(save, make_()).then((made) => told.replaceChildren(make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)), (error) => told.replaceChildren(problem(error))); });
   form.addEventListener("submit", (event) => {
     event.preventDefault();
