@@ -1,7 +1,8 @@
 """Rows of the benchmark table for what grows: variants, draws of a posterior, starts of an update, tasks of a cluster.
 
 ``python benchmarks/scale_rows.py`` prints them alone, in about a minute. Most are timed once, since each lasts
-seconds; the cluster is one worker beside the same work here on one thread, so that two cores do not blur its overhead.
+seconds, variants by the median of three runs or more after a warm one; the cluster is one worker beside the same work
+here on one thread, so that two cores do not blur its overhead.
 """
 
 from __future__ import annotations
@@ -9,12 +10,13 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from timing import Row, markdown
+from timing import Row, markdown, median_time
 
 import jounce as jn
 from jounce.papers.demo import prepare_demo
@@ -57,7 +59,7 @@ def _variants() -> list[Row]:
     run(_COUNTS[0])
     rows: list[Row] = []
     for count in _COUNTS:
-        one = min(_once(lambda count=count: run(count)) for _ in range(3 if count < _COUNTS[-1] else 1)) / count
+        one = median_time(partial(run, count), repeats=25, budget=2.0) / count
         words = f"of {count:,}".replace(",", " ")
         ratio = one / rows[0].median if rows else 1.0
         target = "≤ 1.1 of the first" if rows else ""

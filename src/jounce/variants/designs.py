@@ -47,18 +47,24 @@ class Design(Shown):
     seed: int = 0
 
     def values(
-        self, number: Callable[[str], tuple[float, str]], whole: Callable[[str], bool] | None = None
+        self,
+        number: Callable[[str], tuple[float, str]],
+        whole: Callable[[str], bool] | None = None,
+        limit: Callable[[str], Unit] | None = None,
     ) -> dict[str, Array]:
         """Give the values (SI) of every variant by path.
 
         ``number`` gives value and SI unit of the number at a path, ``whole`` whether it is whole (without it none is).
+        With ``limit`` a range that reaches beyond it is refused before (see :meth:`refuse_outside`).
         """
         if self.kind == "grid":
             columns = [_list(given, number(path)[1], path) for path, given in self.spreads.items()]
             rows = np.array(list(itertools.product(*columns))).reshape(-1, len(columns))
             return {path: rows[:, i].copy() for i, path in enumerate(self.spreads)}
-        shares = _points(self.kind, len(self.spreads), self.count, self.seed)
         laws = self._laws(number, whole)
+        if limit is not None:
+            self._refuse_outside(laws, limit)
+        shares = _points(self.kind, len(self.spreads), self.count, self.seed)
         return {path: law(shares[:, i]) for i, (path, law) in enumerate(laws.items())}
 
     def refuse_outside(
@@ -72,9 +78,11 @@ class Design(Shown):
         An end may lie on a limit that itself is forbidden (``above 0``): no point is drawn there. A normal distribution
         has no ends, and a grid names each of its values: what of them is forbidden are variants without a run.
         """
-        if self.kind == "grid":
-            return
-        for path, law in self._laws(number, whole).items():
+        if self.kind != "grid":
+            self._refuse_outside(self._laws(number, whole), limit)
+
+    def _refuse_outside(self, laws: Mapping[str, Callable[[Array], Array]], limit: Callable[[str], Unit]) -> None:
+        for path, law in laws.items():
             low, high = law(np.array([0.0, 1.0])).tolist()
             least, most = limit(path).limits
             if math.isfinite(low) and (low < least or high > most):

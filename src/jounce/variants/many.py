@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -35,6 +34,7 @@ from jounce.variants.designs import MOST, Design
 from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
+from jounce.variants.threads import share
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -82,8 +82,12 @@ class Work:
             (lead, rows), *others = small  # what all of them share is made by the first
             lead.fill(results, columns, rows, 1)
             results.make_room()
-            with ThreadPoolExecutor(workers) as pool:
-                list(pool.map(lambda pair: pair[0].fill(results, columns, pair[1], 1), others))
+
+            def fill(pairs: Iterator[tuple[_Group, NDArray[np.int64]]]) -> None:
+                for group, own in pairs:
+                    group.fill(results, columns, own, 1)
+
+            share(others, fill, workers)
         return results.dataset(self.study, columns, first, self.design)
 
 
@@ -260,19 +264,16 @@ class Study:
         """Unit and range of the number at a path."""
         return self._quantity(path)[1]
 
-    @cached_property
-    def _quantities(self) -> dict[str, tuple[float, Unit]]:
-        return {}
-
     def _quantity(self, path: str) -> tuple[float, Unit]:
-        if path not in self._quantities:
-            of, rest = self.owner(path)
+        of, rest = self.owner(path)
+        quantities = _quantities_of(of)
+        if rest not in quantities:
             known = of.parameters() if of is self.rig else _numbers_of(of)
             if rest not in known:
                 others = [f"{_TRIAL}{name}" for name in _numbers_of(self.trial)] if of is self.rig else []
                 raise unknown_path(f"variants: {path}", [*known, *others], name=rest)
-            self._quantities[path] = known[rest], quantity_at(of, rest)
-        return self._quantities[path]
+            quantities[rest] = known[rest], quantity_at(of, rest)
+        return quantities[rest]
 
     def whole(self, path: str) -> bool:
         """Whether the number at a path is a whole one, such as the seed of a road."""
@@ -291,8 +292,7 @@ class Study:
     def columns(self, variants: Variants) -> dict[str, Array]:
         """Values of every variant, SI."""
         if isinstance(variants, Design):
-            variants.refuse_outside(self.number, self.limit, self.whole)
-            found = variants.values(self.number, self.whole)
+            found = variants.values(self.number, self.whole, self.limit)
         elif not variants or not hasattr(variants, "items") or not all(isinstance(path, str) for path in variants):
             allowed = "path of a number to its values, or a design such as jn.sobol(...)"
             raise DescriptionError("nothing to vary", where="variants", found=variants, allowed=allowed)
@@ -372,17 +372,16 @@ class _Group:
         if careful.all():
             careful = self._stepped(results, parameters, rows, threads)
 
-        def alone(i: int) -> None:
-            self._alone(results, int(rows[i]), lambda: (*self._solve(parameters[i], self._signals), ()))
+        def alone(some: Iterable[int]) -> None:
+            for i in some:
+                self._alone(results, int(rows[i]), partial(self._plain, parameters[i]))
 
         left = np.flatnonzero(careful).tolist()
         workers = min(threads or os.cpu_count() or 1, len(left))
-        for i in left if workers == 1 else left[:1]:  # what all of them share is made by the first
-            alone(i)
+        alone(left if workers == 1 else left[:1])  # what all of them share is made by the first
         if workers > 1:
             results.make_room()
-            with ThreadPoolExecutor(workers) as pool:
-                list(pool.map(alone, left[1:]))
+            share(left[1:], alone, workers)
 
     def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
         """Values (SI) of all parameters of the model, one row a variant."""
@@ -569,6 +568,10 @@ class _Group:
         signals = excitation(compiled.facts, rig, self.trial)
         return (*self._solve(compiled.parameter_values(rig.parameters()), signals), ())
 
+    def _plain(self, p: Array) -> tuple[Array, Array, Sequence[str]]:
+        """Run the model with values (SI) of all its parameters on the signals that all share; nothing is found."""
+        return *self._solve(p, self._signals), ()
+
     def _solve(self, p: Array, signals: list[Segments]) -> tuple[Array, Array]:
         """Run the model with values (SI) of all its parameters."""
         settings, compiled = self.study.settings, self.study.compiled
@@ -612,6 +615,12 @@ class _LaidOut(NamedTuple):
     sound: NDArray[np.bool_]
     holds: Callable[[Array], NDArray[np.bool_]]
     tolerance: float
+
+
+@remembered
+def _quantities_of(description: object) -> dict[str, tuple[float, Unit]]:  # noqa: ARG001 - kept beside it
+    """Values (SI) of those numbers of a rig, a trial or a controller that were asked for, their units and ranges."""
+    return {}
 
 
 @remembered

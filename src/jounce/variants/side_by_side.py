@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from jounce.mechanics.facts import SLOPE_LANES
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
+from jounce.variants.threads import share
 
 _SPARE = 1.3  # by which the motions of a variant may be faster than those of the one that the step is chosen for
 LEAST = 4
@@ -52,12 +52,14 @@ class Sums:
 class Layout:
     """What all variants of a model share over one course: the work on them, but for their parameters and room.
 
-    Parameters of the numbers ``zero`` must be 0; there are so many ``samples``.
+    Parameters of the numbers ``zero`` must be 0; there are so many ``samples``. ``rooms`` are those that threads have
+    left: to lay one out takes as long as a dozen variants.
     """
 
     work: lanes.Work
     zero: tuple[int, ...]
     samples: int
+    rooms: list[lanes.Work] = field(default_factory=list, compare=False)
 
 
 def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = None) -> Sums | None:
@@ -66,35 +68,27 @@ def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = N
     if count < LEAST or np.any(parameters[:, list(layout.zero)] != 0.0):
         return None
     channels = len(layout.work.chosen)
-    work = layout.work._replace(
-        parameters=np.ascontiguousarray(parameters),
-        sums=np.full((count, lanes.SUMS * channels), np.nan),
-        rest=np.full((count, channels), np.nan),
-        events=np.zeros(count, dtype=np.int64),
-        alone=np.zeros(count, dtype=np.int64),
-    )
-    workers = min(threads or os.cpu_count() or 1, max(count // _FEW, 1))
-    spans = iter(_spans(count, work.room.kept.shape[1], workers))  # who is done with one takes the next
+    sums, rest = np.full((count, lanes.SUMS * channels), np.nan), np.full((count, channels), np.nan)
+    events, alone = np.zeros((2, count), dtype=np.int64)
+    rows = np.ascontiguousarray(parameters)
 
-    def share(_: int = 0) -> None:
+    def take(spans: Iterator[tuple[int, int]]) -> None:
+        """Who is done with a span takes the next."""
         try:
-            own = _apart(work)
-            for span in spans:
-                own.span[:] = span
-                lanes.follow(own)
-        finally:
-            list(spans)  # whoever is interrupted leaves nothing to the others
+            room = layout.rooms.pop()
+        except IndexError:
+            room = _apart(layout.work)
+        own = room._replace(parameters=rows, sums=sums, rest=rest, events=events, alone=alone)
+        for span in spans:
+            own.span[:] = span
+            lanes.follow(own)
+        layout.rooms.append(room)
 
-    if workers == 1:
-        share()
-    else:
-        with ThreadPoolExecutor(workers - 1) as pool:
-            others = pool.map(share, range(1, workers))
-            share()
-            list(others)
-    total, square, least, most = (work.sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
+    workers = min(threads or os.cpu_count() or 1, max(count // _FEW, 1))
+    share(_spans(count, layout.work.room.kept.shape[1], workers), take, workers)
+    total, square, least, most = (sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
     samples = layout.samples
-    return Sums(total / samples, square / samples, least, most, work.rest, work.alone == 1, work.events)
+    return Sums(total / samples, square / samples, least, most, rest, alone == 1, events)
 
 
 def lay_out(

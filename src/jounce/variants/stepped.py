@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +26,7 @@ from jounce.kernel.native import Native, Source, kept_code
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import Prepared, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
+from jounce.variants.threads import share
 
 LEAST, LEAST_WITH_LOOPS = 16, 256
 """Variants below which code for blocks is not worth its making: half a second, of a mechanism with loops two."""
@@ -227,19 +227,15 @@ class Blocks:
         ran = np.zeros(len(self.numbers), dtype=bool)
         workers = min(threads or os.cpu_count() or 1, len(ran))
 
-        def share(first: int) -> None:
+        def follow(blocks: Iterator[int]) -> None:
             out = self._room()
-            for block in range(first, len(ran), workers):
+            for block in blocks:
                 if self._integrate(rest, block, out) is Status.COMPLETED:
                     wide, samples = self.numbers.shape[2], len(out.times)
                     ran[block] = True
                     take(block, *(part.reshape(-1, wide, samples) for part in (out.states, out.outputs)))
 
-        if workers == 1:
-            share(0)
-        else:
-            with ThreadPoolExecutor(workers) as pool:
-                list(pool.map(share, range(workers)))
+        share(range(len(ran)), follow, workers)
         return ran
 
     def _integrate(self, rest: Rest, block: int, out: Samples) -> Status:

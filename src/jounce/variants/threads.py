@@ -1,0 +1,76 @@
+"""Threads that share work, and wait a while for more.
+
+To start a thread and to see it off takes as long as it works on a hundred variants of a small model.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from queue import Empty, SimpleQueue
+from typing import TypeVar
+
+Item = TypeVar("Item")
+_Job = Callable[[], None]
+_WAITS = 0.5  # s, for more to do
+_free: list[SimpleQueue[_Job]] = []  # of each thread that has nothing to do, where it takes what comes
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_free.clear)  # threads stay behind
+
+
+def share(items: Iterable[Item], take: Callable[[Iterator[Item]], None], workers: int) -> None:
+    """Have threads, this one among them, take items from one iterator until there are none left.
+
+    ``take`` is called once in each of them. Where one fails, it leaves nothing to the others, and its error is raised
+    when all are done.
+
+    >>> found = []
+    >>> share(range(4), lambda some: found.extend(i * i for i in some), 2)
+    >>> sorted(found)
+    [0, 1, 4, 9]
+    """
+    left = iter(list(items))  # whose items threads may take without a lock
+    done: SimpleQueue[BaseException | None] = SimpleQueue()
+
+    def work() -> None:
+        error: BaseException | None = None
+        try:
+            take(left)
+        except BaseException as problem:  # noqa: BLE001 - raised by who asked for it
+            error = problem
+            list(left)
+        done.put(error)
+
+    for _ in range(workers - 1):
+        _hand_over(work)
+    work()
+    errors = [done.get() for _ in range(workers)]
+    for error in errors:
+        if error is not None:
+            raise error
+
+
+def _hand_over(job: _Job) -> None:
+    """Give a job to a thread that waits for one, or to a new one."""
+    try:
+        jobs = _free.pop()
+    except IndexError:
+        jobs = SimpleQueue()
+        threading.Thread(target=_live, args=(jobs,), name="jounce works", daemon=True).start()
+    jobs.put(job)
+
+
+def _live(jobs: SimpleQueue[_Job]) -> None:
+    while True:
+        try:
+            job = jobs.get(timeout=_WAITS)
+        except Empty:
+            try:
+                _free.remove(jobs)
+            except ValueError:  # somebody has just taken it from there: the job is on its way
+                continue
+            return
+        job()
+        del job  # and all that it holds
+        _free.append(jobs)

@@ -1,0 +1,91 @@
+"""Threads that share work: each item is taken once, errors are heard, and threads serve again."""
+
+import os
+import threading
+import time
+
+import pytest
+
+from jounce.variants import threads
+from jounce.variants.threads import share
+
+
+@pytest.mark.parametrize("workers", [1, 2, 5])
+def test_each_item_is_taken_once(workers):
+    taken: list[int] = []
+    share(range(500), taken.extend, workers)
+    assert sorted(taken) == list(range(500))
+
+
+def test_so_many_threads_work_at_once_and_serve_again(monkeypatch):
+    while threads._free:  # those of other tests end
+        time.sleep(0.01)
+    monkeypatch.setattr(threads, "_WAITS", 600.0)
+    seen = []
+    for _ in range(2):
+        all_there = threading.Barrier(3)
+
+        def take(_, all_there=all_there) -> None:
+            all_there.wait(60.0)  # passed only when three threads are here
+            seen.append(threading.current_thread())
+
+        share([], take, 3)
+        while len(threads._free) < 2:  # both are about to put themselves back
+            time.sleep(1e-3)
+    assert len(set(seen)) == 3
+    assert seen.count(threading.current_thread()) == 2
+    monkeypatch.undo()
+    all_there = threading.Barrier(3)
+    share([], lambda _: all_there.wait(60.0), 3)  # which wait as long as ever from here on
+
+
+@pytest.mark.parametrize("error", [ValueError, KeyboardInterrupt])
+def test_who_fails_leaves_nothing_to_the_others_and_is_heard(error):
+    both_there, failed = threading.Barrier(2), threading.Event()
+    taken = []
+
+    def take(some) -> None:
+        both_there.wait(60.0)
+        if threading.current_thread() is not threading.main_thread():
+            next(some)
+            failed.set()
+            raise error("a helper")
+        assert failed.wait(60.0)
+        while some.__length_hint__():  # it is about to take all that is left
+            time.sleep(1e-3)
+        taken.extend(some)
+
+    with pytest.raises(error, match="a helper"):
+        share(range(100), take, 2)
+    assert taken == []
+    share(range(3), taken.extend, 2)  # and the next work is done
+    assert sorted(taken) == [0, 1, 2]
+
+
+def test_a_thread_that_waits_too_long_ends(monkeypatch):
+    monkeypatch.setattr(threads, "_WAITS", 0.01)
+    both_there, seen = threading.Barrier(2), []
+
+    def take(_) -> None:
+        both_there.wait(60.0)
+        seen.append(threading.current_thread())
+
+    share([], take, 2)
+    (helper,) = set(seen) - {threading.current_thread()}
+    helper.join(60.0)
+    assert not helper.is_alive()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes cannot be split here")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_child_has_threads_of_its_own():
+    share([], lambda _: None, 2)
+    child = os.fork()
+    if child == 0:
+        import signal
+
+        signal.alarm(60)  # who waits for threads that stayed behind is ended
+        taken: list[int] = []
+        share(range(4), taken.extend, 2)
+        os._exit(0 if sorted(taken) == [0, 1, 2, 3] else 1)
+    assert os.waitpid(child, 0)[1] == 0
