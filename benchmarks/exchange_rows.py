@@ -75,10 +75,11 @@ def _export_rows(folder: Path) -> list[Row]:
         file = folder / f"{name}.fmu"
         jn.export_fmu(jn.load(name), file)
         about = read_fmu(file)
-        inputs = [v.reference for v in about.inputs if v.is_real and v.unit in ("m", "m/s")]
+        inputs = [("Float64", v.reference, 0, [0.0]) for v in about.inputs if v.unit in ("m", "m/s")]
         told = {
             "library": str(unpacked(about) / about.binary()), "version": about.version, "token": about.token,
-            "resources": "", "period": _STEP, "inputs": inputs, "outputs": [about.outputs[0].reference], "starts": [],
+            "resources": "", "period": _STEP, "inputs": inputs, "starts": [],
+            "outputs": [("Float64", about.outputs[0].reference, 0, [0.0])],
         }  # fmt: skip
         instances = caller.Instances([told])
         still = [0.0] * len(inputs)
@@ -138,10 +139,10 @@ def _begun(told: dict[str, Any], kind: str) -> tuple[ctypes.CDLL, ctypes.c_void_
 
 def _stepped(own: ctypes.CDLL, told: dict[str, Any], count: int) -> float:
     library, instance = _begun(told, "CoSimulation")
-    inputs = told["inputs"]
+    inputs = [reference for _, reference, *_ in told["inputs"]]
     addresses = [_function(library, name) for name in ("SetFloat64", "DoStep", "GetFloat64")]
     array = (ctypes.c_uint32 * len(inputs))(*inputs)
-    size, out = ctypes.c_size_t(len(inputs)), ctypes.c_uint32(told["outputs"][0])
+    size, out = ctypes.c_size_t(len(inputs)), ctypes.c_uint32(told["outputs"][0][1])
     seconds = own.steps(*addresses, instance, array, size, out, count, ctypes.c_double(_STEP))
     library.fmi3FreeInstance(instance)
     return _measured(seconds)

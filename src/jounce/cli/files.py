@@ -18,6 +18,7 @@ from jounce.core.errors import DescriptionError, JounceError, RecordingError, un
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from jounce.control import FmuVariable
     from jounce.core.findings import Finding
 
 
@@ -198,10 +199,16 @@ def _check_fmu(checked: Checked) -> None:
     ]
     checked.what = f"FMI {found.version}.0, {', '.join(uses)}, for {', '.join(found.platforms) or 'no platform'}"
     for word, group in (("inputs", found.inputs), ("outputs", found.outputs), ("parameters", found.parameters)):
-        shown = [f"{v.name}{f' [{v.unit}]' if v.unit else ''}" for v in group[:_MANY]]
+        shown = [_connectable(v) for v in group[:_MANY]]
         more = f" and {len(group) - _MANY} more" if len(group) > _MANY else ""
         checked.notes.append(f"{word}: {', '.join(shown) or 'none'}{more}")
     checked.notes += map(str, found.findings)
+
+
+def _connectable(v: FmuVariable) -> str:
+    """A variable of an FMU with its unit; the type, too, of what is no single real number."""
+    of = "" if v.kind in ("Real", "Float64") and not v.dimensions else f" ({v.shape})"
+    return f"{v.name}{f' [{v.unit}]' if v.unit else ''}{of}"
 
 
 _MANY = 20  # variables of an FMU in a line

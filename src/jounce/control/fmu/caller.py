@@ -32,7 +32,14 @@ _TYPES: dict[str, Any] = {
     "UInt8": ctypes.c_uint8, "UInt16": ctypes.c_uint16, "UInt32": ctypes.c_uint32, "UInt64": ctypes.c_uint64,
     "String": _TEXT,
 }  # fmt: skip
-"""C types of the values that can be set before a run; a Boolean of FMI 2 is an integer."""
+"""C types of values by those of FMI; a Boolean of FMI 2 is an integer."""
+_DOUBLES = ("Real", "Float64")
+_REALS = (*_DOUBLES, "Float32")
+
+
+def _c_type(kind: str, version: int) -> Any:
+    """The C type of values of a type."""
+    return _TYPES["Boolean2" if (kind, version) == ("Boolean", 2) else kind]
 
 
 _time = _DOUBLE.from_param
@@ -59,27 +66,72 @@ class _Callbacks(ctypes.Structure):
     )
 
 
+class _Group:
+    """Variables of one type that are set or read together: all their values, and which of a step's numbers go where."""
+
+    def __init__(self, kind: str, version: int) -> None:
+        self.kind = kind
+        self.places: list[tuple[int, int]] = []
+        self.cast: Any = float if kind in _REALS else int
+        self._type = _c_type(kind, version)
+        self._begins: dict[int, int] = {}
+        self._first: list[float] = []
+
+    def add(self, number: int, reference: int, at: int, values: list[float]) -> None:
+        """Let a number of a step go to an element of a variable with these values."""
+        if reference not in self._begins:
+            self._begins[reference] = len(self._first)
+            self._first += values
+        self.places.append((self._begins[reference] + at, number))
+
+    def make(self) -> None:
+        """Lay what C is given."""
+        self.references = (ctypes.c_uint32 * len(self._begins))(*self._begins)
+        self.values = (self._type * len(self._first))(*map(self.cast, self._first))
+
+
+def _groups(ports: list[tuple[str, int, int, list[float]]], version: int) -> list[_Group]:
+    """Numbers of a step by the types of what they go to."""
+    found: dict[str, _Group] = {}
+    for number, (kind, reference, at, values) in enumerate(ports):
+        found.setdefault(kind, _Group(kind, version)).add(number, reference, at, values)
+    for group in found.values():
+        group.make()
+    return list(found.values())
+
+
+def _are_reals(groups: list[_Group], count: int) -> bool:
+    """Whether a step's numbers are doubles in their order, and nothing else is set or read with them."""
+    if len(groups) != 1 or groups[0].kind not in _DOUBLES:
+        return False
+    return groups[0].places == [(i, i) for i in range(count)] and len(groups[0].values) == count
+
+
 class _Instance:
     """One instance of an FMU, what it is connected to, and how far it has stepped.
 
-    ``told`` holds ``library``, ``version``, ``token``, ``resources``, ``period`` (s), ``inputs`` and ``outputs`` (value
-    references), ``starts`` (type, reference and value).
+    ``told`` holds ``library``, ``version``, ``token``, ``resources``, ``period`` (s); for every number of ``inputs``
+    and ``outputs`` the type, the value reference, which element of it, and all elements before they are set; and
+    ``starts`` (type, reference and values).
     """
 
     def __init__(self, told: dict[str, Any], library: ctypes.CDLL, name: str) -> None:
         self._told, self._library, self._name = told, library, name.encode()
         self._version: int = told["version"]
+        self._period: float = told["period"]
         self._messages: deque[str] = deque(maxlen=_MESSAGES)
-        inputs, outputs = told["inputs"], told["outputs"]
-        self._count = len(inputs)
-        self._in, self._out = (ctypes.c_uint32 * len(inputs))(*inputs), (ctypes.c_uint32 * len(outputs))(*outputs)
-        self._x, self._y = (_DOUBLE * len(inputs))(), (_DOUBLE * len(outputs))()
+        self._in, self._out = _groups(told["inputs"], self._version), _groups(told["outputs"], self._version)
         self._component: int | None = None
         self._broken = False
-        real = "Real" if self._version == 2 else "Float64"
-        self._set, self._get, self._step = (self._quick(word) for word in (f"Set{real}", f"Get{real}", "DoStep"))
-        self._fill = struct.Struct(f"{len(inputs)}d").pack_into
-        self._flags = (ctypes.c_bool * 3)()
+        self._x: Any
+        self._y: Any
+        self._fill: Any
+        self._step = self._quick("DoStep")
+        self._sets = [self._quick(f"Set{group.kind}") for group in self._in]
+        self._gets = [self._quick(f"Get{group.kind}") for group in self._out]
+        self._counts = len(told["inputs"]), len(told["outputs"])
+        self._told_back = bytearray(3)  # read faster than the C values that lie on it
+        self._flags = (ctypes.c_bool * 3).from_buffer(self._told_back)
         self._last = _DOUBLE()
         self._logger: Any = _LOGGER_2(self._log_2) if self._version == 2 else _LOGGER_3(self._log_3)
 
@@ -98,16 +150,29 @@ class _Instance:
         found.restype = ctypes.c_int
         return found
 
-    def _values(self, references: Any, values: Any) -> tuple[Any, ...]:
+    def _values(self, group: _Group) -> tuple[Any, ...]:
         """Arguments that get or set some values."""
-        many = _SIZE.from_param(len(references))
-        more = () if self._version == 2 else (many,)  # FMI 3.0 says how many values there are, too
-        return (_place(self._component), _place(references), many, _place(values), *more)
+        many = _SIZE.from_param(len(group.references))
+        # FMI 3.0 says how many values there are, too, of which an array has several.
+        more = () if self._version == 2 else (_SIZE.from_param(len(group.values)),)
+        return (_place(self._component), _place(group.references), many, _place(group.values), *more)
 
     def _arguments(self) -> None:
         """What the functions of a step are given, but for the time."""
-        self._put, self._take = self._values(self._in, self._x), self._values(self._out, self._y)
-        self._which, period = _place(self._component), _DOUBLE.from_param(self._told["period"])
+        inputs, outputs = self._counts
+        if _are_reals(self._in, inputs):  # the most usual way, and the fastest: C has the step's numbers as they are
+            self._x, self._fill = self._in[0].values, struct.Struct(f"{inputs}d").pack_into
+            self._set, self._put = self._sets[0], self._values(self._in[0])
+        else:
+            self._x, self._fill = None, self._laid
+            self._set, self._put = self._set_all, tuple(map(self._values, self._in))
+        if _are_reals(self._out, outputs):
+            self._y = self._out[0].values
+            self._get, self._take = self._gets[0], self._values(self._out[0])
+        else:
+            self._y = [0.0] * outputs
+            self._get, self._take = self._get_all, tuple(map(self._values, self._out))
+        self._which, period = _place(self._component), _DOUBLE.from_param(self._period)
         if self._version == 2:
             self._rest: tuple[Any, ...] = (period, ctypes.c_int.from_param(1))
             return
@@ -139,11 +204,11 @@ class _Instance:
         self._instantiate()
         self._arguments()
         c = self._component
-        for kind, reference, value in self._told["starts"]:
-            held = (_TYPES["Boolean2" if (kind, self._version) == ("Boolean", 2) else kind] * 1)(
-                value.encode() if isinstance(value, str) else value
+        for kind, reference, values in self._told["starts"]:
+            held = (_c_type(kind, self._version) * len(values))(
+                *(value.encode() if isinstance(value, str) else value for value in values)
             )
-            many = () if self._version == 2 else (1,)
+            many = () if self._version == 2 else (len(values),)
             put = self._function(f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many))
             refs = (ctypes.c_uint32 * 1)(reference)
             self._done("a start value", put(c, ctypes.addressof(refs), 1, ctypes.addressof(held), *many))
@@ -188,20 +253,40 @@ class _Instance:
     def step(self, values: list[float]) -> list[float]:
         """Set the inputs, step one period on, give the outputs."""
         self._fill(self._x, 0, *values)
-        if self._count and (status := self._set(*self._put)) > _WORST:
+        if (status := self._set(*self._put)) > _WORST:
             self._done("setting the inputs", status)
-        period = self._told["period"]
-        status = self._step(self._which, _time(self._steps * period), *self._rest)
+        now = self._steps * self._period
+        status = self._step(self._which, _time(now), *self._rest)
         if status > _WORST:
-            self._done(f"the step from {self._steps * period:.6g} s", status)
-        if self._flags[1]:
-            raise FmuFailedError(f"it asks for the end of the run at {self._steps * period:.6g} s")
+            self._done(f"the step from {now:.6g} s", status)
+        if self._told_back[1]:
+            raise FmuFailedError(f"it asks for the end of the run at {now:.6g} s")
         self._steps += 1
         if self._logged > _MUCH:
             self._hush()
         if (status := self._get(*self._take)) > _WORST:
             self._done("reading the outputs", status)
-        return self._y[:]
+        return self._y[:]  # type: ignore[no-any-return]
+
+    def _laid(self, _: None, _begin: int, *values: float) -> None:
+        """Lay a step's numbers where C reads them, whatever their types are."""
+        for group in self._in:
+            for at, number in group.places:
+                group.values[at] = group.cast(values[number])
+
+    def _set_all(self, *told: Any) -> int:
+        """Set the inputs of each type; gives the status of the first that is refused."""
+        statuses = (put(*words) for put, words in zip(self._sets, told, strict=True))
+        return next((status for status in statuses if status > _WORST), 0)
+
+    def _get_all(self, *told: Any) -> int:
+        """Read the outputs of each type; gives the status of the first that is refused."""
+        for group, take, words in zip(self._out, self._gets, told, strict=True):
+            if (status := take(*words)) > _WORST:
+                return int(status)
+            for at, number in group.places:
+                self._y[number] = float(group.values[at])
+        return 0
 
     def close(self) -> None:
         """Free the instance; one that failed for good is left alone."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import atexit
 import math
+import re
 import shutil
 import stat
 import struct
@@ -25,7 +26,12 @@ from jounce.core.writing import lasting_folder
 
 _MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = 20_000, 1_000_000_000, 50_000_000
 _BASES = ("kg", "m", "s", "A", "K", "mol", "cd")  # an angle is one whether it says so or not
-_REALS = ("Real", "Float64")
+REALS = ("Real", "Float64", "Float32")
+"""Types of real numbers."""
+WHOLE = (
+    "Boolean", "Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64",
+)  # fmt: skip
+"""Types of whole numbers, of which a Boolean has two."""
 _CHUNK = 1 << 20
 
 
@@ -49,11 +55,12 @@ class FmuVariable(Plain):
         What it is.
     reference : int
         Value reference.
-    is_array : bool
-        Whether it has dimensions (FMI 3.0).
+    dimensions : tuple of int
+        Elements along each dimension of an array (FMI 3.0), with its structural parameters at their starts; empty for
+        a single value.
     """
 
-    left_out = ("reference", "is_array")
+    left_out = ("reference",)
     name: str
     kind: str
     causality: str
@@ -62,12 +69,27 @@ class FmuVariable(Plain):
     start: str
     text: str
     reference: int
-    is_array: bool = False
+    dimensions: tuple[int, ...] = ()
 
     @property
-    def is_real(self) -> bool:
-        """Whether it is one real number in double precision."""
-        return self.kind in _REALS and not self.is_array
+    def size(self) -> int:
+        """How many values it has."""
+        return math.prod(self.dimensions)
+
+    @property
+    def shape(self) -> str:
+        """Its type in a message, with the dimensions of an array."""
+        return f"{self.kind}[{', '.join(map(str, self.dimensions))}]" if self.dimensions else self.kind
+
+    @property
+    def is_number(self) -> bool:
+        """Whether its values are numbers: real, whole, of an enumeration, or 0 and 1."""
+        return self.is_whole or self.kind in REALS
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether its values are whole numbers, or 0 and 1."""
+        return self.kind in WHOLE
 
 
 @dataclass(frozen=True)
@@ -93,6 +115,8 @@ class FmuComponent(Plain):
         Of the model, and what made it.
     inputs, outputs, parameters : tuple of FmuVariable
         What can be connected, and what can be set before a run.
+    structural_parameters : tuple of FmuVariable
+        What sizes its arrays, and keeps its start here.
     platforms : tuple of str
         Platforms with a binary, as FMI 3.0 names them.
     can_step, can_be_integrated : bool
@@ -128,6 +152,7 @@ class FmuComponent(Plain):
     inputs: tuple[FmuVariable, ...]
     outputs: tuple[FmuVariable, ...]
     parameters: tuple[FmuVariable, ...]
+    structural_parameters: tuple[FmuVariable, ...]
     platforms: tuple[str, ...]
     can_step: bool
     can_be_integrated: bool
@@ -319,6 +344,7 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
         tuple(v for v in variables if v.causality == "input"),
         tuple(v for v in variables if v.causality == "output"),
         tuple(v for v in variables if v.causality == "parameter"),
+        tuple(v for v in variables if v.causality == "structuralParameter"),
         platforms,
         step is not None,
         root.find("ModelExchange") is not None,
@@ -338,6 +364,11 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
         typed = kind if version == 3 else next(iter(kind), kind)
         declared[kind.get("name", "")] = typed.get("unit", "")
     found, names = [], set[str]()
+    sizes = {
+        row.get("valueReference", ""): row.get("start", "")
+        for row in root.iterfind("ModelVariables/*")
+        if row.get("causality") == "structuralParameter"
+    }
     for row in root.iterfind("ModelVariables/*"):
         typed = row if version == 3 else next((one for one in row if one.tag != "Annotations"), row)
         unit = typed.get("unit") or declared.get(typed.get("declaredType", ""), "")
@@ -361,10 +392,18 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
                 _start(typed),
                 row.get("description", ""),
                 reference,
-                row.find("Dimension") is not None,
+                tuple(_elements(one, sizes, f"{where}: {row.get('name')}") for one in row.iterfind("Dimension")),
             )
         )
     return found
+
+
+def _elements(dimension: ET.Element, sizes: Mapping[str, str], where: str) -> int:
+    """Elements along a dimension: as written, or the start of the structural parameter that it names."""
+    said = dimension.get("start") or sizes.get(dimension.get("valueReference", ""), "")
+    if not re.fullmatch("[0-9]{1,18}", said):
+        raise DescriptionError("an array without a size", where=where, found=said, allowed="a whole number")
+    return int(said)
 
 
 def _start(typed: ET.Element) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import json
 import math
+import re
 import select
 import struct
 import subprocess
@@ -20,9 +22,10 @@ from pydantic import model_validator
 from jounce.control.actuators import OWN, RATE, ActiveActuator
 from jounce.control.controller import CallbackController, Limits, Regulator, Setting
 from jounce.control.fmu import caller
-from jounce.control.fmu.component import FmuComponent, FmuVariable, read_fmu, unpacked
+from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpacked
 from jounce.core.errors import DescriptionError, SimulationError, unknown
 from jounce.core.findings import Finding
+from jounce.core.text import shortened
 from jounce.core.trust import trust_said
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -54,8 +57,9 @@ class FmuControl(CallbackController):
     file : str
         The ``.fmu``; in a file of this schema relative to its folder.
     inputs : dict
-        The FMU's input to the channel that it gets, without the corner (``{"v_body": "sprung.vz"}``). Inputs that are
-        named like a channel need not be written; what is left keeps its start value.
+        The FMU's input to the channel that it gets, without the corner (``{"v_body": "sprung.vz"}``); an element of an
+        array is ``u[1]``, of a table ``u[1,2]``, counted from 1. Inputs that are named like a channel need not be
+        written; what is left keeps its start value.
     output : str or None
         Output that is the command of a corner, in the actuator's unit; left out: ``command``, or the only one. Every
         corner has its own instance.
@@ -64,8 +68,11 @@ class FmuControl(CallbackController):
         corner then.
     parameters : dict
         Start values of its parameters and of inputs that nothing is connected to, by name: numbers in SI or text with a
-        unit, texts for those that are texts; a table of axles or corners where these differ
+        unit, texts for those that are texts, lists for arrays; a table of axles or corners where these differ
         (``{"gain": {"front": "4 kN*s/m", "rear": "3 kN*s/m"}}``).
+    counts : dict
+        What one count of an input or output of whole numbers is, by name (``{"adc": "0.1 mm"}``): an input is rounded
+        to the nearest count. Where nothing is given a count is 1 SI, and a measurement between two is refused.
     from_rest : bool
         Whether channels are changes from static equilibrium instead of values.
     hold : {"zero", "first"}
@@ -89,6 +96,7 @@ class FmuControl(CallbackController):
     output: str | None = None
     outputs: dict[str, str] | None = None
     parameters: dict[str, Any] = {}
+    counts: dict[str, Any] = {}
     from_rest: bool = False
     hold: Literal["zero", "first"] = "zero"
     trusted: bool = False
@@ -132,17 +140,58 @@ class FmuControl(CallbackController):
 
 @dataclass(frozen=True)
 class _Wires:
-    """What one instance is connected to: value references, channels, and conversions from SI and back to SI.
+    """What one instance is connected to, channels, and conversions from SI and back to SI.
 
-    ``starts`` are type, reference and value of what is set before a run.
+    ``starts`` are type, reference and values of what is set before a run; ``inputs`` and ``outputs`` type, reference,
+    element, and all elements before they are set. ``wholes`` are the inputs of whole numbers, by their place.
     """
 
-    starts: list[tuple[str, int, float | str]]
-    inputs: list[int]
+    starts: list[tuple[str, int, list[Any]]]
+    inputs: list[tuple[str, int, int, list[Any]]]
     channels: list[str]
     to_own: list[tuple[float, float]]
-    outputs: list[int]
+    outputs: list[tuple[str, int, int, list[Any]]]
     to_si: list[tuple[float, float]]
+    wholes: dict[int, _Whole]
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A variable, or an element of it, by the name that the user gave; no element of an array that is meant whole."""
+
+    name: str
+    variable: FmuVariable
+    at: int | None
+
+
+@dataclass(frozen=True)
+class _Whole:
+    """An input of whole numbers: the SI size of a count, and the least and greatest; rounded where counts are said."""
+
+    name: str
+    channel: str
+    count: float
+    least: int
+    most: int
+    is_rounded: bool
+
+    def kept(self, value: float, where: str) -> float:
+        """The counts of a measurement that is given in counts; a SimulationError where it is between two, or beyond."""
+        if self.is_rounded and math.isfinite(value):
+            value = float(round(value))
+        if value % 1.0 == 0.0 and self.least <= value <= self.most:
+            return value
+        is_between = not self.is_rounded and value % 1.0 != 0.0
+        hint = f"Say what a count is, counts = {{ {self.name!r} = ... }}, or connect another channel."
+        raise SimulationError(
+            f"the input {self.name} takes whole numbers, and {self.channel} is none"
+            if is_between
+            else f"{self.channel} is beyond what the input {self.name} holds",
+            where=where,
+            found=f"{value:.9g}",
+            allowed="0 and 1" if self.most == 1 else f"whole numbers from {self.least} to {self.most}",
+            hint=hint if is_between and self.most > 1 else "Connect another channel, or change its count.",
+        )
 
 
 @dataclass
@@ -161,8 +210,8 @@ class _Connection:
         if central is not None:
             wires = [self._wired("", [self._output(central[corner], corner) for corner in corners])]
         else:
-            variable = self._own_output()
-            wires = [self._wired(corner, [(variable, corner)]) for corner in corners]
+            place = self._own_output()
+            wires = [self._wired(corner, [(place, corner)]) for corner in corners]
         if len(wires) > 1 and self.component.is_once:
             raise DescriptionError(
                 "the FMU can be instantiated only once in a process, and every corner has its own instance",
@@ -188,7 +237,7 @@ class _Connection:
         known = {variable.name for variable in self.component.outputs}
         return names if self.law.output is None and corners != ("",) and known >= set(names.values()) else None
 
-    def _own_output(self) -> FmuVariable:
+    def _own_output(self) -> _Place:
         outputs = self.component.outputs
         if self.law.output is None:
             for name in ("command", *(v.name for v in outputs if len(outputs) == 1)):
@@ -201,56 +250,135 @@ class _Connection:
             )
         return self._output(self.law.output, "")[0]
 
-    def _output(self, name: str, corner: str) -> tuple[FmuVariable, str]:
+    def _output(self, name: str, corner: str) -> tuple[_Place, str]:
         return self._named(name, self.component.outputs, "output"), corner
 
-    def _named(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> FmuVariable:
+    def _named(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> _Place:
         where = f"{self.component.path}"
-        found = next((v for v in variables if v.name == name), None)
-        if found is None:
-            raise unknown(name, [v.name for v in variables], what=what, where=where)
-        if what != "parameter" and not found.is_real:
-            kind = f"{found.kind}{', an array' if found.is_array else ''}"
+        by_name = {v.name: v for v in variables}
+        element = _ELEMENT.fullmatch(name)
+        if name in by_name:
+            found, at = by_name[name], None if by_name[name].dimensions else 0
+        elif element and element[1] in by_name and by_name[element[1]].dimensions:
+            found = by_name[element[1]]
+            at = _element(found, [int(index) for index in element[2].split(",")], f"{where}: {name}")
+        elif any(v.name in (name, element and element[1]) for v in self.component.structural_parameters):
             raise DescriptionError(
-                f"an {what} that is no real number", where=f"{where}: {name}", found=kind, allowed="Real, Float64"
+                "a structural parameter, which sizes the FMU's arrays, keeps its start",
+                where=f"{where}: {name}",
+                allowed="parameters and inputs",
+                hint="Set it in the tool that makes the FMU.",
             )
-        return found
+        else:
+            raise unknown(name, [_elements(v) for v in variables], what=what, where=where)
+        if found.size > _LARGEST:
+            raise DescriptionError(
+                "an array too large", where=f"{where}: {name}", found=found.shape, allowed=f"{_LARGEST} elements"
+            )
+        if what != "parameter" and (at is None or not found.is_number):
+            raise DescriptionError(
+                f"an {what} that is no number",
+                where=f"{where}: {name}",
+                found=found.shape,
+                allowed=f"an element: {_elements(found)}" if found.is_number else ", ".join((*REALS, *WHOLE)),
+            )
+        return _Place(name, found, at)
 
-    def _wired(self, corner: str, outputs: list[tuple[FmuVariable, str]]) -> _Wires:
+    def _wired(self, corner: str, outputs: list[tuple[_Place, str]]) -> _Wires:
         component, channels = self.component, self.setting.units
         given = {name: self._channel(channel, corner) for name, channel in self.law.inputs.items()}
-        for name in given:
-            self._named(name, component.inputs, "input")
-        left = []
+        places = [self._named(name, component.inputs, "input") for name in given]
         for variable in component.inputs:
-            if variable.name not in given:
-                channel = f"{corner}.{variable.name}" if corner else variable.name
-                if channel in channels and variable.is_real:
-                    given[variable.name] = channel
-                elif variable.name not in self.law.parameters:
-                    left.append(variable)
-        if left:
-            names = ", ".join(f"{v.name} = {v.start or '0'}" for v in left)
-            note = Finding(
-                str(component.path), "note", f"inputs that nothing is connected to keep their start: {names}."
-            )
-            self.findings += [note] if note not in self.findings else []
-        wanted = [v for v in component.inputs if v.name in given]
+            channel = f"{corner}.{variable.name}" if corner else variable.name
+            if variable.name not in given and channel in channels and variable.is_number and not variable.dimensions:
+                given[variable.name] = channel
+                places.append(_Place(variable.name, variable, 0))
+        starts = self._starts(corner)
+        self._tell_left(places)
+        inputs: list[tuple[_Place, str]] = []
+        to_own: list[tuple[float, float]] = []
+        wholes: dict[int, _Whole] = {}
+        for place in sorted(places, key=lambda one: component.inputs.index(one.variable)):
+            channel = given[place.name]
+            a, b = self._conversion(place, channels[channel])
+            if place.variable.is_whole:
+                least, most = _range(place.variable, component.version)
+                wholes[len(inputs)] = _Whole(place.name, channel, 1.0 / a, least, most, place.name in self.law.counts)
+            inputs.append((place, channel))
+            to_own.append((a, b))
         commands = []
-        for variable, place in outputs:
-            unit = self.setting.controllers[place or next(iter(self.setting.controllers))].actuator.unit
-            a, b = self._conversion(variable, unit)
+        for place, at in outputs:
+            unit = self.setting.controllers[at or next(iter(self.setting.controllers))].actuator.unit
+            a, b = self._conversion(place, unit)
             commands.append((1.0 / a, -b / a))
+        self._check_counts([*(place for place, _ in inputs), *(place for place, _ in outputs)])
         return _Wires(
-            self._starts(corner),
-            [v.reference for v in wanted],
-            [given[v.name] for v in wanted],
-            [self._conversion(v, channels[given[v.name]]) for v in wanted],
-            [v.reference for v, _ in outputs],
+            [(self._kind(variable), variable.reference, values) for variable, values in starts.values()],
+            [self._port(place, starts) for place, _ in inputs],
+            [channel for _, channel in inputs],
+            to_own,
+            [self._port(place, {}) for place, _ in outputs],
             commands,
+            wholes,
         )
 
-    def _conversion(self, variable: FmuVariable, si: str) -> tuple[float, float]:
+    def _port(
+        self, place: _Place, starts: Mapping[str, tuple[FmuVariable, list[Any]]]
+    ) -> tuple[str, int, int, list[Any]]:
+        """What the caller is told of a wire: all elements of an array are set together, so that it needs them all."""
+        variable = place.variable
+        values = [0] * variable.size
+        if variable.name in starts:
+            values = starts[variable.name][1]
+        elif variable.dimensions and variable.causality == "input":
+            values = self._first(variable)
+        return self._kind(variable), variable.reference, place.at or 0, values
+
+    def _tell_left(self, places: list[_Place]) -> None:
+        """Tell of inputs, and elements of them, that are neither connected nor set."""
+        taken = {(place.variable.name, place.at or 0) for place in places}
+        for name in self.law.parameters:
+            place = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            every = range(place.variable.size) if place.at is None else [place.at]
+            taken |= {(place.variable.name, at) for at in every}
+        left = []
+        for v in self.component.inputs:
+            open_ = [at for at in range(min(v.size, _LARGEST)) if (v.name, at) not in taken]
+            if v.dimensions and 0 < len(open_) < v.size:
+                some = ", ".join(_index(v, at) for at in open_[:_NAMED])
+                left.append(some + (f" and {len(open_) - _NAMED} more" if len(open_) > _NAMED else ""))
+            elif open_:
+                left.append(f"{v.name} = {shortened(v.start, _LONGEST) or '0'}")
+        if left:
+            text = f"inputs that nothing is connected to keep their start: {', '.join(left)}."
+            note = Finding(str(self.component.path), "note", text)
+            self.findings += [note] if note not in self.findings else []
+
+    def _check_counts(self, places: list[_Place]) -> None:
+        """Refuse counts of what is not connected, or takes all numbers."""
+        wholes = [place.name for place in places if place.variable.is_whole and place.variable.kind != "Boolean"]
+        for name in self.law.counts:
+            if name not in wholes:
+                raise DescriptionError(
+                    "counts are for connected inputs and outputs of whole numbers",
+                    where=f"control: counts: {name}",
+                    allowed=", ".join(wholes) or "none of this FMU's",
+                )
+
+    def _kind(self, variable: FmuVariable) -> str:
+        """Type in the name of the functions that set and read it."""
+        if variable.kind != "Enumeration":
+            return variable.kind
+        return "Int64" if self.component.version == 3 else "Integer"
+
+    def _conversion(self, place: _Place, si: str) -> tuple[float, float]:
+        variable = place.variable
+        if place.name in self.law.counts:
+            where = f"control: counts: {place.name}"
+            count = to_si(self.law.counts[place.name], si, where=where)
+            if not (math.isfinite(count) and count > 0.0 and math.isfinite(1.0 / count)):
+                raise DescriptionError("a count of no size", where=where, found=count, allowed=f"more than 0 {si}")
+            return 1.0 / count, 0.0
         if not variable.unit and si not in ("", "1"):
             note = Finding(f"{self.component.path}: {variable.name}", "note", f"it has no unit: taken for {si}.")
             self.findings += [note] if note not in self.findings else []
@@ -265,37 +393,68 @@ class _Connection:
         short = [channel.removeprefix(start) for channel in channels if not corner or channel.startswith(start)]
         raise unknown(name, short, what="channel", where="control: inputs")
 
-    def _starts(self, corner: str) -> list[tuple[str, int, float | str]]:
-        found: list[tuple[str, int, float | str]] = []
+    def _starts(self, corner: str) -> dict[str, tuple[FmuVariable, list[Any]]]:
+        """Variables that are set before a run, by name, with all their values."""
+        found: dict[str, tuple[FmuVariable, list[Any]]] = {}
         for name, given in self.law.parameters.items():
-            variable = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
-            where = f"control: parameters: {name}"
+            place = self._named(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            variable, where = place.variable, f"control: parameters: {name}"
             value = self._own_value(given, corner, where) if isinstance(given, Mapping) else given
-            kind = "Int64" if variable.kind == "Enumeration" and self.component.version == 3 else variable.kind
-            kind = "Integer" if kind == "Enumeration" else kind
-            if kind not in caller._TYPES or variable.is_array:
+            if self._kind(variable) not in caller._TYPES:
                 raise DescriptionError(
-                    "it cannot be set", where=where, found=variable.kind, allowed="numbers, booleans, texts"
+                    "it cannot be set", where=where, found=variable.shape, allowed="numbers, booleans, texts"
                 )
-            if kind == "String":
-                if not isinstance(value, str) or not _is_text(value):
-                    raise DescriptionError("not a value of its type", where=where, found=value, allowed="a text")
-                found.append((kind, variable.reference, value))
+            if place.at is None:
+                values = _flat(value, variable.dimensions)
+                if values is None:
+                    text = f"{' x '.join(map(str, variable.dimensions))} values in a list, or {_elements(variable)}"
+                    raise DescriptionError("not the values of an array", where=where, found=value, allowed=text)
+                found[variable.name] = variable, [self._value(variable, one, where) for one in values]
                 continue
-            if kind in ("Real", "Float64", "Float32"):
-                si = self.component.si_unit(variable)
-                a, b = self.component.conversion(variable, si)
-                found.append((kind, variable.reference, a * to_si(value, si, where=where) + b))
-            else:
-                if (
-                    not isinstance(value, (bool, int, float))
-                    or value % 1
-                    or (kind == "Boolean" and value not in (0, 1))
-                ):
-                    raise DescriptionError("not a value of its type", where=where, found=value, allowed=kind)
-                if caller._TYPES["Boolean2" if kind == "Boolean" else kind](int(value)).value != value:
-                    raise DescriptionError("beyond what its type holds", where=where, found=value, allowed=kind)
-                found.append((kind, variable.reference, int(value)))
+            if variable.name not in found:
+                found[variable.name] = variable, self._first(variable) if variable.dimensions else [0]
+            found[variable.name][1][place.at] = self._value(variable, value, where)
+        return found
+
+    def _value(self, variable: FmuVariable, value: object, where: str) -> Any:
+        """A value as the FMU has it; a DescriptionError where its type has no such value."""
+        kind = self._kind(variable)
+        if kind == "String":
+            if not isinstance(value, str) or not _is_text(value):
+                raise DescriptionError("not a value of its type", where=where, found=value, allowed="a text")
+            return value
+        if kind in REALS:
+            si = self.component.si_unit(variable)
+            a, b = self.component.conversion(variable, si)
+            return a * to_si(value, si, where=where) + b
+        if not isinstance(value, (bool, int, float)) or value % 1 or (kind == "Boolean" and value not in (0, 1)):
+            allowed = "true, false, 0, 1" if kind == "Boolean" else f"a whole number ({variable.kind})"
+            raise DescriptionError("not a value of its type", where=where, found=value, allowed=allowed)
+        least, most = _range(variable, self.component.version)
+        if not least <= value <= most:
+            allowed = f"{kind}, {least} to {most}"
+            raise DescriptionError("beyond what its type holds", where=where, found=value, allowed=allowed)
+        return int(value)
+
+    def _first(self, variable: FmuVariable) -> list[Any]:
+        """All elements of an array as they are before anyone sets them."""
+        words = {"true": 1, "false": 0}
+        texts = variable.start.split() if variable.is_number else []
+        try:
+            number = float if variable.kind in REALS else int
+            found = [words.get(text) if text in words else number(text) for text in texts]
+        except ValueError:
+            found = []
+        if len(found) == 1:
+            found *= variable.size
+        if len(found) != variable.size:
+            raise DescriptionError(
+                "an array whose elements have no start, so that none can be set alone",
+                where=f"{self.component.path}: {variable.name}",
+                found=variable.start,
+                allowed=f"{variable.size} values of type {variable.kind}",
+                hint=f"Give all of them: parameters = {{ {variable.name!r} = [...] }}.",
+            )
         return found
 
     def _own_value(self, given: Mapping[str, Any], corner: str, where: str) -> Any:
@@ -310,6 +469,65 @@ class _Connection:
                 allowed=", ".join(sorted(known)) if corner else "one value",
             )
         return given.get(corner, given.get(corner.partition("_")[0]))
+
+
+_ELEMENT = re.compile(r"(.+)\[([0-9]{1,9}(?: *, *[0-9]{1,9})*)\]", re.DOTALL)
+_LARGEST = 1_000_000  # elements
+_LONGEST = 60  # characters of a start
+
+
+def _elements(variable: FmuVariable) -> str:
+    """Names of a variable's elements, as a range."""
+    if not variable.dimensions:
+        return variable.name
+    first = ",".join("1" for _ in variable.dimensions)
+    return f"{variable.name}[{first}] to [{','.join(map(str, variable.dimensions))}]"
+
+
+def _index(variable: FmuVariable, at: int) -> str:
+    """Name of an element."""
+    return f"{variable.name}[{','.join(str(int(i) + 1) for i in np.unravel_index(at, variable.dimensions))}]"
+
+
+def _element(variable: FmuVariable, indices: list[int], where: str) -> int:
+    """Place of an element among all of an array, the last index fastest."""
+    sizes = variable.dimensions
+    if len(indices) != len(sizes) or any(not 1 <= i <= n for i, n in zip(indices, sizes, strict=True)):
+        raise DescriptionError("no such element", where=where, found=variable.shape, allowed=_elements(variable))
+    at = 0
+    for i, n in zip(indices, sizes, strict=True):
+        at = at * n + i - 1
+    return at
+
+
+def _flat(value: object, dimensions: tuple[int, ...]) -> list[Any] | None:
+    """Values of an array, given in lists of lists; None where they are not of these dimensions."""
+    if not dimensions:
+        return [value]
+    if not isinstance(value, (list, tuple)) or len(value) != dimensions[0]:
+        return None
+    found: list[Any] = []
+    for one in value:
+        part = _flat(one, dimensions[1:])
+        if part is None:
+            return None
+        found += part
+    return found
+
+
+def _c_type(variable: FmuVariable, version: int) -> Any:
+    """The C type of a variable's values."""
+    kind = "Int64" if variable.kind == "Enumeration" else variable.kind
+    return caller._c_type("Integer" if version == 2 and kind == "Int64" else kind, version)
+
+
+def _range(variable: FmuVariable, version: int) -> tuple[int, int]:
+    """Least and greatest value that a type of whole numbers holds."""
+    if variable.kind == "Boolean":
+        return 0, 1
+    held = _c_type(variable, version)
+    bits = 8 * ctypes.sizeof(held)
+    return (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) if held(-1).value < 0 else (0, 2**bits - 1)
 
 
 def _is_text(value: str) -> bool:
@@ -342,6 +560,10 @@ class _FmuRegulator:
         self._tool = (component.tool or "the tool that made it") if component.needs_tool else ""
         told = [{**start, "starts": one.starts, "inputs": one.inputs, "outputs": one.outputs} for one in wires]
         self._notes = connection.findings
+        begins = [sum(len(one.inputs) for one in wires[:i]) for i in range(len(wires))]
+        self._wholes = {
+            begin + at: whole for begin, one in zip(begins, wires, strict=True) for at, whole in one.wholes.items()
+        }
         self.from_rest = law.from_rest
         measured = [channel for one in wires for channel in one.channels]
         instead = getattr(law.actuator, "in_place_of", None)
@@ -434,6 +656,9 @@ class _FmuRegulator:
         assert self._instances is not None
         if self._to_own is not None:
             values = [a * value + b for value, (a, b) in zip(values, self._to_own, strict=True)]
+        if self._wholes:
+            for at, whole in self._wholes.items():
+                values[at] = whole.kept(values[at], self._now())
         try:
             commands = self._instances.step(values)
         except caller.FmuFailedError as error:
@@ -449,6 +674,11 @@ class _FmuRegulator:
             ends = []
             stays = self._place == "tyre" and rest[i]  # on the road
             probe = min(usual, _SHALLOW * abs(float(rest[i]))) if stays else usual
+            if whole := self._wholes.get(i):
+                if not whole.is_rounded:  # it answers to no small change
+                    columns.append(np.zeros(len(self._limits.last)))
+                    continue
+                probe = whole.count * math.ceil(probe / whole.count)
             for sign in (1.0, -1.0):
                 self.start()
                 values = rest[: self._count].tolist()
@@ -463,7 +693,10 @@ class _FmuRegulator:
 
     def _failed(self, error: Exception) -> SimulationError:
         hint = f"It needs {self._tool} on this machine." if self._tool and not self._instant else ""
-        return SimulationError(str(error), where=f"{self._file} at t = {self._instant / self._rate:.6g} s", hint=hint)
+        return SimulationError(str(error), where=self._now(), hint=hint)
+
+    def _now(self) -> str:
+        return f"{self._file} at t = {self._instant / self._rate:.6g} s"
 
 
 _SPEED = "strut.velocity"
