@@ -18,6 +18,7 @@ from jounce.identify.discrepancy import FEWEST_TRIALS, Calibrated, Discrepancy, 
 from jounce.identify.doubt import Doubt, doubts_of
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
+from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of
 from jounce.simulation.settings import RunSettings
@@ -499,7 +500,10 @@ def updated(  # noqa: PLR0913 - as update_model
     findings += _common_factors(problem)
     best = optima[0]
     residuals = problem.residuals(best.scaled)
+    left = _left_over(problem, residuals)
     findings += [*_unexplained(problem, residuals), *_copies(problem)]
+    for channel, parts in left.items():
+        findings += faults(channel, parts, lag_bound, is_aligned=problem.align)
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     whole = _whole(problem, best.scaled)
     inner = np.atleast_1d(whole.any(axis=0))
@@ -542,6 +546,8 @@ def updated(  # noqa: PLR0913 - as update_model
             discrepancy = reported(calibration, bench or {})
             more = list(discrepancy.findings)
         findings = [*more, *findings]
+    if discrepancy is None:
+        findings += _beyond_noise(left)
     result = UpdateResult(
         name,
         method,
@@ -690,6 +696,31 @@ def _unexplained(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:
         )
         findings.append(Finding(name, "warning", text, min(found.values())))
     return findings
+
+
+def _left_over(problem: UpdateProblem, residuals: Residuals) -> dict[str, list[LeftOver]]:
+    """What is left of each channel that counts, by trial, with the recordings at their lags."""
+    both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
+    left = dict[str, list[LeftOver]]()
+    for (trial, channel), block in zip(both, residuals.blocks, strict=True):
+        if channel.weight > 0.0:
+            read = channel.measured - residuals.vector[block] / channel.weight
+            left.setdefault(channel.name, []).append(LeftOver(trial.source.name, channel.measured, read, trial.rate))
+    return left
+
+
+def _beyond_noise(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
+    """Say that intervals of the noise are not those of the values, where something else is left of a record."""
+    loud = {name: times for name, parts in left.items() if (times := beyond_noise(parts)) is not None}
+    if not loud:
+        return []
+    channels = ", ".join(f"{name} ({min(times, 99.0):.2g} times)" for name, times in loud.items())
+    text = (
+        f"what is left is more than the noise of the records and has a pattern: {channels}. Model, sensors or trials "
+        "lack something, and the values may be off by more than their intervals, which count noise only; with three "
+        "trials or more doubt = jn.Doubt() counts it, too"
+    )
+    return [Finding("intervals", "note", text, max(loud.values()))]
 
 
 def _copies(problem: UpdateProblem) -> list[Finding]:

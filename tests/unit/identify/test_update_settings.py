@@ -117,6 +117,19 @@ def test_a_record_that_the_model_does_not_explain_is_told(passed: tuple[jn.Rig, 
         assert "strut.deflection: the updated model explains little of the record in trial 2" in told(found)
 
 
+def test_a_delay_that_was_not_asked_for_is_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
+    """Three milliseconds made the spring a sixth softer, with a narrow interval and without a word."""
+    record = passed[2]
+    late = record.copy(deep=True)
+    for name in late.data_vars:
+        late[name] = late[name].shift(time=3, fill_value=float(late[name][0]))
+    assert "later than the updated model" not in told(updated(passed, record))
+    found = updated(passed, late)
+    assert abs(found.parameters["strut.spring.rate"].value - 25e3) > 500.0
+    assert "later than the updated model in trial 1" in told(found)
+    assert 'fit with align = "lag"' in told(found)
+
+
 def test_copies_of_a_record_are_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
     found = updated(passed, passed[2], passed[2].copy(deep=True))
     assert "trial 2: the same numbers as trial 1: a copy is no repetition" in told(found)

@@ -1,0 +1,146 @@
+"""What a fit leaves of a record, and which fault of the record it looks like: a delay, a scale, a drift.
+
+The values that were fitted make up for such a fault as far as they can, with intervals that know nothing of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.identify.decay import noise_of
+from jounce.identify.estimate import correlation_time
+from jounce.identify.lags import Shifted, best_lag
+from jounce.recordings.quality import clipped_share
+from jounce.recordings.schema import channel_unit
+
+_DELAY, _SCALE, _DRIFT = 0.35, 0.5, 0.5  # of what is left: a fault that explains so much is told
+_SAMPLES, _GAIN, _RANGE = 0.3, 0.05, 0.01  # in samples, of 1, of the range of the record: smaller faults do no harm
+_CLIPPED = 1e-3  # of the samples at the limits of a sensor
+_LOUD, _ALIKE, _MATTERS = 2.0, 4.0, 0.01  # times the noise, samples of correlation, of the variance of the record
+
+
+@dataclass(frozen=True)
+class LeftOver:
+    """One channel of one trial beside what the updated model reads there, shape (n,) each, SI; ``rate`` in Hz."""
+
+    trial: str
+    measured: Array
+    read: Array
+    rate: float
+
+    @property
+    def rest(self) -> Array:
+        """Measured minus read, less its mean."""
+        rest: Array = self.measured - self.read
+        return np.asarray(rest - rest.mean())
+
+    @property
+    def shape(self) -> Array:
+        """The reading less its mean."""
+        return np.asarray(self.read - self.read.mean())
+
+
+def faults(channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligned: bool) -> list[Finding]:
+    """Name the fault of a channel's records that would explain most of what is left, in all trials together.
+
+    ``longest`` is the largest delay looked for (s). With ``is_aligned`` each trial has a lag already, so a delay is
+    that of this channel behind the others.
+    """
+    left = sum(float(part.rest @ part.rest) for part in parts)
+    trials = _some([part.trial for part in parts])
+    if left <= 0.0 or len(parts[0].read) < _FEWEST or any(np.ptp(part.read) == 0.0 for part in parts):
+        return []
+    clipped = max(clipped_share(part.measured) for part in parts)
+    if clipped > _CLIPPED:
+        text = (
+            f"{100.0 * clipped:.2g} % of the samples lie flat at the limits of the record: the sensor was out of range "
+            "there, and the values are fitted to what it could not show; leave the channel out or measure again"
+        )
+        return [Finding(channel, "warning", text, clipped)]
+    candidates = [
+        _scale(channel, parts, left, trials),
+        _drift(channel, parts, left, trials),
+        _delay(channel, parts, left, trials, longest, is_aligned=is_aligned),
+    ]
+    return [max(found, key=lambda one: one[0])[1]] if (found := [one for one in candidates if one is not None]) else []
+
+
+_FEWEST = 20  # samples, below which no pattern is looked for
+
+
+def _some(names: Sequence[str]) -> str:
+    return ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+
+
+def _scale(channel: str, parts: Sequence[LeftOver], left: float, trials: str) -> tuple[float, Finding] | None:
+    size = sum(float(part.shape @ part.shape) for part in parts)
+    more = sum(float(part.rest @ part.shape) for part in parts) / size
+    share = more**2 * size / left
+    if share < _SCALE or abs(more) < _GAIN:
+        return None
+    text = (
+        f"the record is {1.0 + more:.3g} times what the updated model gives in {trials}, which explains "
+        f"{100.0 * share:.0f} % of what is left: check its unit and sensitivity (gain of its sensor); the fitted "
+        "values make up for it as far as they can"
+    )
+    return share, Finding(channel, "warning", text, 1.0 + more)
+
+
+def _drift(channel: str, parts: Sequence[LeftOver], left: float, trials: str) -> tuple[float, Finding] | None:
+    shares, rises = 0.0, []
+    for part in parts:
+        place = np.linspace(-0.5, 0.5, len(part.rest))
+        rises.append(float(part.rest @ place) / float(place @ place))
+        shares += rises[-1] ** 2 * float(place @ place)
+    rise = max(rises, key=abs)
+    reach = max(float(np.ptp(part.read)) for part in parts)
+    if shares / left < _DRIFT or abs(rise) < _RANGE * reach:
+        return None
+    text = (
+        f"the zero of the record drifts by {rise:.3g} {channel_unit(channel)} from its first to its last sample in "
+        f"{trials}, which explains {100.0 * shares / left:.0f} % of what is left: take the drift off, or give the "
+        "sensor's high pass"
+    )
+    return shares / left, Finding(channel, "warning", text, rise)
+
+
+def _delay(
+    channel: str, parts: Sequence[LeftOver], left: float, trials: str, longest: float, *, is_aligned: bool
+) -> tuple[float, Finding] | None:
+    rate = min(part.rate for part in parts)
+    beside = [Shifted.of(part.measured, part.read[:, None], 1.0, part.rate, offset=True) for part in parts]
+    is_alike = len({(len(part.read), part.rate) for part in parts}) == 1
+    lag = best_lag(beside, longest) if is_alike else float(np.median([best_lag([one], longest) for one in beside]))
+    after = 0.0
+    for part, one in zip(parts, beside, strict=True):
+        rest = part.measured - one.at(lag)[0][:, 0]
+        after += float(np.sum((rest - rest.mean()) ** 2))
+    share = 1.0 - after / left
+    if share < _DELAY or abs(lag) * rate < _SAMPLES:
+        return None
+    way = "later" if lag > 0.0 else "earlier"
+    than, hint = "the updated model", 'fit with align = "lag"'
+    if is_aligned:
+        than = "the other channels of its trial"
+        hint = "a filter or a logger delays one of them; state low_pass of its sensor"
+    text = (
+        f"the record comes {1e3 * abs(lag):.2g} ms {way} than {than} in {trials}, which explains {100.0 * share:.0f} % "
+        f"of what is left, beside what the fitted values made up for: {hint}"
+    )
+    return share, Finding(channel, "warning", text, lag)
+
+
+def beyond_noise(parts: Sequence[LeftOver]) -> float | None:
+    """How often the noise of the records their rests are, where a pattern is left that matters; None else."""
+    noise = float(np.sqrt(np.mean([noise_of(part.measured) ** 2 for part in parts])))
+    rest = float(np.sqrt(np.mean(np.concatenate([part.rest for part in parts]) ** 2)))
+    size = float(np.sqrt(np.mean(np.concatenate([part.measured - part.measured.mean() for part in parts]) ** 2)))
+    alike = float(np.median([correlation_time(part.rest) for part in parts]))
+    if rest < _LOUD * noise or alike < _ALIKE or rest**2 < _MATTERS * size**2:
+        return None
+    return rest / max(noise, 1e-3 * rest)
