@@ -101,11 +101,12 @@ def grid(duration: float, sample_rate: float) -> np.ndarray:
 
 
 def linear_motion(a: np.ndarray, b: np.ndarray, drive: np.ndarray, step: float) -> np.ndarray:
-    """States of x' = a x + b u from rest, u straight between samples: modes one by one, exact."""
+    """States of x' = a x + b u from rest, u straight between samples: modes one by one (of a pair one), exact."""
     from scipy.signal import lfilter
 
     values, vectors = np.linalg.eig(a)
-    into = np.linalg.solve(vectors, b.astype(complex))
+    into = np.linalg.solve(vectors, b.astype(complex)) * (1.0 + (values.imag > 0.0))
+    into, vectors, values = into[values.imag >= 0.0], vectors[:, values.imag >= 0.0], values[values.imag >= 0.0]
     states = np.empty((len(values), len(drive)), dtype=complex)
     for i, pole in enumerate(values):
         z = pole * step

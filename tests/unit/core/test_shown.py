@@ -6,6 +6,8 @@ import dataclasses
 import html
 import inspect
 import re
+import typing
+from functools import cache
 
 import numpy as np
 import pytest
@@ -23,10 +25,9 @@ def text_of(page: str) -> str:
     return html.unescape(re.sub(r"\s+", " ", re.sub(r"<style>.*?</style>|<[^>]+>", " ", page)))
 
 
+@cache
 def results() -> dict[str, type]:
     """Every class of the public names, and what their functions give."""
-    import typing
-
     found: dict[str, type] = {}
     for name in jn.__all__:
         public = getattr(jn, name)

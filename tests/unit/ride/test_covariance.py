@@ -46,7 +46,7 @@ CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE, NEAR], ids=["plain", "d
 )
 @CASES
 def test_flow_and_its_slope(a):
-    along = RNG.normal(size=a.shape)
+    along = np.random.default_rng(6).normal(size=a.shape)
     for time in (0.0, 0.03, 0.7):
         assert Flow(a).at(time) == pytest.approx(expm(a * time), rel=1e-10, abs=1e-12)
         exact = expm_frechet(a * time, along * time, compute_expm=False)
@@ -63,7 +63,7 @@ def test_flow_and_its_slope(a):
 )
 @CASES
 def test_lyapunov_equation(a):
-    q = RNG.normal(size=a.shape)  # need not be symmetric
+    q = np.random.default_rng(7).normal(size=a.shape)  # need not be symmetric
     found = Schur(a).solve(q)
     assert a @ found + found @ a.T + q == pytest.approx(np.zeros_like(a), abs=1e-12)
     assert found == pytest.approx(solve_continuous_lyapunov(a, -q), rel=1e-10, abs=1e-12)
@@ -71,7 +71,8 @@ def test_lyapunov_equation(a):
 
 @CASES
 def test_inverse_at_many_frequencies(a):
-    s, b, c = 2j * np.pi * np.array([0.1, 1.0, 30.0]), RNG.normal(size=(len(a), 2)), RNG.normal(size=(4, len(a)))
+    s, rng = 2j * np.pi * np.array([0.1, 1.0, 30.0]), np.random.default_rng(8)
+    b, c = rng.normal(size=(len(a), 2)), rng.normal(size=(4, len(a)))
     inverse = Inverse(a, s)
     for i, value in enumerate(s):
         exact = np.linalg.inv(value * np.eye(len(a)) - a)
