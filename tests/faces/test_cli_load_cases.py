@@ -100,4 +100,5 @@ def test_numbers_of_forces_stand_beside_each_other_and_follow_the_units() -> Non
         figure = load_case(rig, found, "both")
     assert [axes.get_ylabel() for axes in figure.axes] == ["z [in]", "x [in]"]
     assert f"{largest / 4.4482216:.0f}" in [text.get_text() for text in figure.axes[0].texts]
-    assert any("numbers: lbf; wheel travel: left +0.05 in" in text.get_text() for text in figure.texts)
+    inches = float(found["wheel_travel"].sel(case="both", wheel="left")) / 0.0254
+    assert any(f"numbers: lbf; wheel travel: left {inches:+.2f} in" in text.get_text() for text in figure.texts)

@@ -26,7 +26,8 @@ def test_wheel_loads_by_hand(found) -> None:
     braked = float(load.sel(case="braking 1 g").sum())
     assert braked == pytest.approx(0.48 * unit + unit * 0.3 / 1.55, rel=1e-12)
     turned = load.sel(case="cornering 1 g").to_numpy()  # to the left: the right wheel is loaded
-    transfer = unit * 0.3 * 0.5 / 1.2
+    track = 2.0 * (0.6 + 0.228 * np.sin(np.radians(1.5)))  # of the contact points: wheels of 228 mm lean inwards
+    transfer = unit * 0.3 * 0.5 / track
     assert turned == pytest.approx([0.24 * unit - transfer, 0.24 * unit + transfer], rel=1e-12)
     assert load.sel(case="bump 3 g").to_numpy() == pytest.approx(3.0 * static * gravity)
     forward = found["longitudinal_force"].sel(case="braking 1 g").to_numpy()
@@ -65,6 +66,27 @@ def test_a_wheel_is_not_pulled_down_by_the_road() -> None:
     load = lifted["vertical_force"].sel(case="2.5 g").to_numpy()
     assert load[0] == 0.0
     assert load[1] == pytest.approx(0.8 * 2.0 * 0.24 * G, rel=2e-3)
+
+
+def test_both_wheels_of_the_only_axle_balance_the_car_in_roll() -> None:
+    whole = {**CAR, "weight_share": 1.0, "roll_share": 1.0, "brake_share": 1.0}  # all of the car on this axle
+    rig = jn.load("formula-student-front")
+    turned = jn.load_cases(rig, jn.LoadedAxle(**whole), {"0.5 g": {"lateral": 0.5}}).sel(case="0.5 g")
+    places = [float(jn.sweep_travel(one, 0.0)["contact_point_y"][0]) for one in (rig, rig.mirrored())]
+    moment = sum(y * load for y, load in zip(places, turned["vertical_force"].to_numpy(), strict=True))
+    assert -moment == pytest.approx(float(turned["lateral_force"].sum()) * 0.3, rel=1e-12)
+
+
+@pytest.mark.parametrize(("longitudinal", "lifted"), [(-3.0, "rear"), (3.0, "front")])
+def test_both_axles_never_carry_more_than_the_car_weighs(longitudinal, lifted) -> None:
+    case, rig = {"tips": {"longitudinal": longitudinal}}, jn.load("formula-student-front")
+    total = 0.0
+    for axle, share in (("front", 0.48), ("rear", 0.52)):
+        car = jn.LoadedAxle(**{**CAR, "axle": axle, "weight_share": share, "brake_share": share})
+        found = jn.load_cases(rig, car, case)
+        total += float(found["vertical_force"].sum())
+        assert f"tips: the car would tip over: its {lifted} axle carries -" in found.attrs["findings"]
+    assert total == pytest.approx(280.0 * 9.81, rel=2e-3)
 
 
 def test_a_table_has_a_row_for_each_case_and_wheel(found) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -73,11 +74,13 @@ def load_cases(
 ) -> xr.Dataset:
     """Give the forces in every link, joint and pickup point of both wheels of an axle for load cases of the car.
 
-    Wheel loads follow from weight and load transfer of a rigid car; a wheel that would be pulled off the road carries
+    Wheel loads follow from weight and load transfer of a rigid car, between the axles over the wheelbase, between the
+    wheels over the track of the contact points at design; a wheel or an axle that would be pulled off the road carries
     nothing, and the other one all. Longitudinal and lateral forces of the axle are shared by the wheels in proportion
     to their loads; brakes are outboard, drive torque is reacted by the body. Each wheel stands where its spring and
     stops carry its load, with the anti-roll bar and the third spring between both wheels (at design where the rig has
-    no spring). Parts have no weight. ``attrs["findings"]`` names cases that the springs cannot carry.
+    no spring). Parts have no weight. ``attrs["findings"]`` names cases that the springs cannot carry, and those in
+    which the car would tip over an axle.
 
     Parameters
     ----------
@@ -132,6 +135,7 @@ def solved_cases(
     found, told = [], []
     for name, case in read.items():
         loads = wheel_loads(car, case, left)
+        told += _tips(car, case, name)
         if together and not {"spring"} & set(left.lacks):
             travels, findings = _together(left, loads, name)
         else:
@@ -162,10 +166,10 @@ def solved_cases(
 def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLoad, ContactLoad]:
     """Loads of the road on the left and the right wheel (N, ground axes) in a case."""
     weight = car.mass * GRAVITY
-    ahead = weight * case.longitudinal * car.centre_of_mass_height / car.wheelbase
-    axle = max(case.vertical * weight * car.weight_share + (-ahead if car.axle == "front" else ahead), 0.0)
+    axle = min(max(_axle_load(car, case), 0.0), max(case.vertical * weight, 0.0))
     share = car.weight_share if car.roll_share is None else car.roll_share
-    track = 2.0 * abs(rig.hardpoints.wheel_centre[1])
+    outward = -rig.wheel.radius * math.sin(rig.wheel.camber) * math.cos(rig.wheel.toe)
+    track = 2.0 * (abs(rig.hardpoints.wheel_centre[1]) + outward)
     across = weight * case.lateral * car.centre_of_mass_height * share / track
     left = min(max(0.5 * axle - across, 0.0), axle)
     braked = case.longitudinal < 0.0
@@ -182,6 +186,25 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
         for part in parts
     )
     return one, other
+
+
+def _axle_load(car: LoadedAxle, case: LoadCase) -> float:
+    """Load of the axle (N) by the balance of moments; below zero where it would be pulled off the road."""
+    weight = car.mass * GRAVITY
+    ahead = weight * case.longitudinal * car.centre_of_mass_height / car.wheelbase
+    return case.vertical * weight * car.weight_share + (-ahead if car.axle == "front" else ahead)
+
+
+def _tips(car: LoadedAxle, case: LoadCase, name: str) -> list[Finding]:
+    """Say that braking or driving would lift an axle off the road: nothing balances the car then."""
+    axle, total = _axle_load(car, case), case.vertical * car.mass * GRAVITY
+    if total <= 0.0 or 0.0 <= axle <= total:
+        return []
+    lifted = car.axle if axle < 0.0 else {"front": "rear", "rear": "front"}[car.axle]
+    text = (
+        f"the car would tip over: its {lifted} axle carries {min(axle, total - axle):.4g} N; the other one carries all."
+    )
+    return [Finding(name, "warning", text, min(axle, total - axle))]
 
 
 @dataclass(frozen=True)
