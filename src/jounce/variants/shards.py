@@ -1,8 +1,8 @@
 """Long sweeps on the disk: results by shards, each whole or not there, and what a resumed sweep must agree with.
 
-A shard is a netCDF file named after its place and its checksum, so that both appear by one rename: what is killed
-leaves no shard that is half written, and one that was damaged since is found. ``sweep.json`` holds all that the results
-follow from.
+A shard is a file named after its place and its checksum, so that both appear by one rename: what is killed leaves no
+shard that is half written, and one that was damaged since is found. It is a netCDF file, or, in a folder whose name
+ends in ``.zarr``, the record of its chunks in a Zarr group. ``sweep.json`` holds all that the results follow from.
 """
 
 from __future__ import annotations
@@ -31,9 +31,11 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
+from jounce.variants import zarr_shards
 from jounce.variants.findings import Tally
 from jounce.variants.many import Work
 from jounce.variants.workers import Task, here, on_cluster, on_processes, own_locks
+from jounce.variants.zarr_shards import checksum
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -41,7 +43,7 @@ if TYPE_CHECKING:
 SCHEMA = "jounce.sweep-results/1"
 MANIFEST, SHARDS = "sweep.json", "shards"
 Say = Callable[[int, int], None]
-_NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.nc")
+_NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.(nc|json)")
 _AIM = 4.0  # s of work in a shard: little is lost, and what a cluster needs for a task weighs nothing
 _TRIED = 0.5  # s in which it is found out how long variants take
 _LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
@@ -77,6 +79,11 @@ class Kept:
         """Variants of the whole sweep."""
         return int(self.about["count"])
 
+    @property
+    def is_zarr(self) -> bool:
+        """Whether the folder is a Zarr group."""
+        return self.about.get("format") == "zarr"
+
     @cached_property
     def spans(self) -> list[tuple[int, int]]:
         """First variant of each shard, and the one behind its last."""
@@ -86,7 +93,7 @@ class Kept:
     def names(self) -> dict[int, list[Path]]:
         """Files of each shard: one, or more where a damaged one lies beside."""
         found: dict[int, list[Path]] = {}
-        for file in sorted((self.folder / SHARDS).glob("*.nc")):
+        for file in sorted((self.folder / SHARDS).glob(f"*{self._suffix}")):
             match = _NAME.fullmatch(file.name)
             if match is not None and int(match[1]) < len(self.spans):
                 found.setdefault(int(match[1]), []).append(file)
@@ -96,19 +103,51 @@ class Kept:
         """Shards whose content is what it was written as."""
         found = {}
         for number, files in self.names().items():
-            good = [file for file in files if _is_whole(file)]
+            good = [file for file in files if self._is_whole(file)]
             if good:
                 found[number] = good[0]
         return found
 
     def write(self, number: int, content: bytes) -> None:
-        """Put a shard in its place; damaged ones of its number go."""
-        name = f"{number:06d}.{_checksum(content)}.nc"
+        """Put a shard, which comes as a netCDF file, in its place; damaged ones of its number go."""
+        if self.is_zarr:
+            content = zarr_shards.put(self.folder, number, _dataset(content), self.count, int(self.about["shard"]))
+        name = f"{number:06d}.{checksum(content)}{self._suffix}"
         (self.folder / SHARDS).mkdir(exist_ok=True)
         write_atomically(self.folder / SHARDS / name, content, force=True)
-        for file in (self.folder / SHARDS).glob(f"{number:06d}.*.nc"):
+        for file in (self.folder / SHARDS).glob(f"{number:06d}.*{self._suffix}"):
             if file.name != name:
                 file.unlink(missing_ok=True)
+
+    def read(self, number: int) -> xr.Dataset | None:
+        """Read a shard; none where it is damaged."""
+        for file in self.names()[number]:
+            content = file.read_bytes()
+            if checksum(content) != file.name.split(".")[1]:
+                continue
+            shard = zarr_shards.take(self.folder, content) if self.is_zarr else _dataset(content)
+            if shard is not None:
+                return shard
+        return None
+
+    @property
+    def _suffix(self) -> str:
+        return ".json" if self.is_zarr else ".nc"
+
+    def _is_whole(self, file: Path) -> bool:
+        try:
+            content = file.read_bytes()
+        except OSError:
+            return False
+        is_own = checksum(content) == file.name.split(".")[1]
+        return is_own and (not self.is_zarr or zarr_shards.is_whole(self.folder, content))
+
+
+def _dataset(content: bytes) -> xr.Dataset:
+    import xarray as xr
+
+    with own_locks():
+        return xr.load_dataset(io.BytesIO(content), engine="h5netcdf")
 
 
 def keep_in_shards(
@@ -168,7 +207,10 @@ def keep_in_shards(
                 _write(kept, number, content)
                 finished += kept.spans[number][1] - kept.spans[number][0]
                 say(finished, kept.count)
-    return load_sweep(folder)
+    found = load_sweep(folder)
+    if kept.is_zarr:
+        zarr_shards.describe(folder, found.attrs)
+    return found
 
 
 def _refuse_taken(folder: Path, *, force: bool) -> None:
@@ -233,7 +275,7 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     found: dict[str, Array] = {}
     first_shard, row, tally, findings = None, 0, dict.fromkeys(_COUNTED, 0), Tally()
     for number in sorted(spans):
-        shard = _read(kept, number)
+        shard = kept.read(number)
         if shard is None:
             continue
         if channels is None:
@@ -280,29 +322,6 @@ def read_kept(folder: Path) -> Kept:
     except (ValueError, KeyError, TypeError, AttributeError):
         pass
     raise OutputError("this says nothing of a sweep", where=str(file), hint="Begin the sweep anew in another folder.")
-
-
-def _read(kept: Kept, number: int) -> xr.Dataset | None:
-    """Read a shard; none where it is damaged."""
-    import xarray as xr
-
-    for file in kept.names()[number]:
-        content = file.read_bytes()
-        if _checksum(content) == file.name.split(".")[1]:
-            with own_locks():
-                return xr.load_dataset(io.BytesIO(content), engine="h5netcdf")
-    return None
-
-
-def _checksum(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()[:32]
-
-
-def _is_whole(file: Path) -> bool:
-    try:
-        return _checksum(file.read_bytes()) == file.name.split(".")[1]
-    except OSError:
-        return False
 
 
 # what a sweep follows from --------------------------------------------------------------------------------------------
@@ -417,6 +436,7 @@ def _planned(
         "schema": SCHEMA,
         "count": len(next(iter(columns.values()))),
         "shard": size,
+        "format": "zarr" if folder.suffix.lower() == ".zarr" else "netcdf",
         "jounce": _version(),
         "command": command or shlex.join(sys.argv),
         "study": study,
@@ -428,9 +448,10 @@ def _planned(
 
 def _begin(kept: Kept) -> None:
     """Write what the results follow from; shards of an earlier sweep in the folder go."""
-    for file in (kept.folder / SHARDS).glob("*.nc"):
+    for file in (kept.folder / SHARDS).glob("*"):
         if _NAME.fullmatch(file.name):
             file.unlink()
+    zarr_shards.clear(kept.folder)
     write_atomically(kept.folder / MANIFEST, f"{to_json(kept.about)}\n", force=True)
 
 

@@ -74,7 +74,8 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         Threads that share the variants; as many as there are processors by default.
     out : path, optional
         Folder in which results are kept by shards as they come, so that long sweeps survive what stops them;
-        :func:`load_sweep` reads it. The shards are netCDF files whatever the folder is called (``"study.zarr"``, too).
+        :func:`load_sweep` reads it. The shards are netCDF files, or, where its name ends in ``.zarr``, the chunks of a
+        Zarr group.
     resume : bool
         Go on where a sweep in ``out`` was stopped; nothing of it may have changed.
     workers : int

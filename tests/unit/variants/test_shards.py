@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from collections import namedtuple
@@ -9,11 +10,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.trust import trust_said, trusting
+from jounce.simulation.settings import RunSettings
 from jounce.variants import shards, workers
+from jounce.variants.many import prepared
 from jounce.variants.summary import summarise
 
 RIG = jn.load("audi-a6-quarter-car")
@@ -55,16 +59,17 @@ def files(out: Path) -> list[str]:
     return sorted(file.name for file in (out / "shards").iterdir())
 
 
-def test_shards_hold_what_one_call_gives(tmp_path: Path, small) -> None:
-    found = sweep(tmp_path / "out")
+@pytest.mark.parametrize("folder", ["out", "out.zarr"])
+def test_shards_hold_what_one_call_gives(tmp_path: Path, small, folder) -> None:
+    found = sweep(tmp_path / folder)
     whole = jn.simulate_many(RIG, TRIAL, design(), metrics=METRICS)
-    assert len(files(tmp_path / "out")) == 5
+    assert len(files(tmp_path / folder)) == 5
     assert found.attrs == {**whole.attrs, "variants": 40}
     for name in (*METRICS, "sprung.mass", "variant"):
         np.testing.assert_array_equal(found[name].values, whole[name].values)
         assert found[name].attrs == whole[name].attrs
     assert set(found["reason"].values) == {""}
-    assert jn.load_sweep(tmp_path / "out").identical(found)
+    assert jn.load_sweep(tmp_path / folder).identical(found)
 
 
 @pytest.mark.parametrize("said", [None, False, True])
@@ -78,10 +83,11 @@ def test_workers_are_told_what_may_run_in_their_process(monkeypatch, said: bool 
     assert seen == [said]
 
 
-def test_a_reason_of_a_later_shard_is_whole(tmp_path: Path, small) -> None:
+@pytest.mark.parametrize("folder", ["out", "out.zarr"])
+def test_a_reason_of_a_later_shard_is_whole(tmp_path: Path, small, folder) -> None:
     masses = [450.0] * 20
     masses[17] = -1.0
-    found = sweep(tmp_path / "out", {"sprung.mass": masses})
+    found = sweep(tmp_path / folder, {"sprung.mass": masses})
     assert "sprung.mass" in found["reason"].values[17]
     assert found["reason"].values[17].endswith(".")
     assert np.isnan(found["rms sprung.az"].values[17])
@@ -96,12 +102,13 @@ def test_a_variant_that_ends_in_an_unforeseen_way_is_a_row_with_its_reason(monke
     assert all("division by zero" in text for text in found["reason"].values)
 
 
-def test_channels_over_time_are_kept_by_shards(tmp_path: Path, small) -> None:
-    found = jn.simulate_many(RIG, TRIAL, design(20), outputs="sprung.z", out=tmp_path)
+@pytest.mark.parametrize("folder", ["out", "out.zarr"])
+def test_channels_over_time_are_kept_by_shards(tmp_path: Path, small, folder) -> None:
+    found = jn.simulate_many(RIG, TRIAL, design(20), outputs="sprung.z", out=tmp_path / folder)
     whole = jn.simulate_many(RIG, TRIAL, design(20), outputs="sprung.z")
     assert found["sprung.z"].dims == ("variant", "time")
     np.testing.assert_array_equal(found["sprung.z"].values, whole["sprung.z"].values)
-    assert "sprung.z" not in jn.load_sweep(tmp_path, channels=False)
+    assert "sprung.z" not in jn.load_sweep(tmp_path / folder, channels=False)
 
 
 @pytest.mark.parametrize("damage", ["gone", "cut", "changed"])
@@ -123,6 +130,65 @@ def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(tmp_path: Path
     assert worked == [2]
     assert after.identical(before)
     assert len(files(tmp_path)) == 5
+
+
+@pytest.mark.parametrize("damage", ["gone", "cut", "changed"])
+@pytest.mark.parametrize("piece", ["rms sprung.az/2", "reason/2", "shards/000002.*.json"])
+def test_a_damaged_chunk_of_a_zarr_group_is_worked_on_again(tmp_path: Path, small, piece, damage) -> None:
+    out = tmp_path / "out.zarr"
+    before = sweep(out)
+    (chosen,) = out.glob(piece)
+    content = chosen.read_bytes()
+    if damage == "gone":
+        chosen.unlink()
+    else:
+        chosen.write_bytes(content[:-1] if damage == "cut" else bytes([content[0] ^ 1]) + content[1:])
+    assert jn.load_sweep(out)["variant"].values.tolist() == [*range(16), *range(24, 40)]
+    assert sweep(out, resume=True).identical(before)
+    assert len(files(out)) == 5
+
+
+def test_other_programs_read_a_zarr_group(tmp_path: Path, small) -> None:
+    """By the Zarr package, which knows nothing of jounce; 37 variants: the last chunk is not full."""
+    pytest.importorskip("zarr")
+    masses = [450.0 + i for i in range(37)]
+    masses[17] = -1.0
+    variants = {"sprung.mass": masses}
+    found = jn.simulate_many(RIG, TRIAL, variants, metrics=METRICS, outputs="sprung.z", out=tmp_path / "of masses.zarr")
+    with xr.open_zarr(tmp_path / "of masses.zarr") as group:
+        assert group["sprung.z"].encoding["chunks"] == (8, found.sizes["time"])
+        assert group.load().identical(found)
+
+
+def test_a_zarr_group_can_be_read_while_its_sweep_goes_on(tmp_path: Path, small, monkeypatch) -> None:
+    pytest.importorskip("zarr")
+    whole, put = sweep(tmp_path / "whole"), shards.zarr_shards.put
+
+    def stopped(folder, number, *others):
+        if number == 3:
+            raise KeyboardInterrupt
+        return put(folder, number, *others)
+
+    monkeypatch.setattr(shards.zarr_shards, "put", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        sweep(tmp_path / "out.zarr")
+    for name in METRICS:
+        values = xr.load_dataset(tmp_path / "out.zarr", engine="zarr")[name].values
+        np.testing.assert_array_equal(values[:24], whole[name].values[:24])
+        assert np.isnan(values[24:]).all()
+    monkeypatch.undo()
+    assert sweep(tmp_path / "out.zarr", resume=True)["variant"].values.tolist() == list(range(40))
+
+
+def test_a_folder_that_was_begun_with_netcdf_goes_on_with_it(tmp_path: Path, small) -> None:
+    """Once the name of a folder did not choose the format, and ``sweep.json`` did not tell it."""
+    before = sweep(tmp_path / "out")
+    about = tmp_path / "out" / "sweep.json"
+    about.write_text(json.dumps({key: one for key, one in json.loads(about.read_text()).items() if key != "format"}))
+    (tmp_path / "out").rename(tmp_path / "out.zarr")
+    next((tmp_path / "out.zarr" / "shards").iterdir()).unlink()
+    assert sweep(tmp_path / "out.zarr", resume=True).identical(before)
+    assert {name[-3:] for name in files(tmp_path / "out.zarr")} == {".nc"}
 
 
 def test_what_is_full_keeps_what_is_finished(tmp_path: Path, small, monkeypatch) -> None:
@@ -241,20 +307,28 @@ def test_two_at_once_on_one_folder(tmp_path: Path, small) -> None:
 
 
 def test_a_sweep_that_begins_anew_leaves_nothing_of_the_earlier_one(tmp_path: Path, small) -> None:
-    from jounce.simulation.settings import RunSettings
-    from jounce.variants.designs import sobol
-    from jounce.variants.many import prepared
-    from jounce.variants.shards import keep_in_shards
-
     sweep(tmp_path, design(40))
     (tmp_path / "shards" / "notes.nc").write_text("mine", encoding="utf-8")
-    work, columns = prepared(RIG, TRIAL, sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None)
+    work, columns = prepared(RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None)
     with shards._alone(tmp_path), pytest.raises(OutputError, match="another process works"):
-        keep_in_shards(work, columns, tmp_path, force=True)
+        shards.keep_in_shards(work, columns, tmp_path, force=True)
     assert len(files(tmp_path)) == 6
-    found = keep_in_shards(work, columns, tmp_path, force=True)
+    found = shards.keep_in_shards(work, columns, tmp_path, force=True)
     assert found.sizes["variant"] == found.attrs["variants"] == 10
     assert [name[:6] for name in files(tmp_path)] == ["000000", "000001", "notes."]
+
+
+def test_a_zarr_group_that_begins_anew_leaves_what_is_not_its_own(tmp_path: Path, small) -> None:
+    out = tmp_path / "out.zarr"
+    sweep(out)
+    (out / "notes").mkdir()
+    (out / "notes" / "mine.txt").write_text("mine", encoding="utf-8")
+    work, columns = prepared(RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS[:1], None, None)
+    found = shards.keep_in_shards(work, columns, out, force=True)
+    assert found.sizes["variant"] == 10
+    assert (out / "notes" / "mine.txt").read_text(encoding="utf-8") == "mine"
+    assert not (out / "strut.damper.coefficient").exists()
+    assert not (out / METRICS[1]).exists()
 
 
 MEMORY = """
