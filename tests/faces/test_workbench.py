@@ -7,7 +7,6 @@ import ctypes
 import http.client
 import json
 import shlex
-import shutil
 import socket
 import subprocess
 import sys
@@ -29,7 +28,6 @@ from jounce.web.project import Project
 from jounce.web.safety import HEADERS
 
 uvicorn = pytest.importorskip("uvicorn")
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 TOKEN = "a-token-of-these-tests"
 BUMP = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2 m"}
 KART = (Path(jn.__file__).parent / "parts" / "library" / "kart-double-wishbone.toml").read_text()
@@ -629,18 +627,6 @@ def test_the_command_prints_one_line_and_ends_when_it_is_told(tmp_path):
         assert line["url"].startswith("http://127.0.0.1:")
         assert line["token"] in line["url"]
         started.terminate()
-
-
-@pytest.fixture(scope="module")
-def browser():
-    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    if CHROMIUM is None:
-        pytest.skip("Chromium is not installed")
-    with sync_api.sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
-        yield made
-        made.close()
 
 
 @pytest.mark.pages

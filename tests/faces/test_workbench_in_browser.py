@@ -23,7 +23,6 @@ import jounce as jn
 from jounce.parts import library
 
 pytest.importorskip("uvicorn")
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 AXE = Path(__file__).parents[2] / "viewer" / "node_modules" / "axe-core" / "axe.min.js"
 RULES = ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]
 DRAWN = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
@@ -51,18 +50,6 @@ def server(tmp_path_factory):
 def workbench(server):
     """The address of the workbench."""
     return json.loads(server.stdout.readline())["url"]
-
-
-@pytest.fixture(scope="module")
-def browser():
-    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    if CHROMIUM is None:
-        pytest.skip("Chromium is not installed")
-    with sync_api.sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
-        yield made
-        made.close()
 
 
 def until(page: Any, expression: str) -> None:

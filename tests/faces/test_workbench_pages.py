@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,8 +14,6 @@ import pytest
 
 pytestmark = pytest.mark.pages
 uvicorn = pytest.importorskip("uvicorn")
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 TOKEN = "a-token-of-these-tests"
 DRAWN = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
 EVIL = "<img src=x onerror=document.title='gone'>"
@@ -27,17 +24,6 @@ trial = {speed = "2 m/s", duration = "1 s", road = {kind = "half-sine", height =
 design = {kind = "monte-carlo", count = 300000}
 vary = {"strut.spring.rate" = "20 %"}
 """
-
-
-@pytest.fixture(scope="module")
-def browser():
-    if CHROMIUM is None:
-        pytest.skip("Chromium is not installed")
-    with sync_api.sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
-        yield made
-        made.close()
 
 
 @pytest.fixture(scope="module")

@@ -103,7 +103,7 @@ export class Player {
     const step = (by: number) => () => this.stepScene(by);
     const scenes = make("div", { class: "group" }, make("button", { type: "button", title: say("previous"), click: step(-1) }, "‹"),
       this.choice, make("button", { type: "button", title: say("next"), click: step(1) }, "›"), this.note);
-    this.choice.addEventListener("change", () => this.show(model.scenes[Number(this.choice.value)]!));
+    this.choice.addEventListener("change", () => this.show(this.model.scenes[Number(this.choice.value)]!));
     if (model.scenes.length < 2) scenes.hidden = true;
     const zooms = make("div", { class: "group" },
       make("button", { type: "button", title: say("zoomIn"), click: () => this.plots.zoomBy(0.5, this.now) }, "+"),

@@ -17,11 +17,13 @@ export interface Form { text: string; values: unknown; model: string; problems: 
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
 export interface Answer { python: string; command: string; files: Record<string, string> }
 
-export async function asked(method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> {
-  const given = body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } };
+export const asked = (method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> =>
+  sent(path, { method, ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } }) });
+
+async function sent(path: string, given: RequestInit): Promise<Response> {
   let answer: Response;
   try {
-    answer = await fetch(path, { method, ...given });
+    answer = await fetch(path, given);
   } catch {
     throw new Error(tr("The server does not answer: start it again with jounce serve."));
   }
@@ -57,4 +59,6 @@ export const form = async (path: string, text: string, sets: unknown[], changes:
   return { ...found, problems: found.problems.map((one) => ({ ...one, text: refused(one.text) })) };
 };
 export const binary = async (path: string, body: unknown) => (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();
+/** Puts a file into the project as it is. */
+export const upload = async (path: string, file: File): Promise<void> => { await sent(`/api/upload?${query({ path })}`, { method: "PUT", body: file }); };
 export const curves = (question: "simulate" | "kinematics", body: unknown) => binary(`/api/${question}`, body);

@@ -3,7 +3,7 @@
 import { make, written } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
-import { field, problem, type Sliders } from "./parts";
+import { field, once, problem, type Sliders } from "./parts";
 import { part } from "./quantities";
 
 export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string; along?: string }
@@ -23,23 +23,23 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
     event.preventDefault();
     const free = boxes.filter((box) => box.checked).map((box) => box.value);
     if (!targets.length || !free.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Add a target above, and choose a hardpoint that may move."))); return; }
-    begin.disabled = true;
-    void search(free).catch((error) => out.replaceChildren(problem(error))).finally(() => { begin.disabled = false; });
+    void once(begin, search(free, { ...sliders.changes }, within.value, Number(starts.value) || 4, [...targets])).catch((error) => out.replaceChildren(problem(error)));
   });
 
-  async function search(free: string[]): Promise<void> {
+  /** All of it as it was when the search was asked for, whatever is edited while it is written down. */
+  async function search(free: string[], changes: Record<string, number>, within: string, starts: number, targets: Target[]): Promise<void> {
     const stem = name.replace(/\.toml$/, "").replaceAll("/", "-"), mark = new Date().toISOString().replace(/\D/g, "").slice(2, 14), study = `designs/${stem}-${mark}.toml`;
-    const quoted = (text: string) => JSON.stringify(text), file = await api.file(name), now = await api.form(name, file.text, [], sliders.changes);
+    const quoted = (text: string) => JSON.stringify(text), file = await api.file(name), now = await api.form(name, file.text, [], changes);
     if (now.problems.length) throw new Error(now.problems.map((one) => `${one.path ? `${one.path}: ` : ""}${one.text}`).join(" ")); // its text is that of the file then
     const start = `designs/${stem}-${mark}-start.toml`;
     await api.save(start, now.text, ""); // the rig as it stands on the page
-    const text = [`schema = "jounce.design/1"`, `rig = ${quoted(`${stem}-${mark}-start.toml`)}`, `starts = ${Number(starts.value) || 4}`, "",
-      ...free.flatMap((one) => ["[[free]]", `point = ${quoted(one)}`, `within = ${quoted(within.value)}`, ""]),
+    const text = [`schema = "jounce.design/1"`, `rig = ${quoted(`${stem}-${mark}-start.toml`)}`, `starts = ${starts}`, "",
+      ...free.flatMap((one) => ["[[free]]", `point = ${quoted(one)}`, `within = ${quoted(within)}`, ""]),
       ...targets.flatMap((one) => ["[[target]]", ...Object.entries(one).map(([key, value]) => `${key} = ${quoted(String(value))}`), ""])].join("\n");
     await api.save(study, text, "");
     const begun = await (await api.asked("POST", "/api/jobs", { kind: "design", study, out: `designs/${stem}-${mark}` })).json() as Found;
     const bar = make("progress", { max: "1", "aria-label": tr("share done") }), said = make("span", {}), cancel = make("button", { type: "button" }, tr("Cancel"));
-    cancel.addEventListener("click", () => void api.asked("POST", `/api/jobs/${encodeURIComponent(begun.id)}/cancel`, {}));
+    cancel.addEventListener("click", () => { once(cancel, api.asked("POST", `/api/jobs/${encodeURIComponent(begun.id)}/cancel`, {})).catch((error) => out.append(problem(error))); });
     out.replaceChildren(make("p", { class: "bar" }, bar, said, cancel));
     for (;;) {
       const found = await job(begun.id);

@@ -21,18 +21,46 @@ export class Form {
   private definitions: Record<string, Schema> = {};
   private problems: Problem[] = [];
 
-  /** `changed` hears what is to be written at some keys; null takes it away. */
-  constructor(private readonly changed: (keys: Key[], value: Value) => void) {}
+  /** The field that is typed into, and what is to be shown once that is done. */
+  private typing: EventTarget | null = null;
+  private next: (() => void) | null = null;
 
+  /** `changed` hears what is to be written at some keys; null takes it away. */
+  constructor(private readonly changed: (keys: Key[], value: Value) => void) {
+    this.element.addEventListener("input", (event) => { this.typing = event.target; });
+    this.element.addEventListener("change", () => { this.typing = this.next = null; }); // what was typed is asked about, and then shown
+    this.element.addEventListener("focusout", () => { this.typing = null; setTimeout(() => this.follow()); });
+  }
+
+  /** Whether something is typed that is not in the text yet. */
+  get isTyped(): boolean { return this.typing !== null; }
+
+  /** Shows what a text says; nothing is taken from under the hands of somebody who types. */
   show(schema: Schema, values: { [key: string]: Value }, problems: Problem[]): void {
-    const focused = document.activeElement?.closest<HTMLElement>("[data-path]")?.dataset.path, inside = this.element.contains(document.activeElement);
+    this.next = () => this.made(schema, values, problems);
+    this.follow();
+  }
+
+  private follow(): void {
+    if (this.typing) return;
+    const next = this.next;
+    this.next = null;
+    next?.();
+  }
+
+  private made(schema: Schema, values: { [key: string]: Value }, problems: Problem[]): void {
+    const active = document.activeElement, focused = active?.closest<HTMLElement>("[data-path]")?.dataset.path, inside = this.element.contains(active);
+    const marked = active instanceof HTMLInputElement ? [active.selectionStart, active.selectionEnd] as const : null;
     this.definitions = schema.$defs ?? {};
     this.problems = problems;
     this.element.replaceChildren(...this.rows(schema, values, []));
     const known = new Set([...this.element.querySelectorAll<HTMLElement>("[data-path]")].map((one) => one.dataset.path));
     const lost = problems.filter((one) => !known.has(one.path));
     if (lost.length) this.element.prepend(...lost.map((one) => make("p", { class: "problem", role: "alert" }, `${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
-    if (inside && focused) this.element.querySelector<HTMLElement>(`[data-path="${CSS.escape(focused)}"]`)?.querySelector<HTMLElement>("input, select")?.focus();
+    if (!inside || !focused) return;
+    const again = this.element.querySelector<HTMLElement>(`[data-path="${CSS.escape(focused)}"]`)?.querySelector<HTMLInputElement | HTMLSelectElement>("input, select");
+    again?.focus();
+    if (again instanceof HTMLInputElement && again.type === "text" && marked) again.setSelectionRange(...marked); // what is typed next replaces what was marked
   }
 
   private resolved(schema: Schema): Schema { return schema.$ref ? this.definitions[schema.$ref.split("/").pop()!]! : schema; }

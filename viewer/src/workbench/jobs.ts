@@ -1,9 +1,9 @@
 /** Long work: how it stands, told by the server as it goes on, and how it is begun, stopped and done again. */
 
-import { make, written } from "../page";
-import { asked, get } from "./api";
+import { make, whenLeft, written } from "../page";
+import { asked, get, upload } from "./api";
 import { heard, tr } from "../words";
-import { copied, problem } from "./parts";
+import { copied, InTurn, problem } from "./parts";
 import { told as refused } from "./refusals";
 
 export interface Step { evaluation: number; objective: number; parameters: Record<string, { value: number; initial: number; lower: number; upper: number }> }
@@ -48,6 +48,7 @@ function tell(): void {
 /** Calls back with all jobs, now and whenever one changes, as long as a node is on the page. */
 export function follow(node: Node, listener: Listener): void {
   listeners.set(listener, { node, shown: false });
+  whenLeft(() => listeners.delete(listener));
   if (latest) listener(latest);
   if (!socket) open();
 }
@@ -80,6 +81,7 @@ export class JobCard {
   }
 
   show(job: Job): void {
+    if (this.job.ended && !job.ended) return; // what ended does not go on: this was told before
     this.job = job;
     const runs = job.state === "running" || job.state === "cancelling";
     this.state.textContent = tr(WORDS[job.state]);
@@ -99,10 +101,15 @@ export class JobCard {
       button.addEventListener("click", () => { button.disabled = true; does().catch((error) => { this.told.replaceChildren(problem(error)); button.disabled = false; }); });
       return button;
     };
+    const opens = () => {
+      const button = make("button", { type: "button", class: "main", "aria-label": `Show the results: ${job.title}` }, "Show the results");
+      button.addEventListener("click", () => this.open!(this.job));
+      return button;
+    };
     const path = `/api/jobs/${encodeURIComponent(job.id)}`;
     this.actions.replaceChildren(
       ...(job.state === "running" ? [act("Cancel", () => send("POST", `${path}/cancel`, {}))] : []),
-      ...(this.open && (job.state === "done" || job.kind === "sweep") ? [act("Show the results", async () => this.open!(this.job), true)] : []),
+      ...(this.open && (job.state === "done" || job.kind === "sweep") ? [opens()] : []),
       ...(!runs && job.state !== "done" ? [act(job.kind === "sweep" ? "Resume" : "Begin again", () => send("POST", `${path}/again`, {}), true)] : []),
       ...(!runs ? [act("Take off the list", () => send("DELETE", path))] : []));
     this.actions.append(make("details", {}, make("summary", {}, "In Python, and on the command line"), ways(job)));
@@ -116,6 +123,22 @@ export class JobCard {
     if (state === "running" && left !== null && left >= 1) parts.push(tr("about # left", lasting(left)));
     this.times.textContent = parts.join(" · ");
   }
+}
+
+/** Calls back with a job whenever it has changed, and once with all that it gave. */
+export async function accompany<T>(place: HTMLElement, first: Whole<T>, goes: (job: Job) => void, ended: (end: Whole<T>) => void): Promise<void> {
+  let isDone = false;
+  const take = async (job: Job) => {
+    goes(job);
+    if (job.state !== "done" || isDone) return;
+    isDone = true;
+    try { ended(job === first ? first : await whole<T>(first.id)); } catch (error) { isDone = false; throw error; }
+  };
+  await take(first);
+  follow(place, (jobs) => {
+    const job = jobs.find((one) => one.id === first.id);
+    if (job) take(job).catch((error) => place.append(problem(error)));
+  });
 }
 
 /** All jobs of some kinds (or every one), the newest first, as they are told. */
@@ -155,45 +178,48 @@ export function report(address: string, title: string): HTMLElement {
     make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }));
 }
 
-/** Puts files into the project, one after the other; calls back with the paths they have there. */
-export function dropZone(folder: () => string, words: string, done: (paths: string[]) => void): HTMLElement {
+/** Puts files into the project, one after the other. `coming` is called when somebody gives some; what it returns hears which paths they have there. */
+export function dropZone(folder: () => string, words: string, coming: () => (paths: string[]) => void): HTMLElement {
   const input = make("input", { type: "file", multiple: true, "aria-label": words });
-  const told = make("div", { "aria-live": "polite" });
+  const told = make("div", { "aria-live": "polite" }), turn = new InTurn((error) => told.append(problem(error)));
   const zone = make("div", { class: "drop" }, make("p", {}, words), input, told);
-  const take = async (files: FileList | null) => {
-    const paths: string[] = [], wrong: HTMLElement[] = [];
-    for (const file of files ?? []) {
-      const path = [folder().replace(/\/+$/, ""), file.name].filter(Boolean).join("/");
-      told.replaceChildren(make("p", { class: "state" }, `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`));
-      try { await upload(path, file); paths.push(path); } catch (error) { wrong.push(problem(error)); }
-    }
-    told.replaceChildren(...wrong, ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: here now.`)] : []));
+  const take = (given: FileList | null) => {
+    const files = [...(given ?? [])], into = folder().replace(/\/+$/, ""), done = coming(), said = make("div", {});
     input.value = "";
-    if (paths.length) done(paths);
+    if (!files.length) return;
+    if (!turn.waiting) told.replaceChildren();
+    told.append(said);
+    void turn.do(async () => {
+      const paths: string[] = [], wrong: HTMLElement[] = [];
+      for (const file of files) {
+        const path = [into, file.name].filter(Boolean).join("/");
+        said.replaceChildren(make("p", { class: "state" }, `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`));
+        try {
+          if (file.size > MOST) throw new Error(`${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`);
+          await upload(path, file);
+          paths.push(path);
+        } catch (error) { wrong.push(problem(error)); }
+      }
+      said.replaceChildren(...wrong, ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: here now.`)] : []));
+      if (paths.length && zone.isConnected) done(paths);
+    });
   };
-  input.addEventListener("change", () => void take(input.files));
+  input.addEventListener("change", () => take(input.files));
   zone.addEventListener("dragover", (event) => { event.preventDefault(); zone.classList.add("over"); });
   zone.addEventListener("dragleave", () => zone.classList.remove("over"));
-  zone.addEventListener("drop", (event) => { event.preventDefault(); zone.classList.remove("over"); void take(event.dataTransfer?.files ?? null); });
+  zone.addEventListener("drop", (event) => { event.preventDefault(); zone.classList.remove("over"); take(event.dataTransfer?.files ?? null); });
   return zone;
 }
 
 const MOST = 250e6;
-async function upload(path: string, file: File): Promise<void> {
-  if (file.size > MOST) throw new Error(`${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`);
-  const answer = await fetch(`/api/upload?${new URLSearchParams({ path })}`, { method: "PUT", body: file });
-  if (answer.ok) return;
-  const told = await answer.json().catch(() => null) as { error?: { text: string } } | null;
-  throw new Error(refused(told?.error?.text ?? `${file.name}: ${answer.statusText}`));
-}
 
-/** A button that asks a quick question and shows what came of it, or why nothing did. */
-export class Question<T> {
+/** A button that asks a quick question and shows what came of it, or why nothing did; `show` is told what was asked, which the form may not say any more. */
+export class Question<T, A extends object = object> {
   readonly button: HTMLButtonElement;
   readonly place = make("div", { "aria-live": "polite" });
   private asked = 0;
 
-  constructor(label: string, private readonly task: () => object, private readonly show: (told: Told<T>) => (Node | string)[]) {
+  constructor(label: string, private readonly task: () => A, private readonly show: (told: Told<T>, asked: A) => (Node | string)[]) {
     this.button = make("button", { type: "button", class: "main" }, label);
     this.button.addEventListener("click", () => void this.ask());
   }
@@ -206,13 +232,13 @@ export class Question<T> {
     this.place.prepend(waiting);
     let shown: () => (Node | string)[];
     try {
-      const told = await ask<T>(this.task());
-      shown = () => this.show(told);
+      const task = this.task(), told = await ask<T>(task);
+      shown = () => this.show(told, task);
     } catch (error) {
       shown = () => [problem(error)];
     }
     waiting.remove();
-    if (turn !== this.asked) return;
+    if (turn !== this.asked || !this.place.isConnected) return;
     this.place.replaceChildren(...shown());
     this.button.disabled = false;
   }

@@ -62,8 +62,14 @@ export class Newest {
 /** Does one thing after the other, every one of them: what is edited is not to be lost where an answer takes long. */
 export class InTurn {
   private last = Promise.resolve();
-  constructor(private readonly refused: (error: unknown) => void) {}
-  do(work: () => Promise<void>): Promise<void> { return (this.last = this.last.then(work).catch(this.refused)); }
+  /** How many are not done yet. */
+  waiting = 0;
+  /** `rested` is called when nothing waits any more. */
+  constructor(private readonly refused: (error: unknown) => void, private readonly rested: () => Promise<void> | void = () => {}) {}
+  do(work: () => Promise<void>): Promise<void> {
+    this.waiting++;
+    return (this.last = this.last.then(work).catch(this.refused).then(() => { if (!--this.waiting) return this.rested(); }).catch(this.refused));
+  }
 }
 
 /** Numbers of a rig as sliders from half to one and a half of what they are; what is not moved is not sent. */
@@ -166,7 +172,7 @@ export class Live {
     } finally {
       clearTimeout(waiting);
       this.busy = false;
-      if (this.again) void this.ask();
+      if (this.again && this.element.isConnected) void this.ask();
     }
   }
 }

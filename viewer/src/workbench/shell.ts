@@ -11,6 +11,9 @@ export interface Page { label: string; show: (place: HTMLElement, values: Values
 export const RIGS = ["rig"];
 export const address = (page: string, values: Record<string, string> = {}) => `#/${page}?${new URLSearchParams(values)}`;
 
+/** Goes to another page, unless the one that asked was left meanwhile: an answer that comes late takes nobody from where they are. */
+export function goTo(from: Node, page: string, values: Record<string, string> = {}): void { if (from.isConnected) location.hash = address(page, values); }
+
 /** The live curves of the open page, for whoever measures them. */
 export let live: { times: number[] } | null = null;
 export function setLive(curves: { times: number[] } | null): void { live = curves; }

@@ -3,10 +3,10 @@
 import { make, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
-import { ask, begin, dropZone, follow, type Job, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
+import { accompany, ask, begin, dropZone, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
 import { Reading } from "../reading";
-import { address, type Page, type Values } from "../shell";
+import { address, goTo, type Page, type Values } from "../shell";
 import { advised } from "../refusals";
 
 export const campaign: Page = { label: "Campaign", show };
@@ -25,8 +25,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const form = make("form", { class: "form" }, field("Folder", folder), start);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    start.disabled = true;
-    ask({ kind: "new-campaign", out: folder.value }).then(() => { location.hash = address("campaign", { file: `${folder.value}/campaign.toml` }); }, (error) => { told.replaceChildren(problem(error)); start.disabled = false; });
+    const out = folder.value;
+    once(start, ask({ kind: "new-campaign", out })).then(() => goTo(place, "campaign", { file: `${out}/campaign.toml` }), (error) => told.replaceChildren(problem(error)));
   });
   place.replaceChildren(make("h1", {}, "Campaigns"),
     make("p", { class: "muted" }, "From measurements of springs, tyres, decays and trials to a model that holds: characterised, updated, compared with every trial."),
@@ -42,13 +42,13 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
   const told = make("div", { "aria-live": "polite" }), go = make("button", { type: "button", class: "main" }, "Run the campaign");
   go.addEventListener("click", () => {
-    once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => { location.hash = address("campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
+    once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => goTo(place, "campaign", { job: job.id }), (error) => told.replaceChildren(problem(error)));
   });
   const check = make("button", { type: "button" }, "Check it");
   check.addEventListener("click", () => {
-    api.check(path).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, one))), (error) => told.replaceChildren(problem(error)));
+    once(check, api.check(path)).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, one))), (error) => told.replaceChildren(problem(error)));
   });
-  const reader = make("div", {});
+  const reader = make("div", {}), come = make("p", { class: "bar", hidden: true }, "measured: ");
   const open = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
     reader.replaceChildren(entry(path, file, form, given, found));
     reader.scrollIntoView({ block: "start" });
@@ -66,7 +66,14 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     make("h2", {}, "Trials"), table("trials", ["number", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
     make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
     make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
-    dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", (paths) => open(paths[0]!, "recording")), reader);
+    dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", () => {
+      const before = reader.firstChild;
+      return (paths) => {
+        come.append(...paths.map((one) => link(one, "recording")));
+        come.hidden = false;
+        if (reader.firstChild === before) open(paths[0]!, "recording"); // else another file was opened meanwhile, and is being entered
+      };
+    }), come, reader);
   if (read) open(read, "recording");
 }
 
@@ -132,7 +139,7 @@ function entry(path: string, file: string, form: "recording" | "force-deflection
     const what = use.value === "trial" ? { recording: file, ...(road.value ? { road: road.value, speed: speed.value } : { excitation: { file: support.value, datum: datum.value } }), tyre_pressure: pressure.value, use: goes.value, ...how }
       : { files: [file], replace: replace.checked, ...(use.value === "tyre" ? { pressure: pressure.value } : {}), ...(use.value === "decay" ? {} : { discard_below: discard.value }), ...how };
     enter.disabled = true;
-    api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }).then(() => { location.hash = address("campaign", { file: path, entered: String(Date.now()) }); }, (error) => { told.replaceChildren(problem(error)); enter.disabled = false; });
+    api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }).then(() => goTo(told, "campaign", { file: path, entered: String(Date.now()) }), (error) => { told.replaceChildren(problem(error)); enter.disabled = false; });
   });
   place.append(reading.element);
   offer();
@@ -154,18 +161,13 @@ const tone = (verdict: string) => TONE[verdict] ?? (/not|fail/.test(verdict) ? "
 async function showRun(place: HTMLElement, id: string): Promise<void> {
   const first = await whole<Results>(id), units = await unitsOf(String(first.asked.campaign)), results = make("div", {}), live = make("div", {});
   const card = new JobCard(first);
-  let done = false;
   place.replaceChildren(make("h1", {}, first.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), " · ", make("a", { href: address("campaign", { file: String(first.asked.campaign) }) }, String(first.asked.campaign))), card.element, live, results);
-  const take = async (job: Job) => {
+  await accompany(place, first, (job) => {
     card.show(job);
-    if (job.steps?.length) live.replaceChildren(search(job.steps, job.state === "running", units));
-    if (job.state !== "done" || done) return;
-    done = true;
-    const end = await whole<Results>(id).catch((error) => { done = false; throw error; });
+    if (card.job.steps?.length) live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
+  }, (end) => {
     if (end.result) results.replaceChildren(...answer(end.result, units), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
-  };
-  await take(first);
-  follow(place, (jobs) => { const job = jobs.find((one) => one.id === id); if (job) void take(job); });
+  });
 }
 
 /** A search while it goes on: its objective step by step, and every parameter between its bounds. */

@@ -3,7 +3,7 @@
 import { make, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
-import { dropZone, Question, report, ways } from "../jobs";
+import { dropZone, Question, report, type Told, ways } from "../jobs";
 import { field } from "../parts";
 import { Reading } from "../reading";
 import { address, type Page, RIGS, type Values } from "../shell";
@@ -25,31 +25,51 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
   const records = entries.filter((one) => one.kind === "record").map((one) => one.path), stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
   const rigs = [...entries.filter((one) => RIGS.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
-  const kept = make("div", {}, stores.length ? search(stores, choices) : make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it."));
-  const stored = (name: string) => { if (name && !stores.includes(name)) { stores.push(name); kept.replaceChildren(search(stores, choices)); } };
+  const store = select(stores), search_ = search(store, choices), noStore = make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.");
+  const offered = () => { search_.hidden = !store.options.length; noStore.hidden = !search_.hidden; };
+  const stored = (name: string) => { if (name) offer(store, [name]); offered(); }; // what is typed into the search stays
+  const { element, here } = evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored);
+  offered();
   place.replaceChildren(make("h1", {}, "Inspection"),
     make("p", { class: "muted" }, "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store."),
-    make("h2", {}, "Evaluate a record"), evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored),
-    make("h2", {}, "New records"), dropZone(() => "records", "Drop records of a tester here, or choose them; they go to the folder records.", (paths) => { location.hash = address("inspection", { record: paths[0]! }); }),
+    make("h2", {}, "Evaluate a record"), element,
+    make("h2", {}, "New records"), dropZone(() => "records", "Drop records of a tester here, or choose them; they go to the folder records.", here),
     make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), simulated(rigs, choices)),
-    make("h2", {}, "Store"), kept);
+    make("h2", {}, "Store"), noStore, search_);
 }
 
 const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
 
-function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void): HTMLElement {
-  if (!records.length) return make("p", { class: "empty" }, "No record lies here yet.");
+/** Puts names into a choice that has them not. */
+function offer(choice: HTMLSelectElement, names: string[]): void {
+  const known = new Set([...choice.options].map((one) => one.value));
+  choice.append(...names.filter((name) => !known.has(name)).map((name) => make("option", { value: name }, name)));
+}
+
+/** What evaluates a record, and what is called when records come: the first of them is chosen, unless another one was meanwhile. */
+function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void): { element: HTMLElement; here: () => (paths: string[]) => void } {
   const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
   const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
   const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(new Date().toISOString().slice(0, 10)), by = text(""), language = make("select", {}, make("option", { value: "en" }, "English"), make("option", { value: "de" }, "Deutsch"));
   const look = make("button", { type: "button" }, "Look at the record"), looked = make("div", {});
   look.addEventListener("click", () => { const reading = new Reading(record.value, "recording"); looked.replaceChildren(reading.element); void reading.ask(); });
-  const question = new Question<Graded>("Evaluate and grade", () => ({
+  const question = new Question("Evaluate and grade", () => ({
     kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
     store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
-  }), (told) => { if (told.result.store) stored(store.value); return [...graded(told.result), report(told.report, "Protocol"), ways(told)]; });
-  return make("section", {}, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
+  }), (told: Told<Graded>, asked) => { if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol"), ways(told)]; });
+  const none = make("p", { class: "empty", hidden: !!records.length }, "No record lies here yet.");
+  const whole = make("section", { hidden: !records.length }, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
     make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
+  const here = () => {
+    const before = record.value;
+    return (paths: string[]) => {
+      for (const one of [record, other]) offer(one, paths);
+      if (record.value === before || !before) record.value = paths[0]!;
+      whole.hidden = false;
+      none.hidden = true;
+    };
+  };
+  return { element: make("div", {}, none, whole), here };
 }
 
 /** Verdicts first, then what was measured of every wheel, and why it is graded so. */
@@ -79,23 +99,23 @@ function simulated(rigs: string[], choices: Choices): HTMLElement {
   const rig = select(rigs, rigs.find((one) => one === "audi-a6-half-car-4dof")), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea")));
   const wear = make("input", { type: "text", value: "", placeholder: "0.4" }), wheel = select(["both", "left", "right"], "both"), out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
   const question = new Question("Simulate the test", () => ({ kind: "test", vehicle: rig.value, tester: tester.value, wear: wear.value, wheel: wheel.value, out: out.value }),
-    (told) => [make("p", { class: "good" }, `${out.value} was written. `, make("a", { href: address("inspection", { record: out.value }) }, "Evaluate it")), ways(told)]);
+    (told, asked) => [make("p", { class: "good" }, `${asked.out} was written. `, make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it")), ways(told)]);
   return make("section", {}, make("div", { class: "form" }, field("Rig or vehicle", rig), field("Tester", tester), field("Loss of damping", wear), field("Wheel", wheel), field("Record", out), question.button), question.place);
 }
 
 interface Stored { number: number; date: string; plate: string; vehicle: string; axle: string; tester: string; name: string; verdict: string | null }
 
-function search(stores: string[], choices: Choices): HTMLElement {
-  const store = select(stores), text = (hint: string) => make("input", { type: "text", placeholder: hint, spellcheck: "false" });
+function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
+  const text = (hint: string) => make("input", { type: "text", placeholder: hint, spellcheck: "false" });
   const plate = text("B-AB*"), verdict = select(["pass", "advise", "fail", "not graded"], "", "any"), tester = select(choices.testers, "", "any"), since = text("2026-01-31"), until = text("2026-12-31");
   const history = make("div", { "aria-live": "polite" });
-  const question = new Question<{ records: Stored[] }>("Search", () => ({ kind: "search", store: store.value, plate: plate.value, verdict: verdict.value, tester: tester.value, since: since.value, until: until.value }), (told) => {
+  const question = new Question("Search", () => ({ kind: "search", store: store.value, plate: plate.value, verdict: verdict.value, tester: tester.value, since: since.value, until: until.value }), (told: Told<{ records: Stored[] }>, asked) => {
     const { records } = told.result;
     if (!records.length) return [make("p", { class: "empty" }, "No record fits."), ways(told)];
     const rows = records.map((one) => {
       const button = make("button", { type: "button", "aria-label": `history of ${one.plate}` }, tr("history"));
       button.addEventListener("click", () => {
-        const past = new Question<{ plate: string; vehicle: string; trends: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[] }>("Again", () => ({ kind: "history", store: store.value, plate: one.plate }), (found) => [make("h3", {}, `History of ${found.result.plate}`), ...trends(found.result.trends), report(found.report, "Every visit"), ways(found)]);
+        const past = new Question<{ plate: string; vehicle: string; trends: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[] }>("Again", () => ({ kind: "history", store: asked.store, plate: one.plate }), (found) => [make("h3", {}, `History of ${found.result.plate}`), ...trends(found.result.trends), report(found.report, "Every visit"), ways(found)]);
         history.replaceChildren(past.place);
         void past.ask();
       });

@@ -15,6 +15,9 @@ import { address, choose, type Page, RIGS, setLive, type Values } from "../shell
 export const kinematics: Page = { label: "Kinematics", show };
 
 type Over = "travel" | "rack" | "roll";
+/** What is not in the file yet when its page is made anew, because it was written: targets, and what was moved meanwhile. */
+interface Kept { rig: string; said: string; targets: Target[]; changes: Record<string, number> }
+let kept: Kept | null = null;
 interface Extra { centres: Centres | null; targets: Band[]; notes: string[] }
 
 /** One of travel, rack and roll: a range where it is swept, and a slider of the pose. */
@@ -50,9 +53,12 @@ class Drive {
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
   if (!name) { await choose(place, "kinematics", tr("Kinematics"), "rig", true); return; }
-  const [rig, { entries }, shipped] = await Promise.all([api.rig(name), api.project(), api.library()]);
+  const [rig, { entries }, shipped] = await Promise.all([api.rig(name), api.project(), api.library()]), isOwn = name.endsWith(".toml"), earlier = isOwn ? await api.versions(name) : [];
+  if (!place.isConnected) return;
+  const before = kept?.rig === name ? kept : null;
+  kept = null;
   if (!rig.spatial) { place.replaceChildren(make("h1", {}, name), make("p", { class: "empty" }, tr("This rig has no hardpoints, and so no kinematics: "), make("a", { href: address("kinematics") }, tr("choose another one")), ".")); return; }
-  const isOwn = name.endsWith(".toml"), isSmall = rig.numbers.some((one) => one.path === "wheel.radius" && one.value < 0.18);
+  const isSmall = rig.numbers.some((one) => one.path === "wheel.radius" && one.value < 0.18);
   const hasRack = rig.numbers.some((one) => /^hardpoints\.(tie_rod|link_5)_inner\[0\]$/.test(one.path));
   const reach = isSmall ? 20 : 50, newest = new Newest(), times: number[] = [];
   setLive({ times });
@@ -73,7 +79,6 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   };
   over.addEventListener("change", () => { arrange(); void ask(); });
   const rigs = entries.filter((entry) => RIGS.includes(entry.kind) && entry.path !== name).map((entry) => entry.path);
-  const earlier = isOwn ? await api.versions(name) : [];
   const against = make("select", {}, make("option", { value: "" }, tr("nothing else")),
     ...(earlier.length ? [make("optgroup", { label: tr("earlier versions") }, ...earlier.map((one) => make("option", { value: one.name }, `${tr("replaced")} ${new Date(one.replaced * 1000).toISOString().slice(0, 16).replace("T", " ")} UTC`)))] : []),
     ...(rigs.length ? [make("optgroup", { label: tr("this project") }, ...rigs.map((one) => make("option", { value: one }, one)))] : []),
@@ -81,29 +86,31 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   against.addEventListener("change", () => void ask());
 
   const view = new MechanismView(true), stage = make("div", { class: "player bare" }, view.element);
-  let centres: Centres | null = null, isTurned = true, factor = 1, last: { low: number; high: number } = { low: 0, high: 0 };
+  let swept: Over = "travel", centres: Centres | null = null, isTurned = true, factor = 1, last: { low: number; high: number } = { low: 0, high: 0 };
   const centred = toggle(tr("centres"), true, (on) => { isTurned = on; view.showCentres(on ? centres : null); }, tr("instant centres in front and side view, and the roll centre"));
   view.element.querySelector(".bar")!.append(make("div", { class: "group" }, centred));
-  const multiples = new Multiples((x) => { drives[over.value as Over].value = x; pose(); });
+  const multiples = new Multiples((x) => { if (swept === over.value) { drives[swept].value = x; pose(); } });
+  /** Puts the mechanism into a pose of the sweep that is there, which is not always the one that is wanted. */
   const pose = () => {
-    const drive = drives[over.value as Over];
+    const drive = drives[swept];
     const x = Math.min(Math.max(drive.value, last.low), last.high);
-    view.set({ body: 0, travel: x * factor, ground: ground(x * factor), load: 1, time: 0, roll: over.value === "roll" ? x * Math.PI / 180 : 0 });
+    view.set({ body: 0, travel: x * factor, ground: ground(x * factor), load: 1, time: 0, roll: swept === "roll" ? x * Math.PI / 180 : 0 });
     multiples.mark(x);
   };
   let ground = (_: number) => 0;
   const points = rig.numbers.map((one) => one.path).filter((path) => /ball_joint\[2\]|tie_rod_(inner|outer)\[2\]/.test(path)).slice(0, 4);
-  const sliders = new Sliders(rig, points, () => { dragged.set(moved()); void ask(); });
+  const sliders = new Sliders(rig, points, () => { dragged.set(moved()); void ask(); }, before?.changes);
   const moved = () => rig.numbers.map(({ path, value }) => ({ path, value: sliders.changes[path] ?? value }));
   const dragged = new Points(view, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); void ask(); });
-  dragged.set(rig.numbers);
+  dragged.set(moved());
 
-  const targets: Target[] = [], chosen = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((entry) => entry.kind === "design").map((entry) => make("option", { value: entry.path }, entry.path)));
+  const targets: Target[] = before?.targets ?? [], chosen = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((entry) => entry.kind === "design").map((entry) => make("option", { value: entry.path }, entry.path)));
   chosen.addEventListener("change", () => void ask());
   let quantities: { name: string; unit: string }[] = [];
   const wanted = new Targets(targets, () => quantities, () => over.value as Over, () => void ask());
 
   const ask = () => newest.ask(async () => {
+    if (!place.isConnected) return;
     const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
     const waiting = setTimeout(() => { state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
     try {
@@ -114,6 +121,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       if (!place.isConnected) return;
       const extra = store.content as unknown as Extra & api.Answer, model = store.content.viewers[0]!, scene = model.scenes[0]!, x = store.get(scene.x);
       centres = extra.centres;
+      swept = now;
       last = { low: x[0] as number, high: x[x.length - 1] as number };
       if (scene.motion) {
         const mechanism = store.content.mechanisms[scene.motion.mechanism]!, along = mechanism.travel;
@@ -142,13 +150,16 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   filter.addEventListener("input", () => multiples.filter(filter.value));
   const write = make("button", { type: "button" }, tr("Write these changes into the file")), written_ = make("span", { "aria-live": "polite" });
   write.addEventListener("click", () => {
-    if (!Object.keys(sliders.changes).length) { written_.textContent = tr("Nothing is changed."); return; }
+    const changes = { ...sliders.changes };
+    if (!Object.keys(changes).length) { written_.textContent = tr("Nothing is changed."); return; }
     void once(write, (async () => {
       try {
-        const file = await api.file(name), found = await api.form(name, file.text, [], sliders.changes);
+        const file = await api.file(name), found = await api.form(name, file.text, [], changes);
         if (found.problems.length) throw new Error(found.problems[0]!.text);
         await api.save(name, found.text, file.digest);
-        sessionStorage.setItem("written", tr("The changes stand in the file; what it was before is an earlier version."));
+        if (!place.isConnected) return;
+        const inFile = new Map(rig.numbers.map(({ path, value }) => [path, changes[path] ?? value])), later = moved().filter(({ path, value }) => value !== inFile.get(path));
+        kept = { rig: name, said: tr("The changes stand in the file; what it was before is an earlier version."), targets, changes: Object.fromEntries(later.map(({ path, value }) => [path, value])) };
         dispatchEvent(new HashChangeEvent("hashchange"));
       } catch (error) { written_.replaceChildren(problem(error)); }
     })());
@@ -163,8 +174,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
     make("h2", {}, tr("Numbers")), sliders.element, ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
     make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same.element);
-  written_.textContent = sessionStorage.getItem("written") ?? "";
-  sessionStorage.removeItem("written");
+  written_.textContent = before?.said ?? "";
   await ask();
 }
 
@@ -179,13 +189,14 @@ class Targets {
   readonly element = make("div", {});
   private readonly quantity = make("select", {});
   private readonly rows = make("tbody", {});
+  private readonly adds = make("button", { type: "submit", disabled: true }, tr("Add the target")); // until there is a quantity
   private known = "";
   constructor(private readonly targets: Target[], private readonly quantities: () => { name: string; unit: string }[], along: () => Over, private readonly changed: () => void) {
     const how = make("select", {}, ...([["value", "="], ["at_least", "≥"], ["at_most", "≤"]] as const).map(([value, words]) => make("option", { value, title: value }, words)));
     const value = make("input", { type: "text", value: "0 deg" }), tolerance = make("input", { type: "text", value: "0.1 deg" }), where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
     const unit = () => { const found = this.quantities().find((one) => one.name === this.quantity.value); if (found) { const text = found.unit.replace("°", "deg"); value.value = `0 ${text}`.trim(); tolerance.value = `0.1 ${text}`.trim(); } };
     this.quantity.addEventListener("change", unit);
-    const add = make("form", { class: "form" }, field(tr("Quantity"), this.quantity), field(tr("is wanted"), how), field(tr("Value"), value), field(tr("Tolerance"), tolerance), field(tr("At, or over first:last:step"), where), make("button", { type: "submit" }, tr("Add the target")));
+    const add = make("form", { class: "form" }, field(tr("Quantity"), this.quantity), field(tr("is wanted"), how), field(tr("Value"), value), field(tr("Tolerance"), tolerance), field(tr("At, or over first:last:step"), where), this.adds);
     add.addEventListener("submit", (event) => {
       event.preventDefault();
       targets.push({ quantity: this.quantity.value, [how.value]: value.value, tolerance: tolerance.value, ...(where.value.includes(":") ? { over: where.value } : where.value ? { at: where.value } : {}), ...(where.value && along() === "rack" ? { along: "rack" } : {}) });
@@ -203,6 +214,7 @@ class Targets {
     const before = this.quantity.value;
     this.quantity.replaceChildren(...names.map((one) => make("option", { value: one }, quantity(one))));
     if (names.includes(before)) this.quantity.value = before;
+    this.adds.disabled = !names.length;
   }
   private list(): void {
     this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, quantity(one.quantity)),

@@ -6,7 +6,7 @@ import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
 import { field, once, problem, ways } from "../parts";
-import { address, type Page } from "../shell";
+import { address, goTo, type Page } from "../shell";
 import { inWords } from "../quantities";
 
 export const project: Page = { label: "Project", show };
@@ -41,7 +41,7 @@ async function show(place: HTMLElement): Promise<void> {
   const form = make("form", { class: "form" }, field(tr("Shipped rig"), choice), field(tr("Name of your file"), target), copy);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    once(copy, api.start(choice.value, target.value)).then((made) => { location.hash = address("rig", { name: made.path }); }, (error) => told.replaceChildren(problem(error)));
+    once(copy, api.start(choice.value, target.value)).then((made) => goTo(place, "rig", { name: made.path }), (error) => told.replaceChildren(problem(error)));
   });
   place.replaceChildren(
     make("h1", {}, name), make("p", { class: "muted" }, folder), next(entries, kept),

@@ -18,6 +18,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const path = values.get("path");
   if (!path) { await choose(place, "record", tr("Records"), "path", false, ["record"]); return; }
   const began = performance.now(), about = await api.get<About>(`/api/record?${api.query({ path })}`);
+  if (!place.isConnected) return;
   const shown = new Set(about.channels.slice(0, AT_FIRST).map((one) => one.name)), newest = new Newest(), times: number[] = [];
   setLive({ times });
   const state = make("p", { class: "state", role: "status" });
@@ -28,6 +29,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     const since = performance.now(), [low, high] = part, width = high - low;
     try {
       const store = Store.of(await api.binary("/api/record", { path, channels: [...shown], low: Math.max(about.first, low - width), high: Math.min(about.last, high + width), columns: Math.max(600, 3 * Math.round(plots.element.clientWidth)) }));
+      if (!place.isConnected) return;
       const scene = store.content.viewers[0]!.scenes[0]!;
       drawing = true;
       plots.show({

@@ -5,9 +5,9 @@ import { make, written } from "../../page";
 import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
-import { begin, follow, type Job, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
+import { accompany, begin, follow, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
-import { address, type Page, RIGS, type Values } from "../shell";
+import { address, goTo, type Page, RIGS, type Values } from "../shell";
 import type { Choices } from "./inspection";
 import { inWords } from "../quantities";
 import { advised } from "../refusals";
@@ -45,7 +45,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     event.preventDefault();
     const chosen = [...controls.querySelectorAll<HTMLInputElement>("input:checked")].map((one) => one.value);
     once(go, begin({ kind: "compare", vehicle: vehicle.value, road: road.value, speed: speed.value, duration: duration.value, seed: Number(seed.value), control: chosen.length ? chosen : ["passive"], changes }))
-      .then((job) => { location.hash = address("ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
+      .then((job) => goTo(place, "ride", { job: job.id }), (error) => said.replaceChildren(problem(error)));
   });
   const changed = Object.entries(changes);
   form.append(make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Duration", duration), field("Seed", seed)),
@@ -68,6 +68,7 @@ function overlay(): HTMLElement {
   const question = new Question<Drawn>("Draw them", () => ({ kind: "overlay", rides: [...chosen.values()] }), ({ result, ...told }) => {
     const holder = make("div", {});
     void Store.open(JSON.stringify(result.content)).then(inWords).then((store) => {
+      if (!holder.isConnected) return; // others were drawn meanwhile
       draw = () => { const model = store.content.viewers[Number(over.value)]; if (model) holder.replaceChildren(new Player(model, store).element); };
       draw();
     });
@@ -101,6 +102,7 @@ function pareto(rigs: string[], roads: string[]): HTMLElement {
   const vehicle = select(rigs, "audi-a6-quarter-car"), road = select(roads.filter((one) => one.startsWith("iso:")), "iso:C"), speed = text("20 m/s"), points = make("input", { type: "number", min: "2", max: "200", value: "12" });
   const rows = make("div", {}), paths = make("datalist", { id: "paths-that-are-free" }), said = make("div", { "aria-live": "polite" });
   const limit = text("", "20 mm");
+  const more = make("button", { type: "button" }, "Another number"), go = make("button", { type: "button", class: "main" }, "Search");
   let numbers: api.RigNumber[] = [];
   const add = (path = "") => {
     const own = numbers.find((one) => one.path === path), bounds = own ? `${Number((0.3 * own.value * own.factor).toPrecision(3))}..${Number((3 * own.value * own.factor).toPrecision(3))} ${own.unit}` : "";
@@ -108,23 +110,25 @@ function pareto(rigs: string[], roads: string[]): HTMLElement {
     rows.append(make("div", { class: "bar pair" }, which, within));
   };
   const load = async () => {
+    const name = vehicle.value;
+    said.replaceChildren();
+    rows.replaceChildren(); // the numbers of another rig are none to be edited
+    more.disabled = go.disabled = true;
     try {
-      const name = vehicle.value, found = await api.rig(name);
+      const found = await api.rig(name);
       if (vehicle.value !== name) return; // another one was chosen meanwhile
       numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
-      rows.replaceChildren();
       add(numbers.find((one) => /damper\.coefficient$/.test(one.path))?.path ?? numbers[0]?.path);
-      said.replaceChildren();
-    } catch (error) { said.replaceChildren(problem(error)); }
+      more.disabled = go.disabled = false;
+    } catch (error) { if (vehicle.value === name) said.replaceChildren(problem(error)); }
   };
   vehicle.addEventListener("change", () => void load());
-  const more = make("button", { type: "button" }, "Another number"), go = make("button", { type: "button", class: "main" }, "Search");
   more.addEventListener("click", () => add());
   go.addEventListener("click", () => {
     const free = Object.fromEntries([...rows.children].map((row) => [...row.querySelectorAll("input")].map((one) => one.value.trim()) as [string, string]).filter(([path]) => path));
     once(go, begin({ kind: "pareto", vehicle: vehicle.value, road: road.value, speed: speed.value, free, points: Number(points.value), limit: limit.value ? { "strut.deflection": limit.value } : {} }))
-      .then((job) => { location.hash = address("ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
+      .then((job) => goTo(said, "ride", { job: job.id }), (error) => said.replaceChildren(problem(error)));
   });
   void load();
   return make("section", {}, make("p", { class: "muted" }, "From the most comfortable design to the one that holds the road best; each of them opens as a ride."),
@@ -133,19 +137,12 @@ function pareto(rigs: string[], roads: string[]): HTMLElement {
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {
   const first = await whole<Compared | Front>(id), results = make("div", {}), card = new JobCard(first);
-  let done = false;
   place.replaceChildren(make("h1", {}, first.title), make("p", {}, make("a", { href: address("ride") }, "All rides")), card.element, results);
-  const take = async (job: Job) => {
-    card.show(job);
-    if (job.state !== "done" || done) return;
-    done = true;
-    const end = await whole<Compared | Front>(id).catch((error) => { done = false; throw error; });
+  await accompany(place, first, (job) => card.show(job), (end) => {
     if (!end.result) return;
     results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ...undone("runs" in end.result ? end.result : null), ways(end),
       ...(end.has_page ? [report(`/api/jobs/${id}/report`, "runs" in end.result ? "Over time, as spectra, and every metric" : "Report")] : []));
-  };
-  await take(first);
-  follow(place, (jobs) => { const job = jobs.find((one) => one.id === id); if (job) void take(job); });
+  });
 }
 
 /** Controllers beside each other; the best of each merit is marked. */

@@ -61,7 +61,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const name = make("input", { type: "text", value: "study.toml", spellcheck: "false" }), out = make("input", { type: "text", value: "swept", spellcheck: "false" });
   const told = make("div", { "aria-live": "polite" });
   name.addEventListener("change", () => { out.value = `${name.value.replace(/\.toml$/, "")}-swept`; });
-  let numbers: api.RigNumber[] = [];
+  let numbers: api.RigNumber[] = [], isLoaded = false, isWriting = false;
 
   const add = (path = "", spread = "share") => {
     const which = make("input", { type: "text", value: path, list: "paths-of-the-rig", "aria-label": "number that varies", size: "30", spellcheck: "false" });
@@ -89,20 +89,24 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const offerRoad = () => sizes.replaceChildren(...(road.value === "iso" ? [field("Class", make("select", { name: "class" }, ..."ABCDEFGH".split("").map((one) => make("option", one === "C" ? { value: one, selected: true } : { value: one }, one))))]
     : OBSTACLES[road.value]!.map((one) => field(one[0]!.toUpperCase() + one.slice(1), make("input", { type: "text", value: USUAL[one]!, name: one })))));
   road.addEventListener("change", offerRoad);
-  const save = make("button", { type: "button" }, "Write the study"), go = make("button", { type: "submit", class: "main" }, "Write it and begin");
+  const save = make("button", { type: "button" }, "Write the study"), go = make("button", { type: "submit", class: "main" }, "Write it and begin"), more = make("button", { type: "button" }, "Another number");
+  const buttons = () => { more.disabled = !isLoaded; save.disabled = go.disabled = !isLoaded || isWriting; };
   const load = async () => {
+    const name = rig.value;
     told.replaceChildren();
     rows.replaceChildren(); // the numbers of another rig are none to be edited
-    save.disabled = go.disabled = true;
+    isLoaded = false;
+    buttons();
     try {
-      const name = rig.value, found = await api.rig(name);
+      const found = await api.rig(name);
       if (rig.value !== name) return; // another one was chosen meanwhile
       numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
       const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter((path) => numbers.some((one) => one.path === path));
       for (const path of usual.length ? usual : numbers.slice(0, 2).map((one) => one.path)) add(path);
-      save.disabled = go.disabled = false;
-    } catch (error) { told.replaceChildren(problem(error)); }
+      isLoaded = true;
+      buttons();
+    } catch (error) { if (rig.value === name) told.replaceChildren(problem(error)); }
   };
   rig.addEventListener("change", () => void load());
   design.addEventListener("change", () => { count.disabled = !DESIGNS[design.value]![1]; });
@@ -117,27 +121,31 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   };
   let digest = "", written_ = "";
   const make_ = async () => {
-    const sizesOf = Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one.value]));
+    const path = name.value, sizesOf = Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one.value]));
     const made = await (await api.asked("POST", "/api/study", {
-      path: name.value, was: written_ === name.value ? digest : "", rig: rig.value,
+      path, was: written_ === path ? digest : "", rig: rig.value,
       trial: { speed: speed.value, duration: duration.value, road: road.value === "iso" ? `iso:${sizesOf.class}` : { kind: road.value, start: "0.2 m", ...sizesOf } },
       design: { kind: design.value, ...(DESIGNS[design.value]![1] ? { count: Number(count.value), seed: Number(seed.value) } : {}) },
       vary: Object.fromEntries([...rows.rows].map((row) => [row.querySelector("input")!.value.trim(), spread(row)])),
       metrics: metrics.value.split(",").map((one) => one.trim()).filter(Boolean),
     })).json() as { digest: string; count: number; path: string };
     digest = made.digest;
-    written_ = name.value;
+    written_ = path;
     return made;
   };
   const form = make("form", {});
-  save.addEventListener("click", () => { once(save, make_()).then((made) => told.replaceChildren(make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)), (error) => told.replaceChildren(problem(error))); });
+  /** One is written at a time: a second would replace what it does not know. */
+  const write = (then: (made: { count: number; path: string }) => Promise<(Node | string)[]>) => {
+    isWriting = true;
+    buttons();
+    void make_().then(then).catch((error) => [problem(error)]).then((said) => { isWriting = false; buttons(); told.replaceChildren(...said); });
+  };
+  save.addEventListener("click", () => write(async (made) => [make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)]));
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    go.disabled = true;
-    make_().then((made) => begin({ kind: "sweep", study: name.value, out: out.value }).then((job) => told.replaceChildren(make("p", { class: "good" }, `${made.count} variants begun.`), ways(job))))
-      .catch((error) => told.replaceChildren(problem(error))).finally(() => { go.disabled = false; });
+    const into = out.value;
+    write(async (made) => { const job = await begin({ kind: "sweep", study: made.path, out: into }); return [make("p", { class: "good" }, `${made.count} variants begun.`), ways(job)]; });
   });
-  const more = make("button", { type: "button" }, "Another number");
   more.addEventListener("click", () => add());
   form.append(make("div", { class: "form" }, field("Rig", rig), field("Road", road), sizes, field("Speed", speed), field("Duration", duration)),
     make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "what varies" }, make("table", {}, make("thead", {}, make("tr", {}, ...["number", "spread", "", "", ""].map((text) => make("th", { scope: "col" }, text)))), rows)), paths, more,
@@ -150,6 +158,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
 
 async function showSweep(place: HTMLElement, id: string | null, given: string | null): Promise<void> {
   const job = id ? await whole(id) : null;
+  if (!place.isConnected) return;
   const folder = given ?? String(job?.asked.out ?? "");
   if (job && (job.state === "running" || job.state === "cancelling")) { showRunning(place, job, folder); return; }
   const sweep = await api.get<Sweep>(`/api/sweep?${api.query({ folder })}`);

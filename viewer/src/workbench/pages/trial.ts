@@ -15,7 +15,8 @@ const FIRST = ["strut.spring.rate", "strut.damper.coefficient", "strut.damper.bu
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
   if (!name) { await choose(place, "trial", tr("Trial"), "rig", true, RIGS, values.get("record") ? { record: values.get("record")! } : {}); return; }
-  const rig = await api.rig(name);
+  const [rig, { entries }] = await Promise.all([api.rig(name), api.project()]);
+  if (!place.isConnected) return;
   const kind = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))));
   const sizes = make("span", { class: "sizes" });
   const road = told<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
@@ -31,15 +32,14 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     rig: name, changes: sliders.changes, speed: speed.value, duration: duration.value,
     road: { kind: kind.value, start: road.start ?? "0.2 m", ...Object.fromEntries([...sizes.querySelectorAll("input")].map((one) => [one.name, one.value])) },
   });
-  const { entries } = await api.project();
   const look = make("select", {}, ...([["time", tr("time")], ["spectra", tr("frequency (spectra)")]] as const).map(([value, words]) => make("option", { value }, words)));
   const measured = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((one) => one.kind === "record").map(({ path }) => make("option", { value: path, ...(path === values.get("record") ? { selected: true } : {}) }, path)));
   const begins = make("input", { type: "text", value: "0 s" }), since = field(tr("Where it begins"), begins);
   const offset = () => { since.hidden = !measured.value; };
   const phase = new Phase(() => void curves.ask());
   const curves = new Live((channels) => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value, numbers: [...channels, ...phase.channels] }));
-  curves.shown = (model, store) => { phase.element.hidden = look.value !== "time"; if (look.value === "time") phase.show(model, store); };
-  curves.moved = (time) => { if (look.value === "time") phase.mark(time); };
+  curves.shown = (model, store) => { const isTime = model.x.unit === "s"; phase.element.hidden = !isTime; if (isTime) phase.show(model, store); }; // of what came, not of what is wanted by now
+  curves.moved = (place) => { if (!phase.element.hidden) phase.mark(place); };
   for (const one of [look, measured, begins]) one.addEventListener("change", () => { offset(); void curves.ask(); });
   offset();
   const title = make("input", { type: "text", size: "40", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
