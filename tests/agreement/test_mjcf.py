@@ -11,6 +11,8 @@ import scipy.optimize
 import jounce as jn
 from jounce.exchange.chrono import write_chrono
 from jounce.exchange.mjcf import write_mjcf
+from jounce.parts.importers.drafts import tensor_of
+from jounce.parts.importers.mjcf import _Tree, import_mjcf
 
 
 def engine():
@@ -143,3 +145,61 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
     with pytest.raises(jn.OutputError, match="hysteresis"):
         write_mjcf(jn.load("kart-double-wishbone").with_changes({"strut.damper": hysteretic}), tmp_path / "a.xml")
     assert not list(tmp_path.iterdir())
+
+
+SAVED = """<mujoco><compiler angle="radian"/><compiler eulerseq="{order}"/>
+<default><site pos="0 0 0.5"/><joint axis="0 1 0"/><default class="one"><joint pos="0.1 0 0"/></default></default>
+<worldbody><body name="a" childclass="one" pos="0.1 0.2 0.3" {turns[0]}>
+  <inertial pos="0.3 0.2 0.1" mass="2" {turns[1]} diaginertia="3 4 5"/><joint name="hinge"/><site name="p"/>
+  <body name="b" pos="-0.3 0.1 0.2" {turns[2]}>
+    <inertial pos="0.1 -0.2 0" mass="1" fullinertia="5 6 7 0.1 0.2 0.3"/><joint name="slide" type="slide"/>
+    <site name="wheel_centre" pos="1 2 3" {turns[3]}/>
+  </body></body></worldbody>
+<worldbody><body name="c" pos="4 5 6" {turns[4]}><site name="q" pos="0.1 0.2 0.3"/></body></worldbody></mujoco>"""
+
+
+def turns(rng) -> list[str]:
+    """Each way in which MJCF turns a frame, in any order."""
+    ways = {"quat": 4, "euler": 3, "axisangle": 4, "xyaxes": 6, "zaxis": 3}
+    return [f'{w}="{" ".join(f"{x:.9g}" for x in rng.normal(size=n))}"' for w, n in ways.items()]
+
+
+@pytest.mark.parametrize("order", ["xyz", "ZYX", "zxz"])
+def test_places_are_those_of_the_engine(tmp_path: Path, order: str) -> None:
+    """Frames turned in every way, several compilers and worlds, defaults of classes: MuJoCo is the oracle."""
+    mujoco = engine()
+    rng = np.random.default_rng(7)
+    text = SAVED.format(order=order, turns=turns(rng))
+    file = tmp_path / "frames.xml"
+    file.write_text(text)
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    read = _Tree(file, {})
+    assert len(read.sites) == model.nsite
+    for name, (place, _) in read.sites.items():
+        np.testing.assert_allclose(place, data.site(name).xpos, atol=1e-9)
+    axis = data.site("wheel_centre").xmat.reshape(3, 3)[:, 2]
+    np.testing.assert_allclose(read.axle_end - read.sites["wheel_centre"][0], axis, atol=1e-9)
+    for name, body in read.bodies.items():
+        np.testing.assert_allclose(body.place, data.body(name).xpos, atol=1e-9)
+        for joint, _, place, along in body.joints:
+            np.testing.assert_allclose(place, data.joint(joint).xanchor, atol=1e-9)
+            np.testing.assert_allclose(along, data.joint(joint).xaxis, atol=1e-9)
+        if body.mass is not None:
+            at = model.body(name).id
+            axes = data.ximat[at].reshape(3, 3)
+            np.testing.assert_allclose(body.mass["centre_of_mass"], data.xipos[at], atol=1e-9)
+            np.testing.assert_allclose(tensor_of(body.mass), axes @ np.diag(model.body_inertia[at]) @ axes.T, atol=1e-8)
+
+
+def test_what_the_engine_saves_again_is_the_same_rig(tmp_path: Path) -> None:
+    """MuJoCo writes axes as quaternions: the wheel's camber and toe are in that of its centre."""
+    mujoco = engine()
+    rig = jn.load("kart-double-wishbone").with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.3 deg"})
+    model = mujoco.MjModel.from_xml_path(str(write_mjcf(rig, tmp_path / "rig.xml").path))
+    mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
+    before, after = (import_mjcf(tmp_path / name)[0].parameters() for name in ("rig.xml", "saved.xml"))
+    assert set(before) == set(after)
+    for path, value in after.items():
+        assert value == pytest.approx(before[path], rel=1e-4, abs=1e-6), path  # it saves six digits

@@ -233,3 +233,17 @@ def test_bushings_that_cannot_be(changed, curve, message) -> None:
     (file.parents[1] / "bushings.tbl" / "soft.bus").write_text(bushing(FX=curve))
     with pytest.raises(DescriptionError, match=message):
         import_adams(file)
+
+
+def test_tabs_and_parts_given_twice(changed) -> None:
+    """Frames stand in comments, however these are laid out; a part that is there twice was twice as heavy."""
+    whole, _, _ = import_adams(DATABASE / SUB)
+    tabbed, _, _ = import_adams(changed(("Z location", "Z\tlocation"), ("P vector", "P\tvector")))
+    assert tabbed == whole
+    file = changed()
+    text = file.read_text()
+    begin = text.index("[PART_ASSEMBLY]")
+    end = text.index("[", begin + 1)
+    file.write_text(text[:end] + text[begin:end] + text[end:])
+    with pytest.raises(DescriptionError, match=r"is given twice; found 'first in .*allowed: every part once"):
+        import_adams(file)

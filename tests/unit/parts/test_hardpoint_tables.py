@@ -171,3 +171,44 @@ def test_the_road_is_found(tmp_path) -> None:
 def test_mistakes_are_said(tmp_path, lines, options, what) -> None:
     with pytest.raises(DescriptionError, match=what):
         read(tmp_path, lines, **options)
+
+
+HEAD = "name,x,y,z"
+INCH = 1.0 / 0.0254
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [HEAD, ",[in],[in],[in]", *rows(scale=INCH)],
+        ["name,x_in,y_in,z_in", *rows(scale=INCH)],
+        ["# units: inch", "# name,x,y,z", *rows(scale=INCH)],
+        [HEAD, *rows(), "# wheel_centre,9,9,9"],
+    ],
+    ids=["row of units", "units in names", "units behind #", "a point behind #"],
+)
+def test_units_and_comments_as_tables_have_them(tmp_path, lines) -> None:
+    found, _, _ = read(tmp_path, lines)
+    for name, point in POINTS.items():
+        assert getattr(found.hardpoints, name) == pytest.approx(point, abs=1e-9)
+
+
+def test_unicode_text_of_a_spreadsheet(tmp_path) -> None:
+    file = tmp_path / "points.txt"
+    file.write_text("\r\n".join([HEAD.replace(",", "\t"), *rows("{name}\t{x}\t{y}\t{z}")]), encoding="utf-16")
+    found, _, _ = import_hardpoints(file)
+    for name, point in POINTS.items():
+        assert getattr(found.hardpoints, name) == pytest.approx(point, abs=1e-9)
+
+
+def test_decimal_commas_between_commas_are_no_further_columns(tmp_path) -> None:
+    """150,5,220,0,118,0 under name, x, y, z was x = 150, y = 5, z = 220."""
+    lines = [HEAD, *rows("{name},{x:.1f},{y:.1f},{z:.1f}")]
+    lines[1:] = [line.replace(".", ",") for line in lines[1:]]
+    with pytest.raises(DescriptionError, match=r"line 2: more numbers than columns.*allowed: 4 cells.*semicolons"):
+        read(tmp_path, lines)
+
+
+def test_two_units_are_refused(tmp_path) -> None:
+    with pytest.raises(DescriptionError, match="line 2: two units; found 'inch after mm'"):
+        read(tmp_path, ["units: mm", "name,x [in],y [in],z [in]", *rows()])

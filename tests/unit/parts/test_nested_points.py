@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from pathlib import Path
 from urllib.parse import quote
 
 import numpy as np
@@ -235,4 +237,20 @@ def test_mistakes_are_named(tmp_path, text: str, name: str, message: str) -> Non
     file = tmp_path / name
     file.write_text(text)
     with pytest.raises(DescriptionError, match=message):
+        import_hardpoints(file)
+
+
+def test_numbers_that_are_none(tmp_path) -> None:
+    """A tyre's size with a decimal comma was no size, and a coordinate with one no point."""
+    source = Path(__file__).parents[2] / "files" / "hardpoints" / "explorer.yaml"
+    text = source.read_text(encoding="utf-8")
+    file = tmp_path / "car.yaml"
+    size = re.search(r"aspect_ratio: *([0-9.]+)", text)
+    file.write_text(text.replace(size[0], size[0].replace(".", ",")), encoding="utf-8")
+    with pytest.raises(DescriptionError, match=r"car.yaml: aspect_ratio: not a number; found '0,"):
+        import_hardpoints(file)
+    file.write_text("a:\n  wheel_centre: {x: 1.0D+03, y: 2, z: 3}\n")
+    with pytest.raises(
+        DescriptionError, match=r"wheel_centre: a point without three coordinates; found '1.0D\+03, 2, 3"
+    ):
         import_hardpoints(file)

@@ -59,8 +59,8 @@ _SYMMETRIES = ("left/right", "left", "right", "single")
 _STOPS = {"bump_stop": ("jounce", "bump"), "rebound_stop": ("rebound",)}
 _SIX = ("FX", "FY", "FZ", "TX", "TY", "TZ")
 _LINEAR = 1e-3  # share of the largest force within which a spring is one rate
-_POINT = re.compile(r"(?i)x,\s*y,\s*z location\s*=\s*(.+)")
-_VECTOR = re.compile(r"(?i)([zx])p vector\s*=\s*(.+)")
+_POINT = re.compile(r"(?i)x,\s*y,\s*z\s+location\s*=\s*(.+)")
+_VECTOR = re.compile(r"(?i)([zx])p\s+vector\s*=\s*(.+)")
 
 
 def import_adams(
@@ -236,9 +236,17 @@ class _Subsystem:
         """Tables of the bodies that the file holds; parts that are one body here are joined."""
         found: dict[str, dict[str, Any]] = {}
         left: list[str] = []
+        seen: dict[str, str] = {}
         for part in self.file.named("PART_ASSEMBLY"):
             if part.values.get("SYMMETRY", "").lower() == "right":
                 continue
+            if part.usage and seen.setdefault(part.usage, part.where) != part.where:
+                raise DescriptionError(
+                    f"the part {part.usage} is given twice",
+                    where=part.where,
+                    found=f"first in {seen[part.usage]}",
+                    allowed="every part once for a side",
+                )
             name = next((name for name, usages in _BODIES.items() if part.usage in usages), "")
             if name not in names or (part.usage == "lower_strut" and model != "mcpherson"):
                 left.append(f"{part.usage} ({part.number('MASS', 0.0) * self.mass:.4g} kg)")

@@ -167,25 +167,40 @@ def _read(file: Path) -> PointTable:
         raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 20 MB")
     table = PointTable(file)
     if file.suffix.lower() != ".xlsx":
-        text = content_of(file).decode("utf-8-sig", errors="replace")
+        text = _text(file)
         whole = from_vsusp(file, text) or (from_nested(file, text) if file.suffix.lower() in _NESTED else None)
         if whole is not None:
             whole.unit = _known_unit(whole.unit, str(file)) if whole.unit else ""
             return whole
     columns: list[int] = []
+    width = 0
     for count, (where, cells) in enumerate(_sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)):
         if count > _ROWS:
             raise DescriptionError("too many rows", where=str(file), allowed=f"up to {_ROWS}")
         header = _header(cells)
         if header is not None:
-            columns, unit = header
-            table.unit = unit or table.unit
+            (columns, unit), width = header, len(cells)
+            _keep_unit(table, unit, where)
             continue
+        is_laid = max(columns, default=len(cells)) < len(cells) and all(_is_number(cells[i]) for i in columns)
+        if is_laid and any(map(_is_number, cells[width:])):
+            raise DescriptionError(
+                "more numbers than columns",
+                where=where,
+                found=" ".join(cells)[:80],
+                allowed=f"{width} cells, as in the row that names them",
+                hint="Decimal commas need semicolons or tabs between the cells.",
+            )
         row = _row(cells, columns, where)
         if row is not None:
             table.rows.append(row)
         elif told := _UNIT_LINE.fullmatch(" ".join(cells).strip()):
-            table.unit = _known_unit(told[1], where)
+            _keep_unit(table, _known_unit(told[1], where), where)
+        elif (
+            columns
+            and len(told_by := {unit for cell in cells if (unit := cell.strip("[]() ").lower())} & {*_UNITS}) == 1
+        ):
+            _keep_unit(table, _UNITS[told_by.pop()], where)  # a row of units under that of names
         elif any(map(_is_number, cells)):
             table.unread.append((where, cells))
     if not table.rows:
@@ -195,12 +210,30 @@ def _read(file: Path) -> PointTable:
     return table
 
 
-def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
+def _keep_unit(table: PointTable, unit: str, where: str) -> None:
+    """Keep the unit that a line names; a second one that differs is refused."""
+    if unit and table.unit not in ("", unit):
+        raise DescriptionError("two units", where=where, found=f"{unit} after {table.unit}", allowed="one")
+    table.unit = unit or table.unit
+
+
+def _text(file: Path) -> str:
+    """The text of a file, in UTF-8 or as spreadsheets write "Unicode text"."""
     content = content_of(file)
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return content.decode("utf-16", errors="replace")
     if b"\0" in content:
         raise DescriptionError("not a text file", where=str(file), allowed="text, or .xlsx")
-    for number, line in enumerate(content.decode("utf-8-sig", errors="replace").splitlines(), 1):
+    return content.decode("utf-8-sig", errors="replace")
+
+
+def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
+    for number, line in enumerate(_text(file).splitlines(), 1):
         bare = line.strip()
+        if bare.startswith("#"):  # a comment, unless it names columns or the unit
+            bare = bare.lstrip("# \t")
+            if _header(_cells(bare)) is None and not _UNIT_LINE.fullmatch(" ".join(_cells(bare)).strip()):
+                continue
         if bare and not bare.startswith(("//", "%", "!", "$")):
             yield f"{file}, line {number}", _cells(bare)
 
@@ -255,15 +288,17 @@ def _is_number(text: str) -> bool:
 
 def _header(cells: list[str]) -> tuple[list[int], str] | None:
     """Columns of x, y and z with their unit, where these cells name them."""
-    found = {}
+    found: dict[str, int] = {}
+    units = set()
     for index, cell in enumerate(cells):
         word = re.sub(r"[\[(].*", "", cell).strip(" {}").lower().replace("_", " ")
-        axis = re.fullmatch(r"([xyz])(?: value| coord| coordinate| position| location)?", word)
-        if axis and axis[1] not in found:
+        axis = re.fullmatch(r"([xyz])(?: value| coord| coordinate| position| location)?(?: ([a-z]+))?", word)
+        if axis and axis[1] not in found and (not axis[2] or axis[2] in _UNITS):
             found[axis[1]] = index
+            inside = _UNIT_IN.search(cell)
+            units |= {inside[1]} if inside else {axis[2]} if axis[2] else set()
     if set(found) != {"x", "y", "z"}:
         return None
-    units = {inside[1] for index in found.values() if (inside := _UNIT_IN.search(cells[index]))}
     if len(units) > 1:
         raise DescriptionError("columns in different units", where="header", found=", ".join(sorted(units)))
     return [found[axis] for axis in "xyz"], _known_unit(units.pop(), "header") if units else ""

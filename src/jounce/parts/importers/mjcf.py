@@ -30,6 +30,10 @@ _LENGTHS = 2
 _CARRIERS = {body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)} - {"rocker"}
 _UNREAD = ("frame", "replicate", "attach", "composite")
 """Elements that hold bodies and sites at places of their own; MuJoCo writes them as bodies when it saves a model."""
+_CHANGING = {"inertiafromgeom": "auto", "settotalmass": "-1", "boundmass": "0", "boundinertia": "0"}
+"""What MuJoCo may make other masses from than a body's own, and how it is left alone."""
+_TURNS = ("quat", "euler", "axisangle", "xyaxes", "zaxis")
+_LAWS = ("stiffness", "damping", "frictionloss", "springlength")
 _Ball = tuple[str, str, Array]
 
 
@@ -112,8 +116,9 @@ class _Tree:
             raise DescriptionError("too large for a suspension", where=str(file), allowed="up to 20 MB")
         self.file, self.names, self.draft = file, names, Draft(file)
         self.root = _parsed(file)
-        compiler = self.root.find("compiler")
-        given = {} if compiler is None else compiler.attrib
+        given: dict[str, str] = {}
+        for compiler in self.root.findall("compiler"):  # several count as one
+            given |= compiler.attrib
         self._turn = 1.0 if given.get("angle", "degree") == "radian" else np.pi / 180.0
         self._order = given.get("eulerseq", "xyz")
         if not re.fullmatch(r"[xyz]{3}|[XYZ]{3}", self._order):
@@ -122,6 +127,11 @@ class _Tree:
             raise self._refused(
                 "places in global coordinates", given["coordinate"], "local ones, as MuJoCo has since 2.3"
             )
+        for word, without in _CHANGING.items():
+            if given.get(word, without) != without and not _is_zero(given[word]):
+                raise self._refused(
+                    "masses that are not those of the bodies", f"{word} = {given[word]}", without, "compiler"
+                )
         self._defaults: dict[str, dict[str, dict[str, str]]] = {"": {}}
         for one in self.root.findall("default"):
             self._keep_defaults(one, "", 0)
@@ -130,10 +140,11 @@ class _Tree:
         self.axle_end: Array | None = None
         self._known = known_names()
         self.bodies = {"world": _Body("world", "", np.zeros(3), np.eye(3))}
-        world = self.root.find("worldbody")
-        if world is None:
+        worlds = self.root.findall("worldbody")
+        if not worlds:
             raise self._refused("no MJCF", None, "an element worldbody")
-        self._walk(world, "world", "", 0)
+        for world in worlds:
+            self._walk(world, "world", "", 0)
 
     def _refused(self, what: str, found: object, allowed: str, where: str = "") -> DescriptionError:
         return DescriptionError(
@@ -168,9 +179,7 @@ class _Tree:
         here = self.bodies[name]
         for child in element:
             if child.tag == "site" and child.get("name"):
-                self._keep_site(child.get("name", ""), here.place + here.axes @ self._three(child, "pos"), name)
-                if "zaxis" in child.attrib and self._ours(child.get("name", "")) == "wheel_centre":
-                    self.axle_end = here.place + here.axes @ (self._three(child, "pos") + self._three(child, "zaxis"))
+                self._add_site(child, here, inherited)
             elif child.tag in ("joint", "freejoint"):
                 self._add_joint(child, here, inherited)
             elif child.tag == "inertial":
@@ -191,10 +200,18 @@ class _Tree:
         """Our name of a point, or nothing."""
         return self.names.get(name, self._known.get(" ".join(name.lower().replace("_", " ").split()), ""))
 
-    def _keep_site(self, name: str, place: Array, body: str) -> None:
+    def _add_site(self, child: ET.Element, here: _Body, inherited: str) -> None:
+        """Keep a site; that of the wheel centre, where it is turned, has the wheel's axis along its own z."""
+        given = self._given(child, "site", inherited)
+        name = child.get("name", "")
         if name in self.sites:
             raise self._refused("two sites have the same name", name, "every name once")
-        self.sites[name] = place, body
+        if "fromto" in given:
+            raise self._refused("a site between two places", given["fromto"], "pos", f"site {name}: fromto")
+        place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, f"site {name}: pos")
+        self.sites[name] = place, here.name
+        if any(word in given for word in _TURNS) and self._ours(name) == "wheel_centre":
+            self.axle_end = place + here.axes @ self._axes(ET.Element("site", given))[:, 2]
 
     def _add_joint(self, child: ET.Element, here: _Body, inherited: str) -> None:
         given = self._given(child, "joint", inherited)
@@ -222,6 +239,11 @@ class _Tree:
             raise self._refused("not the numbers that belong here", text[:80], f"{count} numbers", where)
         return found
 
+    def _several(self, given: Mapping[str, str], key: str, where: str) -> list[float]:
+        """Numbers of an attribute, at least one; 0 where it is left out, -1 for lengths."""
+        text = given.get(key, "-1" if key == "springlength" else "0")
+        return [float(x) for x in self._numbers(text, max(len(text.split()), 1), f"{where}: {key}")]
+
     def _three(self, element: ET.Element, key: str) -> Array:
         return self._numbers(element.get(key, "0 0 0"), 3, f"{element.tag} {element.get('name', '')}: {key}")
 
@@ -240,9 +262,9 @@ class _Tree:
             order = self._order.swapcase()  # small letters turn with the body there, capitals here
             return np.asarray(Rotation.from_euler(order, angles).as_matrix())
         if "axisangle" in element.attrib:
-            *axis, angle = self._numbers(element.attrib["axisangle"], 4, f"{where}: axisangle")
+            *turned, angle = self._numbers(element.attrib["axisangle"], 4, f"{where}: axisangle")
             return np.asarray(
-                Rotation.from_rotvec(self._direction(np.array(axis), where) * angle * self._turn).as_matrix()
+                Rotation.from_rotvec(self._direction(np.array(turned), where) * angle * self._turn).as_matrix()
             )
         if "xyaxes" in element.attrib:
             six = self._numbers(element.attrib["xyaxes"], 6, f"{where}: xyaxes")
@@ -250,7 +272,11 @@ class _Tree:
             y = self._direction(six[3:] - (six[3:] @ x) * x, where)
             return np.column_stack([x, y, np.cross(x, y)])
         if "zaxis" in element.attrib:
-            raise self._refused("zaxis is not read", element.attrib["zaxis"], "quat, euler, axisangle, xyaxes", where)
+            z = self._direction(self._numbers(element.attrib["zaxis"], 3, f"{where}: zaxis"), where)
+            across = np.array([-z[1], z[0], 0.0])  # turned the short way from z; about x where that is turned round
+            size = float(np.linalg.norm(across))
+            axis = across / size if size > 1e-10 else np.array([1.0, 0.0, 0.0])
+            return np.asarray(Rotation.from_rotvec(axis * np.arctan2(size, z[2])).as_matrix())
         return np.eye(3)
 
     def _inertial(self, element: ET.Element, here: _Body) -> dict[str, Any] | None:
@@ -348,7 +374,7 @@ class _Tree:
                 yield "tie_rod_outer", outer[0]
                 yield "tie_rod_inner", inner[0]
         for given, sites in self._tendons().values():
-            if float(given.get("stiffness", "0").split()[0]) > 0.0:
+            if self._several(given, "stiffness", "tendon")[0] > 0.0:
                 low, high = sorted((self.sites[site] for site in sites), key=lambda one: float(one[0][2]))
                 yield "strut_bottom", low[0]
                 yield "strut_top", high[0]
@@ -461,8 +487,11 @@ class _Tree:
         stops: dict[str, Any] = {}
         damping = friction = 0.0
         for name, (given, sites) in self._tendons().items():
-            numbers = {key: [float(word) for word in text.split()] for key, text in given.items() if _is_numeric(text)}
-            rate, lengths = numbers.get("stiffness", [0.0])[0], numbers.get("springlength", [-1.0])
+            rates, dampings, losses, lengths = (self._several(given, key, f"tendon {name}") for key in _LAWS)
+            rate = rates[0]
+            if any(rates[1:]) or any(dampings[1:]):
+                text = "its stiffness or damping is a polynomial, of which the first number is read."
+                self.draft.findings.append(Finding(self.draft.at(name), "warning", text))
             length = float(np.linalg.norm(self.sites[sites[0]][0] - self.sites[sites[1]][0]))
             if rate > 0.0 and len(lengths) == _LENGTHS:  # a dead band: it works beyond either end
                 for stop, gap in (("bump_stop", length - lengths[0]), ("rebound_stop", lengths[1] - length)):
@@ -472,8 +501,8 @@ class _Tree:
                 spring = {"rate": rate, "free_length": lengths[0] if lengths[0] > 0.0 else length}
             elif rate > 0.0:
                 self.draft.note(self.draft.at(name), "a further spring, which is left out.")
-            damping += numbers.get("damping", [0.0])[0]
-            friction += numbers.get("frictionloss", [0.0])[0]
+            damping += dampings[0]
+            friction += losses[0]
         if spring is None:
             return None
         further = {"friction": {"force": friction}} if friction else {}
@@ -488,7 +517,8 @@ class _Tree:
                 and given.get("refsite")
                 and given.get("gear", "").split()[:3] == ["0", "0", "1"]
             ):
-                force, rate, damping = self._numbers(given.get("biasprm", ""), 3, "actuator: biasprm")
+                # MuJoCo leaves zeros at the end out when it saves a model.
+                force, rate, damping = [*self._several(given, "biasprm", "actuator"), 0.0, 0.0][:3]
                 if force > 0.0 > rate:
                     return {"stiffness": -rate, "damping_coefficient": -damping, "radius": -force / rate}
         return None
@@ -500,9 +530,10 @@ def _sign(before: Mapping[str, Array], after: Mapping[str, Array], axis: int) ->
     return -1.0 if min(products, default=0.0) < 0.0 else 1.0
 
 
-def _is_numeric(text: str) -> bool:
+def _is_zero(text: str) -> bool:
+    """Whether a text is a number that is not above 0, which means none."""
     try:
-        return bool([float(word) for word in text.split()])
+        return float(text) <= 0.0
     except ValueError:
         return False
 

@@ -25,6 +25,7 @@ _MICRONS = 1e-6  # m: all numbers of VSUSP
 _ARM_SPAN = 0.3  # of the lower arm's length: from the middle of an arm to its pivots, which a front view does not show
 AXLE_END = "axle end"
 """Name of rows for a point on the wheel's axis beside its centre, from which camber and toe follow."""
+_SIZES = ("rim_diameter", "aspect_ratio", "section_width")
 _MOUNTS = {"lower_wishbone": "lower_arm", "upper_wishbone": "upper_arm", "upright": "upright"}
 
 
@@ -144,7 +145,7 @@ def from_nested(file: Path, text: str) -> PointTable | None:
         PointRow(
             f"{side} {name}" if side and not name.startswith(("left ", "right ")) else name, place, f"{file}: {name}"
         )
-        for name, place in _places(keys, "")
+        for name, place in _places(file, keys, "")
     ]
     if not table.rows:
         return None
@@ -154,15 +155,20 @@ def from_nested(file: Path, text: str) -> PointTable | None:
     return table
 
 
-def _places(keys: dict[str, Any], above: str) -> Iterator[tuple[str, Array]]:
+def _places(file: Path, keys: dict[str, Any], above: str) -> Iterator[tuple[str, Array]]:
     for key, value in keys.items():
         name = f"{above} {key}".strip() if above in ("left", "right") else key
         parts = [value.get(axis) for axis in "xyz"] if isinstance(value, dict) else value
+        if isinstance(value, dict) and None not in parts and not all(map(_is_number, parts)):
+            found = ", ".join(map(str, parts))
+            raise DescriptionError(
+                "a point without three coordinates", where=f"{file}: {name}", found=found, allowed="numbers, 12.5"
+            )
         if isinstance(parts, list) and len(parts) == 3 and all(_is_number(part) for part in parts):
             if "cg" not in name.lower().split("_"):
                 yield name, np.array([float(part) for part in parts])
         elif isinstance(value, dict):
-            yield from _places(value, key)
+            yield from _places(file, value, key)
 
 
 def _is_number(value: Any) -> bool:
@@ -197,14 +203,21 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     if not np.any(along):
         raise DescriptionError("the axle's two points are the same", where=outer.where, found=outer.place.tolist())
     along = along / np.linalg.norm(along)
-    offset = _deep(keys, "offset")
-    centre = outer.place - (float(offset) if _is_number(offset) else 0.0) * along
+    offset, *sizes = (_sized(table.file, keys, word) for word in ("offset", *_SIZES))
+    centre = outer.place - (offset or 0.0) * along
     table.rows.append(PointRow(f"{begin}wheel_centre", centre, outer.where))
     table.rows.append(PointRow(f"{begin}{AXLE_END}", centre + along, outer.where))
-    sizes = [_deep(keys, word) for word in ("rim_diameter", "aspect_ratio", "section_width")]
-    if all(map(_is_number, sizes)):
-        rim, aspect, width = map(float, sizes)
+    rim, aspect, width = sizes
+    if rim is not None and aspect is not None and width is not None:
         table.radius[""] = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
+
+
+def _sized(file: Path, keys: dict[str, Any], word: str) -> float | None:
+    """A number of the wheel; None where it is not in the file."""
+    value = _deep(keys, word)
+    if value is not None and not _is_number(value):
+        raise DescriptionError("not a number", where=f"{file}: {word}", found=value, allowed="a number, 12.5")
+    return None if value is None else float(value)
 
 
 # --- VSUSP
