@@ -44,8 +44,11 @@ def share(items: Iterable[Item], take: Callable[[Iterator[Item]], None], workers
 
     for _ in range(workers - 1):
         _hand_over(work)
-    work()
-    errors = [done.get() for _ in range(workers)]
+    try:
+        work()
+        errors = [done.get() for _ in range(workers)]
+    finally:
+        list(left)  # whoever is interrupted while waiting leaves nothing to the others, either
     for error in errors:
         if error is not None:
             raise error

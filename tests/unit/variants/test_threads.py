@@ -89,3 +89,27 @@ def test_a_child_has_threads_of_its_own():
         share(range(4), taken.extend, 2)
         os._exit(0 if sorted(taken) == [0, 1, 2, 3] else 1)
     assert os.waitpid(child, 0)[1] == 0
+
+
+def test_who_is_interrupted_while_it_waits_leaves_nothing_to_the_others(monkeypatch):
+    class Interrupted(threads.SimpleQueue):
+        def get(self, *given, **named):
+            if threading.current_thread() is threading.main_thread():
+                raise KeyboardInterrupt
+            return super().get(*given, **named)
+
+    monkeypatch.setattr(threads, "SimpleQueue", Interrupted)
+    heard, ended, taken = threading.Event(), threading.Event(), []
+
+    def take(some) -> None:
+        if threading.current_thread() is threading.main_thread():
+            return
+        heard.wait(60.0)
+        taken.extend(some)
+        ended.set()
+
+    with pytest.raises(KeyboardInterrupt):
+        share(range(100), take, 2)
+    heard.set()
+    assert ended.wait(60.0)
+    assert taken == []
