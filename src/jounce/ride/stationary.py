@@ -19,6 +19,7 @@ from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import channels_of, is_channel
 from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Signal
 from jounce.ride.family import LinearFamily
+from jounce.ride.metrics import gaps_of
 from jounce.ride.surface import Density, Sides, Surface, surface
 from jounce.ride.weighting import weighting_response
 
@@ -280,7 +281,7 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
             )
             found.append(Finding(name, "warning", text, share))
     numbers = rig.parameters()
-    found += _stop_findings(numbers, sigma, static)
+    found += _stop_findings(rig, sigma, static)
     frictions = [path for path, value in numbers.items() if path.endswith("friction.force") and value > _TINY]
     for path in frictions:
         text = "friction is linearised at rest, where it is far stiffer than on a road; leave it out or simulate."
@@ -295,20 +296,16 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
     return found
 
 
-def _stop_findings(
-    numbers: Mapping[str, float], sigma: Mapping[str, float], static: Mapping[str, float]
-) -> list[Finding]:
+def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
+    struts = [name for name in sigma if is_channel(name, "strut.deflection") and sigma[name] > 0.0]
+    gaps = gaps_of(rig, [name.removesuffix("strut.deflection").removesuffix(".") for name in struts])
     found = []
-    for name, value in sigma.items():
-        if not is_channel(name, "strut.deflection") or value == 0.0:
-            continue
-        corner = name.removesuffix("strut.deflection").removesuffix(".")
-        axle = corner.partition("_")[0]
-        for stop, sign in (("bump_stop", 1.0), ("rebound_stop", -1.0)):
-            prefix = f"{axle}.{stop}.gap" if axle else f"strut.{stop}.gap"
-            if prefix in numbers:
-                room = (numbers[prefix] - sign * static[name]) / value
-                if room < _LIFTS:
-                    text = f"the {stop.replace('_', ' ')} is {room:.2g} standard deviations away from rest; the linear "
-                    found.append(Finding(name, "warning", text + "model ignores it.", room))
+    for name, (rebound, bump) in zip(struts, gaps.values(), strict=True):
+        for stop, gap, sign in (("bump", bump, 1.0), ("rebound", rebound, -1.0)):
+            if gap is None:
+                continue
+            room = (gap - sign * static[name]) / sigma[name]
+            if room < _LIFTS:
+                text = f"the {stop} stop is {room:.2g} standard deviations away from rest; the linear model ignores it."
+                found.append(Finding(name, "warning", text, room))
     return found
