@@ -12,9 +12,11 @@ from corpus.descriptions import _SWEEP
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a quota of file size is a thing of POSIX")
 
-# The limit on the size of a file is set after everything is imported: then the disk is full for what is written.
+# The limit on the size of a file is set after everything is imported: then the disk is full for what is written. What
+# is imported later leaves no bytecode: Python would cut that at the limit, and stumble over it from then on.
 FULL = """
 import json, resource, signal, sys
+sys.dont_write_bytecode = True
 from jounce.cli import main
 commands = json.loads(sys.argv[1])
 main(["version", "--json"])

@@ -48,8 +48,12 @@ class Segments:
     def extent(self) -> float:
         """Difference of the highest and the lowest value, at the ends and in the middle of the pieces, m."""
         first, last = self.edges[:-1], self.edges[1:]
-        points = np.concatenate([first, 0.5 * (first + last), np.nextafter(last, first)])
-        return float(np.ptp(self.evaluate(points)[0]))
+        ends = np.nextafter(last, first)
+        if not self.kind.any() and not self.coefficients[:, 2:].any():  # straight lines, of which roads have thousands
+            begin, rise = self.coefficients[:, 0], self.coefficients[:, 1]
+            end = begin + self.rate * (ends - first) * rise
+            return float(max(begin.max(), end.max()) - min(begin.min(), end.min()))
+        return float(np.ptp(self.evaluate(np.concatenate([first, 0.5 * (first + last), ends]))[0]))
 
     @cached_property
     def fastest_wave(self) -> float:

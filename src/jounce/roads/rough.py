@@ -311,22 +311,15 @@ def _sampled(
     interpolation: str,
 ) -> tuple[Array, Array, Array | None]:
     """Points of a road and, for cubics, its slopes there."""
-    roughness, waviness, (low, high) = spectrum
-    count, periods = _points(length, step), _periods(length, low)
-    total, spacing = count * periods, 1.0 / (length * periods)
-    high = min(high, 0.5 * count / length)
-    first, last = max(1, round(low / spacing)), min(round(high / spacing), (total - 1) // 2)
-    lines = np.arange(first, last + 1)
-    n: Array = np.asarray(lines * spacing, dtype=float)
-    # each line has the power of its own bin; the first and the last one only what lies inside the band
-    power = height_variance(
-        roughness, np.clip(n - 0.5 * spacing, low, high), np.clip(n + 0.5 * spacing, low, high), waviness
-    )
+    waviness = spectrum[1]
+    count, periods = _points(length, step), _periods(length, spectrum[2][0])
+    total = count * periods
+    lines, n, size = _amplitudes(spectrum, length, step)
     phase = _phases(seed, 0, len(n))
     if coherence is not None:
         phase += _track_offset(n, seed, waviness, coherence)
     waves = np.zeros(total // 2 + 1, dtype=complex)
-    waves[lines] = 0.5 * total * np.sqrt(2.0 * power) * np.exp(1j * phase)
+    waves[lines] = size * np.exp(1j * phase)
     x = np.linspace(0.0, length, count + 1)
     height = _over_length(waves, total, count)
     if interpolation == "linear":
@@ -337,6 +330,24 @@ def _sampled(
     return x, height * share, slope * share + height * share_slope
 
 
+@lru_cache(maxsize=2)  # as long as profiles
+def _amplitudes(
+    spectrum: tuple[float, float, tuple[float, float]], length: float, step: float
+) -> tuple[slice, Array, Array]:
+    """Waves of a road of any seed: their numbers, their frequencies (1/m) and their size, half of it on either side."""
+    roughness, waviness, (low, high) = spectrum
+    count, periods = _points(length, step), _periods(length, low)
+    total, spacing = count * periods, 1.0 / (length * periods)
+    high = min(high, 0.5 * count / length)
+    first, last = max(1, round(low / spacing)), min(round(high / spacing), (total - 1) // 2)
+    n: Array = np.asarray(np.arange(first, last + 1) * spacing, dtype=float)
+    # each line has the power of its own bin; the first and the last one only what lies inside the band
+    power = height_variance(
+        roughness, np.clip(n - 0.5 * spacing, low, high), np.clip(n + 0.5 * spacing, low, high), waviness
+    )
+    return slice(first, max(last + 1, first)), n, 0.5 * total * np.sqrt(2.0 * power)
+
+
 def _over_length(waves: Array | NDArray[np.complex128], total: int, count: int) -> Array:
     """Values at the first ``count + 1`` points of a period of ``total``."""
     values = np.fft.irfft(waves, total)
@@ -345,14 +356,16 @@ def _over_length(waves: Array | NDArray[np.complex128], total: int, count: int) 
 
 def _fade(x: Array, length: float, fade: float) -> tuple[Array, Array]:
     """Share of the height that is left, and its derivative (1/m): half a cosine wave at either end."""
+    share, slope = np.ones_like(x), np.zeros_like(x)
     if fade == 0.0:
-        return np.ones_like(x), np.zeros_like(x)
+        return share, slope
     near = np.minimum(x, length - x)
     inside = near < fade
-    angle = math.pi * near / fade
-    side = np.where(x < 0.5 * length, 1.0, -1.0)
-    share = np.where(inside, 0.5 * (1.0 - np.cos(angle)), 1.0)
-    return share, np.where(inside, side * 0.5 * math.pi / fade * np.sin(angle), 0.0)
+    angle = math.pi * near[inside] / fade
+    side = np.where(x[inside] < 0.5 * length, 1.0, -1.0)
+    share[inside] = 0.5 * (1.0 - np.cos(angle))
+    slope[inside] = side * 0.5 * math.pi / fade * np.sin(angle)
+    return share, slope
 
 
 @lru_cache(maxsize=4)  # 10 km at 1 cm are 48 MB

@@ -44,6 +44,7 @@ from jounce.simulation.sampled import (
     TIGHTEST,
     TRIES,
     TURNED,
+    LastTables,
     Sampling,
     Table,
     basis,
@@ -70,6 +71,7 @@ class Reduction(Sampling):
 
     rig: Corner
     placed: dict[int, _Places] = field(default_factory=dict)
+    made: LastTables = field(default_factory=LastTables)
 
     def compiled(self, degree: int) -> Compiled:
         """Native code of the reduced corner."""
@@ -232,8 +234,13 @@ class Reduction(Sampling):
 
     def table(self, p: Array, rack: float, low: float, high: float, degree: int) -> Table | None:
         """The same for one row; None where the mechanism does not reach all of the range."""
-        numbers, errors = self.tables(p[None, :], rack, low, high, degree)
-        return Table(low, high, numbers[0], float(errors[0])) if np.isfinite(errors[0]) else None
+
+        def make() -> Table:
+            numbers, errors = self.tables(p[None, :], rack, low, high, degree)
+            return Table(low, high, numbers[0], float(errors[0]))
+
+        found = self.made.of((low, high, degree, rack, p.tobytes()), make)
+        return found if np.isfinite(found.error) else None
 
 
 class _Places(NamedTuple):

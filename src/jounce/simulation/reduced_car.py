@@ -34,6 +34,7 @@ from jounce.simulation.sampled import (
     SHOWN,
     STEPS_SHARE,
     TURNED,
+    LastTables,
     Sampling,
     Table,
     basis,
@@ -52,7 +53,6 @@ _ENDS, _SIDES = {"front": 1.0, "rear": -1.0}, {"left": 1.0, "right": -1.0}
 PLACES = tuple(f"{end}_{side}" for end in _ENDS for side in _SIDES)
 """Of the corners, in the order of the model."""
 
-_KEPT = 64  # tables
 _WIDE = (0.08, 0.07, 0.06)
 """Ranges of travel (m) to either side, of which the widest that polynomials do for is taken where those of the lowest
 degree do not: a higher one takes the same time for all of them."""
@@ -80,7 +80,7 @@ class CarReduction:
     rig: FullCar3D
     axles: Mapping[str, Sampling]
     placed: dict[int, _Places] = field(default_factory=dict)
-    made: dict[tuple[object, ...], Table] = field(default_factory=dict)  # the last tables: cars are run more than once
+    made: LastTables = field(default_factory=LastTables)
 
     def compiled(self, degree: int) -> Compiled:
         """Native code of the reduced car."""
@@ -115,12 +115,7 @@ class CarReduction:
         p = self.numbers(values, which)
         rack = values.get(f"{PLACES[which].partition('_')[0]}.corner.steering.rack_travel", 0.0)
         key = which, low, high, degree, rack, p.tobytes()
-        found = self.made.get(key)
-        if found is None:
-            for old in list(self.made)[: max(len(self.made) - _KEPT, 0)]:
-                self.made.pop(old, None)
-            found = self.made[key] = self._table(p, rack, which, low, high, degree)
-        return found
+        return self.made.of(key, lambda: self._table(p, rack, which, low, high, degree))
 
     def _table(self, p: Array, rack: float, which: int, low: float, high: float, degree: int) -> Table:
         end = PLACES[which].partition("_")[0]

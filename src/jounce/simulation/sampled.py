@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.kernel.native import Native, Source, kept_code
 from jounce.kernel.poses import Walk, space_for, walk_variants
@@ -65,6 +66,12 @@ class Table(NamedTuple):
     high: float
     numbers: Array
     error: float
+
+
+class LastTables(Recent[Table]):
+    """The last tables: a rig is run more than once, on one course or on many, and a table asks for tens of poses."""
+
+    most = 64
 
 
 class Basis(NamedTuple):

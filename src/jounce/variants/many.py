@@ -397,6 +397,8 @@ class _Group:
         of what the variants span, so that each is looked at only where these are more, or one is forbidden.
         """
         columns = list(own.values())
+        if not columns:  # the rig as it is
+            return np.zeros(count, dtype=bool)
         box = [(float(column.min()), float(column.max())) for column in columns]
         known = _allowed_boxes(self.study.rig)
         inside = known.get(tuple(own))
@@ -405,7 +407,7 @@ class _Group:
         if 2 ** len(own) < count and all(map(partial(self._is_allowed, own), itertools.product(*box))):
             known[tuple(own)] = box
             return np.zeros(count, dtype=bool)
-        rows = zip(*(column.tolist() for column in columns), strict=True) if own else [()] * count
+        rows = zip(*(column.tolist() for column in columns), strict=True)
         return np.array([not self._is_allowed(own, row) for row in rows], dtype=bool)
 
     def _is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:

@@ -200,7 +200,7 @@ def folder_for(command: str) -> Iterator[None]:
 @contextlib.contextmanager
 def _in_place(place: str, name: str, *, is_folder: bool) -> Iterator[None]:
     """Make the place what its name says, while the command runs."""
-    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    limits, leaves_no_bytecode = resource.getrlimit(resource.RLIMIT_FSIZE), sys.dont_write_bytecode
     mine = Path("mine.txt")
     mine.write_text("mine", encoding="utf-8")
     if place.startswith("there already"):
@@ -211,11 +211,13 @@ def _in_place(place: str, name: str, *, is_folder: bool) -> Iterator[None]:
     elif place.startswith("a link"):
         Path(name).symlink_to(mine if "to a file" in place else "nothing")
     elif place == "a full disk":
+        sys.dont_write_bytecode = True  # of what is imported meanwhile: it would be cut at the limit
         resource.setrlimit(resource.RLIMIT_FSIZE, (200, limits[1]))
     try:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        sys.dont_write_bytecode = leaves_no_bytecode
 
 
 def _listing() -> dict[str, bytes]:
