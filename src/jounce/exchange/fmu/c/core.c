@@ -25,6 +25,7 @@ static bool finite_all(const double *a, int n) {
 
 void jn_reset(JnInstance *c) {
     JnState *s = &c->s;
+    c->stop = INFINITY;
     memset(s, 0, sizeof *s);
     memcpy(s->x, jn_x0, sizeof jn_x0);
     memcpy(s->u, jn_u0, sizeof jn_u0);
@@ -431,7 +432,7 @@ bool jn_initialise(JnInstance *c) {
         s->slope[i] = s->bend[i] = s->bend_before[i] = 0.0;
         s->rate_before[i] = s->u[i * JN_ORDER + 1];
     }
-    return jn_evaluate(c, RATES);
+    return s->ready = jn_evaluate(c, RATES);
 }
 
 /* ---- co-simulation: Dormand and Prince's pair of orders 5 and 4, with steps that land on events ---------------- */
@@ -503,6 +504,16 @@ static void bent(JnState *s) {
         s->rate_before[i] = rate, s->bend_before[i] = now, s->before[i] = u[0];
     }
     s->t_before = s->t_input = s->t;
+}
+
+static double nearly(double t) { return 1e-9 * larger(1.0, fabs(t)); }
+
+bool jn_may_step(JnInstance *c, double t, double h) { /* written so that what is no number is refused */
+    if (!c->s.ready) return failed(c, "a step before the initialisation, or after the end");
+    if (!(fabs(t - c->s.t) <= nearly(t))) return failed(c, "the step does not begin where the last ended");
+    if (!(h >= 0.0) || !isfinite(t + h)) return failed(c, "the length of a step is negative, or no finite number");
+    if (t + h > c->stop + nearly(c->stop)) return failed(c, "the step goes beyond the stop time");
+    return true;
 }
 
 bool jn_advance(JnInstance *c, double t_end) {

@@ -61,13 +61,14 @@ typedef struct { /* plain memory: copied as it is to save and to restore a state
     double slope[JN_ROOM(JN_NT)];     /* of tracks whose rate nobody gives: from the last two values */
     double rate_before[JN_ROOM(JN_NT)], bend[JN_ROOM(JN_NT)], bend_before[JN_ROOM(JN_NT)]; /* second rates, see bent() */
     bool rated[JN_ROOM(JN_NT)];       /* whether the rate of a track is given */
-    bool at_rest, p_changed;
+    bool at_rest, p_changed, ready; /* ready: initialised, and not terminated */
     int known; /* which of dx, y and z belong to t, x, u, p, m */
 } JnState;
 
 typedef struct {
     JnState s;
     bool cosim;
+    double stop;                      /* INFINITY where the importer has told none */
     void *environment, *callback;
     char name[128];
     const char *why; /* what failed last */
@@ -87,6 +88,7 @@ bool jn_initialise(JnInstance *c);                          /* equilibrium if wa
 void jn_accept(JnInstance *c);                              /* the importer's integrator has taken a step to here */
 bool jn_event(JnInstance *c);                               /* modes follow their switches, the controller has its turn */
 double jn_next_instant(const JnInstance *c);                /* of the controller; INFINITY without one */
+bool jn_may_step(JnInstance *c, double t, double h);        /* whether a step of co-simulation is one that can be */
 bool jn_advance(JnInstance *c, double t_end);               /* co-simulation step */
 bool jn_directional(JnInstance *c, const unsigned *of, size_t n_of, const unsigned *by, size_t n_by, const double *seed,
                     double *sensitivity);

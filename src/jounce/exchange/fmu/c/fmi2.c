@@ -41,13 +41,14 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
 void fmi2FreeInstance(fmi2Component c) { free(c); }
 fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean given, fmi2Real tolerance, fmi2Real start,
                                fmi2Boolean stop_given, fmi2Real stop) {
-    UNUSED(stop_given), UNUSED(stop);
+    if (!isfinite(start)) return fail(c, "the start time is no finite number");
     if (given && tolerance > 0.0) I->s.tolerance = tolerance;
+    if (stop_given) I->stop = stop;
     return jn_start_at(I, start), fmi2OK;
 }
 fmi2Status fmi2EnterInitializationMode(fmi2Component c) { return UNUSED(c), fmi2OK; }
 fmi2Status fmi2ExitInitializationMode(fmi2Component c) { return told(c, jn_initialise(I)); }
-fmi2Status fmi2Terminate(fmi2Component c) { return UNUSED(c), fmi2OK; }
+fmi2Status fmi2Terminate(fmi2Component c) { return I->s.ready = false, fmi2OK; }
 fmi2Status fmi2Reset(fmi2Component c) { return jn_reset(I), fmi2OK; }
 
 fmi2Status fmi2GetReal(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2Real v[]) {
@@ -172,7 +173,8 @@ fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueReferenc
 }
 fmi2Status fmi2DoStep(fmi2Component c, fmi2Real t, fmi2Real h, fmi2Boolean no_set) {
     UNUSED(no_set);
-    if (fabs(t - I->s.t) > 1e-9 * fmax(1.0, fabs(t))) return fail(c, "the step does not begin where the last ended");
+    if (!jn_may_step(I, t, h)) return fail(c, I->why);
+    if (h == 0.0) return say(I, fmi2Warning, "a step without length, which changes nothing");
     return told(c, jn_advance(I, t + h));
 }
 fmi2Status fmi2CancelStep(fmi2Component c) { return fail(c, "steps are not asynchronous"); }

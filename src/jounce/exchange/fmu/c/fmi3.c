@@ -64,13 +64,14 @@ void fmi3FreeInstance(fmi3Instance c) { free(c); }
 
 fmi3Status fmi3EnterInitializationMode(fmi3Instance c, fmi3Boolean given, fmi3Float64 tolerance, fmi3Float64 start,
                                        fmi3Boolean stop_given, fmi3Float64 stop) {
-    UNUSED(stop_given), UNUSED(stop);
+    if (!isfinite(start)) return fail(c, "the start time is no finite number");
     if (given && tolerance > 0.0) I->s.tolerance = tolerance;
+    if (stop_given) I->stop = stop;
     return jn_start_at(I, start), fmi3OK;
 }
 fmi3Status fmi3ExitInitializationMode(fmi3Instance c) { return told(c, jn_initialise(I)); }
 fmi3Status fmi3EnterEventMode(fmi3Instance c) { return UNUSED(c), fmi3OK; }
-fmi3Status fmi3Terminate(fmi3Instance c) { return UNUSED(c), fmi3OK; }
+fmi3Status fmi3Terminate(fmi3Instance c) { return I->s.ready = false, fmi3OK; }
 fmi3Status fmi3Reset(fmi3Instance c) { return jn_reset(I), fmi3OK; }
 
 fmi3Status fmi3GetFloat64(fmi3Instance c, const fmi3ValueReference vr[], size_t n, fmi3Float64 v[], size_t nv) {
@@ -260,7 +261,9 @@ fmi3Status fmi3DoStep(fmi3Instance c, fmi3Float64 t, fmi3Float64 h, fmi3Boolean 
     UNUSED(no_set);
     *event = *terminate = *early = false;
     *reached = I->s.t;
-    if (fabs(t - I->s.t) > 1e-9 * fmax(1.0, fabs(t))) return fail(c, "the step does not begin where the last ended");
-    if (!jn_advance(I, t + h)) return fail(c, I->why);
-    return *reached = I->s.t, fmi3OK;
+    if (!jn_may_step(I, t, h)) return fail(c, I->why);
+    if (h == 0.0) return say(I, fmi3Warning, "a step without length, which changes nothing");
+    bool good = jn_advance(I, t + h);
+    *reached = I->s.t;
+    return told(c, good);
 }
