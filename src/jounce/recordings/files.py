@@ -415,7 +415,8 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, another suffix, or (``.mat``) names that collide.
+        For an existing file without ``force``, a missing folder, another suffix, names that collide (``.mat``) or that
+        the format cannot hold, and what is no number over time (all but ``.nc``).
 
     Examples
     --------

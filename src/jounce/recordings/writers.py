@@ -19,6 +19,7 @@ from jounce.core.writing import Formats
 if TYPE_CHECKING:
     import xarray as xr
 
+_NUMBERS = "fiub"  # kinds of arrays
 _LONGEST_NAME = 63  # characters of a variable in MATLAB
 ABOUT = "jounce"
 """Key under which a file of another format holds the attributes of a recording, as JSON."""
@@ -26,6 +27,8 @@ ABOUT = "jounce"
 
 def netcdf_of(dataset: xr.Dataset) -> bytes:
     """The content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes to it ends the process."""
+    for name in dataset.variables:
+        _check_name(str(name), "/", ".csv or .parquet")
     return bytes(_storable(dataset).to_netcdf(None, engine="h5netcdf"))
 
 
@@ -45,9 +48,28 @@ def _storable_attribute(value: object) -> object:
 
 
 def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
-    """Time and what is recorded over it, by name."""
-    over_time = {str(name): one for name, one in dataset.data_vars.items() if one.dims == ("time",)}
-    return {"time": dataset["time"], **over_time}
+    """Time and the channels over it, by name; a dataset that holds anything else is refused: it would be lost."""
+    for name, one in dataset.data_vars.items():
+        if one.dims != ("time",) or one.dtype.kind not in _NUMBERS:
+            shape = f"{one.dtype.name} over ({', '.join(map(str, one.dims))})"
+            raise OutputError(
+                "not a channel of numbers over time",
+                where=str(name),
+                found=shape,
+                allowed="numbers over (time)",
+                hint="Leave it out, or write .nc, which holds everything.",
+            )
+    return {"time": dataset["time"], **{str(name): one for name, one in dataset.data_vars.items()}}
+
+
+def _check_name(name: str, signs: str, instead: str) -> None:
+    """Refuse a name that a format cannot hold: an empty one, or one with some signs or the end of a line."""
+    if not name.strip() or any(sign in name for sign in (*signs, "\n", "\r")):
+        words = " ".join(repr(sign) for sign in signs)
+        hint = f"Rename the channel, or write {instead}."
+        raise OutputError(
+            "a name that the file cannot hold", where="channel", found=name, allowed=f"names without {words}", hint=hint
+        )
 
 
 def _unit(signal: xr.DataArray) -> str:
@@ -75,6 +97,8 @@ def attributes_in(text: object) -> dict[str, object]:
 
 def _csv_of(dataset: xr.Dataset) -> bytes:
     signals = _signals(dataset)
+    for name in signals:
+        _check_name(name, ",;\t", ".nc")
     header = ", ".join(f"{name} [{_unit(signal)}]" for name, signal in signals.items())
     table = np.column_stack([signal.values for signal in signals.values()])
     rows = (",".join(map(repr, row)) for row in table.tolist())
@@ -122,6 +146,8 @@ def _mdf_of(dataset: xr.Dataset) -> bytes:
     """One group of channels over time, each with its unit and, as its comment, its long name."""
     asammdf = require("asammdf", "io")
     signals = _signals(dataset)
+    for name in signals:
+        _check_name(name, "", ".nc")
     time = np.ascontiguousarray(signals.pop("time").values, dtype=float)
     rows = [
         asammdf.Signal(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import jounce as jn
 from jounce.core.errors import OutputError
@@ -54,3 +55,25 @@ def test_names_that_collide_in_matlab_are_refused(run, tmp_path):
     with pytest.raises(OutputError, match="same name in MATLAB"):
         jn.write_recording(twice, tmp_path / "run.mat")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("suffix", [suffix for suffix in RECORDING_FILES.writers if suffix != ".nc"])
+def test_what_a_format_would_lose_is_refused(tmp_path, suffix) -> None:
+    """A table, a single number and texts were left out without a word, or ended in a traceback."""
+    time = {"time": ("time", np.arange(10) * 0.01, {"units": "s"})}
+    channel = ("time", np.arange(10.0), {"units": "N"})
+    for other in (("time", ["a"] * 10), ("time", np.ones(10) * 1j), (("time", "k"), np.ones((10, 3))), 3.0):
+        whole = xr.Dataset({"tyre.force": channel, "more": other}, coords=time)
+        with pytest.raises(OutputError, match=r"more: not a channel of numbers over time; found .* Leave it out"):
+            jn.write_recording(whole, tmp_path / f"run{suffix}")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("suffix", "name"), [(".csv", "a,b.az"), (".csv", "a;b.az"), (".csv", "a\tb.az"), (".nc", "a/b.az"), (".mf4", "")]
+)
+def test_names_that_a_format_cannot_hold(tmp_path, suffix, name) -> None:
+    time = {"time": ("time", np.arange(10) * 0.01, {"units": "s"})}
+    run = xr.Dataset({name: ("time", np.arange(10.0), {"units": "m/s^2"})}, coords=time)
+    with pytest.raises(OutputError, match=r"a name that the file cannot hold.*Rename the channel"):
+        jn.write_recording(run, tmp_path / f"run{suffix}")
