@@ -88,6 +88,8 @@ class Versine(Road):
 class Rectangle(Road):
     """Cleat: the height jumps up, stays, and jumps down.
 
+    The damper of a tyre does not feel the jumps: the blow of its coefficient times the height is left out of a run.
+
     Attributes
     ----------
     height, length : float
@@ -234,6 +236,8 @@ class CircularSegment(Road):
 
 class Step(Road):
     """The height jumps to h and stays.
+
+    The damper of a tyre does not feel the jump: the blow of its coefficient times the height is left out of a run.
 
     Attributes
     ----------

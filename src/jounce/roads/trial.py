@@ -18,6 +18,7 @@ from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding
 from jounce.core.remembered import remembered
 from jounce.core.segments import Segments, flat
+from jounce.core.types import Array
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.parts.rig import questions
@@ -464,6 +465,7 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
                 'model an edge as a ramp, e.g. of the shape "cosine" over the length of a tyre\'s contact patch'
             )
             found.append(Finding("trial: road", "warning", text))
+        found += _blows(trial, rig)
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
             text = (
                 "the left and the right wheels meet the same track; "
@@ -533,10 +535,29 @@ def _loads(trial: Trial) -> Iterator[Finding]:
             yield Finding(f"trial: {name}", "warning", text, trial.duration)
 
 
+def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+    """Say what a run leaves out where the road jumps up under a damped tyre; jumping down, it leaves the tyre."""
+    numbers = {} if rig is None else rig.parameters()
+    damping = max((value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")), default=0.0)
+    sides = (1,) if trial.right is None else (1, -1)
+    rise = max(float(np.max(_jumps_of(trial.segments(side=side)), initial=0.0)) for side in sides)
+    if damping > 0.0 and rise > _JUMP:
+        text = (
+            f"the road jumps up by {1e3 * rise:.3g} mm, and the blow of {damping * rise:.3g} N*s that the tyre's "
+            'damper gives the wheel there is left out; model the edge as a ramp, e.g. of the shape "cosine" over the '
+            "length of the tyre's contact patch, or let the tyre envelop it"
+        )
+        yield Finding("trial: road", "warning", text, damping * rise)
+
+
 def _jumps(signal: Segments) -> bool:
+    return bool(np.any(np.abs(_jumps_of(signal)) > _JUMP))
+
+
+def _jumps_of(signal: Segments) -> Array:
+    """Jumps (m, up positive) at the inner edges of a height."""
     inner = signal.edges[1:-1]
-    before = signal.evaluate(np.nextafter(inner, -np.inf))[0]
-    return bool(np.any(np.abs(signal.evaluate(inner)[0] - before) > _JUMP))
+    return np.asarray(signal.evaluate(inner)[0] - signal.evaluate(np.nextafter(inner, -np.inf))[0])
 
 
 def _has_sides(rig: Rig | None) -> bool:

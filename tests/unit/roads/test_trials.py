@@ -7,7 +7,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.parts import load
-from jounce.roads import Excitation, HalfSine, Step, Train, Trial
+from jounce.roads import Excitation, HalfSine, Ramp, Rectangle, Step, Train, Trial
 from jounce.roads.trial import trial_findings
 
 ROAD = HalfSine(height="10 mm", length="60 mm", start="0.2 m")
@@ -175,3 +175,16 @@ def test_jumps_under_massless_axles_are_told() -> None:
     for jumps, road in roads.items():
         found = trial_findings(Trial(road=road, speed=10.0, duration=2.0), load("audi-a6-half-car"))
         assert any("the road jumps" in one.message for one in found) == jumps
+
+
+def test_the_blow_of_a_tyre_s_damper_at_a_jump_is_told() -> None:
+    rig = load("audi-a6-quarter-car")  # its tyre has 1000 N s/m
+    up = Rectangle(height=0.01, length=0.06, start=1.0)
+    for road, blow in ((up, 10.0), (Step(height=-0.01, start=1.0), None), (Ramp(height=0.01, length=0.1), None)):
+        found = [one for one in trial_findings(Trial(road=road, speed=5.0, duration=1.0), rig) if "blow" in one.message]
+        assert [one.value for one in found] == ([] if blow is None else [pytest.approx(blow)])
+    undamped = rig.with_changes({"tyre.damping_coefficient": 0.0})
+    assert not trial_findings(Trial(road=up, speed=5.0, duration=1.0), undamped)
+    car, right = load("audi-a6-full-car"), Train(of=up, count=2, pitch=0.06)
+    found = trial_findings(Trial(road=HalfSine(height=0.02, length=1.0), right=right, speed=5.0, duration=1.0), car)
+    assert [one.value for one in found] == [pytest.approx(100.0 * 0.01)]
