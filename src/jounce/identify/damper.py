@@ -14,9 +14,10 @@ from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.identify.decay import noise_of, zigzag
-from jounce.identify.estimate import Estimate, central_differences, r_squared, uncertainty
+from jounce.identify.decay import lost_samples, noise_of, zigzag
+from jounce.identify.estimate import Estimate, central_differences, linear_least_squares, r_squared, uncertainty
 from jounce.identify.signs import ForcePositive, Signs, StrokePositive, closed_part, damper_signs, sign_of
+from jounce.recordings.quality import clipped_share
 
 VelocityFrom = Literal["recorded", "displacement"]
 LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
@@ -96,6 +97,13 @@ def read_motion(
     else:
         findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
     v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
+    findings += [*_out_of_range({"displacement": x, "force": f}, name)]
+    if uses_derivative and (lost := lost_samples(t, x)):
+        text = (
+            f"the displacement jumps at {lost} places as if samples were missing there, though the time goes on: the "
+            "derivative is wrong there and everywhere too large; give the recorded time, or the velocity."
+        )
+        findings.append(Finding(name, "problem", text, float(lost)))
     first, last = _moving_part(x, name, findings)
     x, v, f, t, derivative = (column[first:last] for column in (x, v, f, t, derivative))
     cycles = _cycles(x)
@@ -124,6 +132,25 @@ def _check(arrays: dict[str, Array], name: str) -> None:
         raise FitError("the time does not increase", where=name, found=f"sample {place}")
     if np.ptp(arrays["displacement"]) == 0.0 or np.ptp(arrays["force"]) == 0.0:
         raise FitError("displacement or force never changes", where=name, hint="Are these the right columns?")
+
+
+def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
+    """Columns that lie flat at their limits, entered by a jump: no law can tell what was there."""
+    found = []
+    for column, values in columns.items():
+        share = clipped_share(values)
+        if share > _CLIPPED:
+            flat = f"{100.0 * share:.2g} % of the samples of the {column} lie flat at its limits"
+            if column == "force":
+                text = f"{flat}: the load cell or its amplifier was out of range, and every law fitted to it is wrong; "
+                found.append(Finding(name, "problem", text + "measure again with a larger range.", share))
+            else:
+                text = f"{flat}: does the machine dwell there, or was the sensor out of range? Then the law is wrong."
+                found.append(Finding(name, "warning", text, share))
+    return found
+
+
+_CLIPPED = 2e-3  # of the samples
 
 
 def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
@@ -157,11 +184,8 @@ def _check_velocity(
             "as a backward difference is; compare with velocity_from='displacement', a central difference."
         )
         findings.append(Finding(name, "warning", text, delay))
-    values = np.unique(np.round(velocity, 9))
-    gaps = np.diff(values)
-    gaps = gaps[gaps > 1e-9 * max(float(np.abs(values).max()), 1e-12)]
-    resolution = float(np.median(gaps)) if len(gaps) and len(values) < 0.5 * len(velocity) else 0.0
-    if resolution > 1e-3 * float(np.abs(values).max()):
+    resolution = _quantum(np.round(velocity, 9))
+    if resolution > 1e-3 * float(np.abs(velocity).max()):
         text = (
             f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: motion below a few of these is "
             "not resolved."
@@ -610,6 +634,7 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
         findings=(),
     )
     findings += damper_advice(result, motion, at_bound, name)
+    findings += _changes(motion.velocity[used] / motion.peak_velocity, fitted[used], residual, result, name)
     return replace(result, findings=tuple(findings))
 
 
@@ -809,8 +834,14 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
             if key in parameters and parameters[key].value < 0.0:
                 add("problem", f"{key} is negative: the law would feed energy into the motion.", parameters[key].value)
         if result.friction is None:
-            step = _force_step(motion)
-            if step is not None:
+            step, speed = _force_step(motion) or (None, 0.0)
+            if step is not None and speed > regularisation_velocity(motion):
+                text = (
+                    f"the force rises steeply up to some {speed:.2g} m/s, by about {step:.3g} N, and slower beyond: a "
+                    "degressive valve rather than dry friction; 'tanh-hysteretic' follows it."
+                )
+                add("warning", text, step)
+            elif step is not None:
                 text = (
                     f"the force jumps by about +-{step:.3g} N where the velocity changes sign: dry friction; fit with "
                     "friction=True or a hysteretic law."
@@ -840,13 +871,66 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
     return findings
 
 
-def _force_step(motion: DamperMotion) -> float | None:
-    """Step of the force at zero velocity [N], where a smooth velocity curve needs one to fit well."""
+_FADED, _DRIFTED = 0.05, 0.03  # of the force of the law, and of the range of the force, over the record
+_FAR, _FEW = 12.0, 0.02  # times the usual residual, share of the samples: a spike, and how many may be spikes
+
+
+def _changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, name: str) -> list[Finding]:
+    """What changed while the record was taken: a damper that warms up, a zero that drifts; and spikes.
+
+    ``speed`` is the velocity over its peak; the force of the law may err as it grows, which is no change in time.
+    """
+    findings: list[Finding] = []
+    usual = float(np.median(np.abs(residual))) / 0.6745
+    spikes = np.abs(residual) > _FAR * usual
+    theirs = float(np.sum(residual[spikes] ** 2)) / max(float(residual @ residual), 1e-300)
+    if usual > 0.0 and 0 < np.count_nonzero(spikes) < _FEW * len(residual) and theirs > 0.5:
+        text = (
+            f"{np.count_nonzero(spikes)} samples lie more than {_FAR:g} times the usual residual from the law and make "
+            f"{100.0 * theirs:.0f} % of its sum of squares: spikes of the logger? Remove them."
+        )
+        findings.append(Finding(name, "warning", text, float(np.count_nonzero(spikes))))
+        speed, fitted, residual = speed[~spikes], fitted[~spikes], residual[~spikes]
+    reach = float(np.ptp(fitted))
+    if result.cycles < 2.0 or reach <= 0.0:
+        return findings
+    place, force = np.linspace(-0.5, 0.5, len(residual)), fitted - fitted.mean()
+    bent = [force * np.abs(speed), np.maximum(speed, 0.0), np.minimum(speed, 0.0)]
+    columns = np.column_stack([place, place * force / reach, np.ones_like(force), force, *bent])
+    drift, share = linear_least_squares(columns, residual)[0][:2] * (1.0, 1.0 / reach)
+    if abs(share) > _FADED:
+        way = "falls" if share < 0.0 else "grows"
+        text = (
+            f"the damping {way} by {100.0 * abs(share):.0f} % from the first to the last sample (oil that warms up?): "
+            "the law is that of the middle of the record, and its interval does not count the change; fit parts of it."
+        )
+        findings.append(Finding(name, "warning", text, share))
+    if abs(drift) > _DRIFTED * reach:
+        text = (
+            f"the force at rest drifts by {drift:.3g} N from the first to the last sample (load cell, or gas that "
+            "warms up): intervals are wide for it and the offset is that of the middle; take the drift off."
+        )
+        findings.append(Finding(name, "warning", text, drift))
+    return findings
+
+
+def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
+    """Step of the force at zero velocity [N] that a velocity curve needs to fit well, and how fast it is taken [m/s].
+
+    Dry friction changes sides within the regularisation; a degressive valve takes its time to open.
+    """
     v = motion.velocity / motion.peak_velocity
     smooth = np.column_stack([np.ones_like(v), np.maximum(v, 0.0), np.minimum(v, 0.0)])
-    stepped = np.column_stack([smooth, np.tanh(motion.velocity / regularisation_velocity(motion))])
-    found = np.linalg.lstsq(stepped, motion.force, rcond=None)[0]
-    without = motion.force - smooth @ np.linalg.lstsq(smooth, motion.force, rcond=None)[0]
-    left = float(without.std()), float((motion.force - stepped @ found).std())
-    is_there = found[-1] > 0.02 * float(np.ptp(motion.force)) and left[1] < 0.8 * left[0]
-    return float(found[-1]) if is_there else None
+
+    def fitted(*more: Array) -> tuple[float, float]:
+        columns = np.column_stack([smooth, *more])
+        found = np.linalg.lstsq(columns, motion.force, rcond=None)[0]
+        return float((motion.force - columns @ found).std()), float(found[-1])
+
+    sharp = regularisation_velocity(motion)
+    without, (left, step) = fitted()[0], fitted(np.tanh(motion.velocity / sharp))
+    if step <= 0.02 * float(np.ptp(motion.force)) or left >= 0.8 * without:
+        return None
+    knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
+    soft, height, knee = min((*fitted(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp)
+    return (height, knee) if soft < 0.9 * left else (step, sharp)

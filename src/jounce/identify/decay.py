@@ -258,6 +258,31 @@ def noise_of(signal: Array) -> float:
     return float(np.median(np.abs(np.diff(signal, 3))) / (0.6745 * math.sqrt(20.0)))
 
 
+def lost_samples(time: Array, signal: Array) -> int:
+    """Count places where a smooth signal goes on as if samples were missing, though the time goes on evenly.
+
+    There one step is larger by half and more than two on either side, which are alike and far above the noise.
+
+    >>> t = np.arange(400) * 1e-3
+    >>> lost_samples(t, np.sin(20.0 * t)), lost_samples(t, np.sin(20.0 * np.append(t[:60], t[60:] + 2e-3)))
+    (0, 1)
+    """
+    rates = np.diff(signal) / np.diff(time)
+    if len(rates) < 5:
+        return 0
+    step = float(np.median(np.diff(time)))
+    middle, beside = rates[2:-2], np.stack([rates[:-4], rates[1:-3], rates[3:-1], rates[4:]])
+    side = np.sign(middle)
+    sizes = side * beside
+    least, most = sizes.min(axis=0), sizes.max(axis=0)
+    least_step = max(_CLEAR * noise_of(signal), 1e-9 * float(np.ptp(signal)))
+    found = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
+    return int(np.count_nonzero(found))
+
+
+_CLEAR, _LIKE, _TORN = 10.0, 1.3, 1.5  # times the noise, the least and the most of the steps beside
+
+
 def find_release(signal: Array, noise: float) -> int:
     """Index at which the largest excursion is left: the end of a hold, or just past the first peak.
 
