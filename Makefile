@@ -158,7 +158,7 @@ $(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench $(VENV)/.mutants: $(VEN
 # Each list is compiled with the ones before it as constraints, so that they agree.
 pins:
 	@set -e; known=""; for name in $(PINS); do \
-	  source="--group $$name"; [ $$name = runtime ] && source="pyproject.toml --extra pdf --extra store"; \
+	  source="--group $$name"; [ $$name = runtime ] && source="pyproject.toml --extra pdf --extra store --extra web"; \
 	  echo "requirements/$$name.txt"; $(COMPILE) $$source $$known -o requirements/$$name.txt >/dev/null; \
 	  known="$$known -c requirements/$$name.txt"; done
 

@@ -165,7 +165,7 @@ export class LinkedPlots {
       scales: { x: { time: false, auto: false, range: () => this.range }, y: { range: (_u: uPlot, low: number | null, high: number | null) => around(low, high) } },
       axes: [
         { stroke: ink, grid, ticks: { show: false }, size: isLast ? 24 : 6, font, values: isLast ? values : () => [], label: isLast ? plotted.xLabel : undefined, labelSize: 16, labelFont: font, labelGap: 0, gap: 3 },
-        { stroke: ink, grid, ticks: { show: false }, size: AXIS, font, values },
+        { stroke: ink, grid, ticks: { show: false }, size: AXIS, space: 22, font, values }, // at least two marks, whatever the range
       ],
       series: [{}, ...pane.lines.map((line) => {
         const style = STYLES[line.role] ?? { width: 1.25 };

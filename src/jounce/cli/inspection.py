@@ -665,7 +665,7 @@ def history(
 
         return vehicle_history(visits)
 
-    name = " ".join(filter(None, (records[-1].plate, records[-1].vehicle)))
+    name = ", ".join(filter(None, (records[-1].plate, records[-1].vehicle)))
 
     def page() -> Page:
         from jounce.report import history_page

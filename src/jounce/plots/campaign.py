@@ -11,7 +11,20 @@ from jounce.core.display import DisplayUnit, display_unit, shown_as
 from jounce.core.errors import FitError
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
-from jounce.plots.style import AFTER, BEFORE, GRADES, INK, MEASURED, MUTED, PALETTE, VERDICTS, WIDTH, new_figure, styled
+from jounce.plots.style import (
+    AFTER,
+    BEFORE,
+    GRADES,
+    INK,
+    MEASURED,
+    MUTED,
+    PALETTE,
+    VERDICTS,
+    WIDTH,
+    in_lines,
+    new_figure,
+    styled,
+)
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 if TYPE_CHECKING:
@@ -201,12 +214,13 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
     axes.set_yticks(range(len(trials)), [f"trial {t.entry.number}, {uses[t.entry.use]}" for t in trials])
     for label, trial in zip(axes.get_yticklabels(), trials, strict=True):
         label.set_fontweight("bold" if trial.entry.use == "fit" else "normal")
+    inches = float(axes.get_figure(root=True).get_size_inches()[0])  # type: ignore[union-attr]
+    most = int((inches - 1.2) / (2 * width + 2.2) / 0.078)  # letters above a column, so that names do not meet
     for group, text in enumerate(("before updating", "after updating")):
         start = group * (width + 0.3)
         axes.text(start + (width - 1) / 2, -1.8, text, ha="center", va="center", weight="bold", fontsize=9)
         for column, name in enumerate(channels):
-            in_two = ".\n".join(name.rsplit(".", 1))  # beside each other whole names run into each other
-            axes.text(start + column, -0.95, in_two, ha="center", va="center", fontsize=8.5)
+            axes.text(start + column, -0.95, in_lines(name, most), ha="center", va="center", fontsize=8.5)
     axes.text(2 * width + 0.2, -0.95, "lowest R²", ha="center", va="center", fontsize=8.5)
     axes.text(2 * width + 0.6, -0.95, "verdict", va="center", weight="bold", fontsize=9)
     edges = ("above 0.94", "above 0.80", "above 0.58", "below")

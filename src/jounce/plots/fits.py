@@ -223,7 +223,7 @@ def damper_loops(
     row = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
     for (words, values, shown), axes in zip(panels, row, strict=True):
         axes.plot(
-            values * shown.factor, measured * unit.factor, color=MEASURED, linewidth=0.9, alpha=0.8, label="measured"
+            values * shown.factor, measured * unit.factor, color=MEASURED, linewidth=2.6, alpha=0.35, label="measured"
         )
         for k, (name, fitted) in enumerate(fits.items()):
             axes.plot(
@@ -301,7 +301,8 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
         )
     axes.axhline(offset * unit.factor, color=MUTED, linewidth=0.8, linestyle=(0, (1, 2)))
     span = end - begin
-    axes.set_xlim(begin - 0.15 * span, end + 0.02 * span)
+    earliest = float(time[0]) if len(time) else begin
+    axes.set_xlim(max(begin - 0.15 * span, earliest - 0.02 * span), end + 0.02 * span)
     axes.set(xlabel="time [s]", ylabel=unit.label(result.quantity))
     legend_above(axes, 3)
 

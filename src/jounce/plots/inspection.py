@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from datetime import date
+from datetime import date, timedelta
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -271,16 +271,25 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
             mark, line = _MARKS.get(wheel, ("o", "-"))
             colour = PALETTE[axles.index(axle) % len(PALETTE)]
             days, values = [day for day, _ in known], [value for _, value in known]
-            axes.plot(days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip())
+            size, edge = (4.5, "white") if wheel == "right" else (7.5, colour)  # both are seen where they are equal
+            axes.plot(
+                days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip(), markersize=size,
+                markeredgecolor=edge, markeredgewidth=0.8,
+            )  # fmt: skip
             doubted = {day for day, one in own if name in one.unreliable}
             hollow = [point for point in known if point[0] in doubted]
             if hollow:
-                axes.plot(*zip(*hollow, strict=True), marker=mark, ls="none", color=colour, markerfacecolor="white")
+                axes.plot(
+                    *zip(*hollow, strict=True), marker=mark, ls="none", ms=size, color=colour, markerfacecolor="white"
+                )
         axes.set_title(title + (_HOLLOW if any(name in one.unreliable for _, one in dated) else ""))
         shown = [scale * value for _, one in dated if (value := one.values.get(name)) is not None] or [1.0]
         axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:
         legend_above(panels[0])
+    if len({day for day, _ in dated}) == 1:  # else the axis would be four years long
+        panels[-1].set_xticks([dated[0][0]], [dated[0][0].isoformat()])
+        panels[-1].set_xlim(dated[0][0] - timedelta(days=60), dated[0][0] + timedelta(days=60))
     figure.autofmt_xdate(rotation=0, ha="center")
     return figure
 

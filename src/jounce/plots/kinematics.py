@@ -13,7 +13,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.plots.display import FAR_AWAY, PARALLEL, settled
-from jounce.plots.style import MUTED, PALETTE, in_legend, legend_outside, new_figure, rendered, styled
+from jounce.plots.style import MUTED, PALETTE, columns_of, in_legend, legend_outside, new_figure, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -163,7 +163,7 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
         raise RecordingError(
             "no kinematic quantities", found=", ".join(map(str, next(iter(sweeps.values())))) or "none"
         )
-    columns = min(_COLUMNS, len(names))
+    columns = columns_of(len(names), _COLUMNS)
     rows = -(-len(names) // columns)
     figure = new_figure(0.5 + 1.9 * rows, 3.3 * columns if columns < _COLUMNS else 9.6)
     grid = figure.subplots(rows, columns, sharex=True, squeeze=False)

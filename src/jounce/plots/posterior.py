@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import FitError, unknown
-from jounce.plots.style import INK, MUTED, PALETTE, at_tick, legend_outside, new_figure, styled
+from jounce.plots.style import INK, MUTED, PALETTE, at_tick, columns_of, in_lines, legend_outside, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,18 +85,12 @@ def posterior_draws(found: Posterior) -> Figure:
             axes.locator_params(nbins=3)
             axes.tick_params(labelsize=7, labelbottom=i == size - 1, labelleft=j == 0)
             if i == size - 1:
-                axes.set_xlabel(units[j].label(_broken(paths[j])), fontsize=7.5)
+                axes.set_xlabel(units[j].label(in_lines(paths[j], 18)), fontsize=7.5)
             if j == 0 and i > 0:
-                axes.set_ylabel(units[i].label(_broken(paths[i])), fontsize=7.5)
+                axes.set_ylabel(units[i].label(in_lines(paths[i], 18)), fontsize=7.5)
     handles, labels = grid[0, 0].get_legend_handles_labels()
     legend_outside(figure, handles, labels, 3)
     return figure
-
-
-def _broken(path: str) -> str:
-    """A path over two lines, broken at its last dot."""
-    place, dot, name = path.rpartition(".")
-    return "\n".join(at_tick(line, 22) for line in (place + dot, name) if line)
 
 
 def _histogram(
@@ -129,7 +123,7 @@ def profile_likelihood(found: Posterior) -> Figure:
     from jounce.identify.posterior import HALF_DROP  # whose package loads more than a picture needs
 
     count = len(found.profiles)
-    wide = min(count, 3)
+    wide = columns_of(count)
     tall = -(-count // wide)
     figure = new_figure(0.4 + 2.1 * tall, 2.9 * wide + 0.5)
     grid = figure.subplots(tall, wide, squeeze=False).ravel()
@@ -191,7 +185,7 @@ def posterior_bands(found: Posterior, trial: str | None = None) -> Figure:
         axes.set_ylabel(unit.label(at_tick(channel, 24)))
         axes.set_title(f"{100.0 * band.inside:.0f} % of the samples inside", loc="right", fontsize=7.5, color=MUTED)
         _band(rest, band, unit, band.mean)
-        rest.set_ylabel(unit.label("less mean"))
+        rest.set_ylabel("less mean" + (f"\n[{unit.name}]" if unit.name else ""))
     first = next(iter(channels.values()))
     column[0].set_title(f"{name}, {'fitted' if first.is_fitted else 'held out'}", loc="left", fontsize=9)
     handles, labels = column[0].get_legend_handles_labels()

@@ -311,6 +311,8 @@ def frequency_response(
             raise SimulationError(
                 f"no output {name!r}", allowed=", ".join(model.outputs), hint=nearest(name, model.outputs)
             )
+    from matplotlib.ticker import MultipleLocator
+
     f = np.geomspace(0.1, 100.0, 1200) if frequency is None else np.asarray(frequency, float)
     figure = new_figure(3.6, 3.9 * max(1, len(outputs)) if len(outputs) < 3 else 3.0 * len(outputs))
     grid = figure.subplots(2, len(outputs), sharex=True, squeeze=False, gridspec_kw={"height_ratios": [2.2, 1.0]})
@@ -322,10 +324,12 @@ def frequency_response(
         per = f"({unit.name})/{road.name}" if "/" in unit.name else f"{unit.name or '1'}/{road.name}"
         top, bottom = grid[:, column]
         top.plot(f, np.abs(response) * unit.factor / road.factor, color=PALETTE[0])
-        bottom.plot(f, np.degrees(np.unwrap(np.angle(response))), color=PALETTE[0])
         log_axes(top)
         log_axes(bottom, "x")
         top.set(ylabel=f"{words_of(name)}\nper {track} [{per}]", title=name)
+        turned = np.degrees(np.unwrap(np.angle(response)))
+        bottom.plot(f, turned, color=PALETTE[0])
+        bottom.yaxis.set_major_locator(MultipleLocator(90.0 * max(1, round(float(np.ptp(turned)) / 270.0))))
         bottom.set(xlabel="frequency [Hz]", ylabel="phase [°]", xlim=(float(f[0]), float(f[-1])))
     return figure
 

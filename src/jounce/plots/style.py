@@ -218,6 +218,29 @@ def at_tick(name: str, most: int = _LONGEST_TICK) -> str:
     return name if len(name) <= most else f"{name[: most - 1]}…"
 
 
+def in_lines(name: str, most: int) -> str:
+    r"""A name of parts with dots or spaces between them, in lines of at most so many characters where parts allow it.
+
+    >>> in_lines("strut.damper.coefficient", 14), in_lines("max tyre.force", 14)
+    ('strut.damper.\ncoefficient', 'max tyre.force')
+    """
+    lines = [""]
+    for part in re.findall(r"[^. ]*[. ]?", at_tick(name)):
+        if lines[-1] and len(lines[-1] + part.strip()) > most:
+            lines.append("")
+        lines[-1] += part
+    return "\n".join(line.rstrip(" ") for line in lines)
+
+
+def columns_of(count: int, most: int = 3) -> int:
+    """Columns of a grid of so many panels, four of which make a square.
+
+    >>> [columns_of(count) for count in (1, 2, 3, 4, 5)]
+    [1, 2, 3, 2, 3]
+    """
+    return 2 if count == 4 and most == 3 else min(most, count)
+
+
 def _shorten(figure: Figure) -> None:
     """Cut other names, too, where they would leave no room."""
     from matplotlib.legend import Legend
@@ -232,11 +255,23 @@ def _shorten(figure: Figure) -> None:
         one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in one.get_text().split("\n")))
 
 
+_EXPONENT = re.compile(r"(?<![\w.])((?:\w+[*/·])*(?:km|mm|m|s|N|rad))\^([23])(?!\d)")
+
+
+def raised(text: str) -> str:
+    """Write the units of a sentence with raised exponents, as labels have them.
+
+    >>> raised("256e-6 m^3, above 0.5 m/s^2"), raised("x^2 in a law")
+    ('256e-6 m³, above 0.5 m/s²', 'x^2 in a law')
+    """
+    return _EXPONENT.sub(lambda found: found[1] + "²³"[int(found[2]) - 2], text)
+
+
 def name_figure(figure: Figure, title: str) -> Figure:
     """Write above a figure what it shows, unless it says so already; give the figure."""
     if title and not figure.get_suptitle():
         with style():
-            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+            figure.suptitle(raised(title), x=0.01, ha="left", fontsize=10)
     return figure
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError
 from jounce.plots.parallel import between_ends, draw_uprights
-from jounce.plots.style import INK, MUTED, PALETTE, at_tick, new_figure, styled
+from jounce.plots.style import INK, MUTED, PALETTE, at_tick, in_lines, legend_outside, new_figure, styled
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 from jounce.variants.summary import bands
 
@@ -150,13 +150,15 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
             across = _unit(many[path])
             x = many[path].to_numpy() * across.factor
             axes.scatter(x[chosen], y[chosen], s=7, color=PALETTE[0], alpha=0.45, linewidths=0, rasterized=True)
-            axes.plot(*_course(x, y), color=PALETTE[1], linewidth=1.6)
+            axes.plot(*_course(x, y), color=PALETTE[1], linewidth=1.6, label="mean of a tenth of the variants")
             axes.margins(0.05)
             axes.ticklabel_format(useOffset=False)
             axes.locator_params(axis="x", nbins=4)
-        row[0].set_ylabel(unit.label(at_tick(name, 40).replace(" ", "\n", 1)))
+        row[0].set_ylabel(unit.label(in_lines(name, 14)))
     for axes, path in zip(grid[-1], paths, strict=True):
-        axes.set_xlabel(_unit(many[path]).label(_broken(path)))
+        axes.set_xlabel(_unit(many[path]).label(in_lines(path, 16)))
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    legend_outside(figure, handles, labels, 1)
     return figure
 
 
@@ -215,7 +217,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     axes.add_collection(drawn)
     draw_uprights(axes, ends)
     names_at = [
-        f"{_broken(name)}\n[{unit.name}]" if unit.name else _broken(name)
+        in_lines(name, 16) + (f"\n[{unit.name}]" if unit.name else "")
         for name, unit in zip(columns, units, strict=True)
     ]
     axes.set_xticks(range(len(columns)), names_at, fontsize=7.5)
@@ -290,8 +292,3 @@ def _chosen(many: xr.Dataset, most: int) -> Array:
 def _unit(values: xr.DataArray) -> DisplayUnit:
     largest = float(np.nanmax(np.abs(values.to_numpy()), initial=0.0))
     return display_unit(str(values.attrs.get("units", "1")), largest)
-
-
-def _broken(path: str) -> str:
-    """A path in lines of words, so that it stands under a narrow column."""
-    return path.replace(".", ".\n").replace(" ", "\n")

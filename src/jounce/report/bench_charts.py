@@ -99,7 +99,8 @@ def decay_panels(found: DecayResult, time: Array, record: Array, title: str) -> 
     over_time.append(Series(dense, response, "after", "line", "fit: viscous damping and dry friction"))
     span = end - begin
     labels = "time [s]", unit.label(found.quantity)
-    shown = (begin - 0.15 * span, end + 0.02 * span)
+    earliest = float(time[0]) if len(record) else begin
+    shown = (max(begin - 0.15 * span, earliest - 0.02 * span), end + 0.02 * span)
     panels = [Panel(tuple(over_time), *labels, title, x_range=shown, width=520)]
     if found.quantity == "displacement":
         amplitudes = np.array(found.amplitudes) * unit.factor

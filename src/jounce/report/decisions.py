@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 from jounce.core.display import display_unit
 from jounce.plots import figure_of
 from jounce.plots.display import number, percent, quantity
+from jounce.plots.style import raised
 from jounce.report.page import Block, Cell, Fact, Facts, Findings, Page, Picture, Section, Table, Tone
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from jounce.core.types import Array
     from jounce.design.goal_front import DesignFront
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
     from jounce.design.pareto import ParetoFront
@@ -61,12 +63,14 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
         Table("Metrics, SI", ("metric", "start", "best", "change"), rows, "lrrr"),
     )
     return Page(
-        title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {_cubed(found.driven)}"
+        title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {raised(found.driven)}"
     )
 
 
-def _cubed(driven: str) -> str:
-    return driven.replace("^3", "³")
+def _from_to(values: Array, si: str) -> str:
+    """The least and the greatest of values (n,) of an SI unit, which is written once."""
+    unit = display_unit(si, float(abs(values).max()))
+    return unit.behind(" to ".join(number(float(end) * unit.factor) for end in (values.min(), values.max())))
 
 
 def _change(found: Optimisation, name: str) -> str:
@@ -129,8 +133,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     ends = [
         Fact(
             {"comfort": "comfort", "holding": "road holding", "travel": "travel"}[role],
-            f"{quantity(float(columns[role].min()), front.units[role])} to "
-            f"{quantity(float(columns[role].max()), front.units[role])}",
+            _from_to(columns[role], front.units[role]),
             front.metrics[role],
         )
         for role in roles
@@ -168,7 +171,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     if front.findings:
         answer.append(Findings(front.findings))
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
-    return Page(title, sections, f"Pareto front on {_cubed(front.driven)}")
+    return Page(title, sections, f"Pareto front on {raised(front.driven)}")
 
 
 def design_front_page(front: DesignFront, *, title: str) -> Page:
@@ -189,8 +192,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     ends = [
         Fact(
             name,
-            f"{quantity(float(values.min()), front.goal_units[name])} to "
-            f"{quantity(float(values.max()), front.goal_units[name])}",
+            _from_to(values, front.goal_units[name]),
             f"{quantity(front.present[name], front.goal_units[name])} as it is",
         )
         for name, values in front.goals.items()
@@ -217,4 +219,4 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     if front.findings:
         answer.append(Findings(front.findings))
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
-    return Page(title, sections, f"Best designs on {_cubed(front.driven)}")
+    return Page(title, sections, f"Best designs on {raised(front.driven)}")

@@ -10,7 +10,7 @@ from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.plots.signals import modes as draw_modes
 from jounce.recordings.schema import channel_unit, quantity_of
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, with_minus
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, as_printed
 from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
@@ -186,7 +186,7 @@ def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None
         values = [value for value in (row.spatial, row.lumped) if value is not None]
         unit = display_unit(row.unit, max(map(abs, values), default=0.0))
         cells = (number(None if value is None else value * unit.factor) for value in (row.spatial, row.lumped))
-        rows.append((row.quantity, unit.name or "–", *cells, with_minus(row.why)))
+        rows.append((row.quantity, unit.name or "–", *cells, as_printed(row.why)))
     about_rest = Table("About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl")
     peaks = []
     for peak in found.peaks:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from jounce.core.findings import Finding, not_drawn
+from jounce.plots.style import raised
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
 
@@ -206,13 +207,13 @@ def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:
 _NEGATIVE = re.compile(r"(?<![\w.−-])-(?=\d)")
 
 
-def with_minus(text: str) -> str:
-    """Write negative numbers within a sentence with a minus sign, as the tables do.
+def as_printed(text: str) -> str:
+    """Write the numbers and units of a sentence as the tables do: with minus signs and raised exponents.
 
-    >>> with_minus("moved by -2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D)")
-    'moved by −2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D)'
+    >>> as_printed("moved by -2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s^2")
+    'moved by −2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s²'
     """
-    return _NEGATIVE.sub("−", text)
+    return raised(_NEGATIVE.sub("−", text))
 
 
 def slug(text: str) -> str:
@@ -270,7 +271,7 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
     shown = list(messages.items())[: findings.most]
     result = []
     for severity, heading in _SEVERITIES.items():
-        rows = [(_places(places), with_minus(message)) for (kind, message), places in shown if kind == severity]
+        rows = [(_places(places), as_printed(message)) for (kind, message), places in shown if kind == severity]
         if rows:
             result.append((severity, heading, rows))
     return result
@@ -278,4 +279,5 @@ def grouped(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
 
 def _places(places: list[str]) -> str:
     more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
-    return ", ".join(places[:_MOST_PLACES]) + more
+    mark = "; " if any(", " in place for place in places) else ", "
+    return mark.join(places[:_MOST_PLACES]) + more

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from jounce.core.display import display_unit
 from jounce.plots.display import number
 from jounce.plots.posterior import posterior_bands, posterior_draws, profile_likelihood
+from jounce.report.campaign import SYNTHETIC_NOTE
 from jounce.report.page import (
     Block,
     Bullets,
@@ -61,7 +62,7 @@ def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page
         To be written with :func:`jounce.report.write_page`.
     """
     parts: dict[str, Callable[[], Section]] = {
-        "Answer": lambda: Section("Answer", _answer(found, synthetic)),
+        "Answer": lambda: Section("Answer", _answer(found)),
         "Draws": lambda: Section(
             "Draws", (Picture(posterior_draws(found), "draws", _DRAWS[found.counted], _DRAWS[found.counted]),)
         ),
@@ -73,10 +74,13 @@ def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page
         parts["Predictions"] = lambda: Section("Predictions", _predictions(found))
     parts["How it was made"] = lambda: Section("How it was made", (_made(found),))
     sections, missing = sections_of(parts)
-    return Page(title, sections, f"Posterior of {found.name}; {found.counted}", missing=missing)
+    return Page(
+        title, sections, f"Posterior of {found.name}; {found.counted}", missing=missing,
+        banner=f"{SYNTHETIC_NOTE}. {synthetic}" if synthetic else "", figure_note=SYNTHETIC_NOTE if synthetic else "",
+    )  # fmt: skip
 
 
-def _answer(found: Posterior, synthetic: str) -> tuple[Block, ...]:
+def _answer(found: Posterior) -> tuple[Block, ...]:
     worst = max(one.convergence.r_hat for one in found.parameters.values())
     least = min(min(one.convergence.bulk, one.convergence.tail) for one in found.parameters.values())
     facts = (
@@ -101,8 +105,6 @@ def _answer(found: Posterior, synthetic: str) -> tuple[Block, ...]:
     header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
     table = Table("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(found))
     blocks: list[Block] = [Paragraph(_COUNTED[found.counted]), Facts(facts), table]
-    if synthetic:
-        blocks.insert(0, Paragraph(synthetic))
     if found.findings:
         blocks.append(Findings(found.findings))
     return tuple(blocks)

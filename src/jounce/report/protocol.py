@@ -29,7 +29,7 @@ from jounce.inspection.result import NOT_GRADED, WheelResult
 from jounce.plots import rendered
 from jounce.plots.inspection import inspection_curves
 from jounce.report.live import Pane, Viewer
-from jounce.report.page import with_minus
+from jounce.report.page import as_printed
 from jounce.report.recordings import DIFFERENCE, curve_blocks
 from jounce.report.render import TEMPLATES, filled, inline_svg
 from jounce.report.typeset import TYPESETTER, breakable, compiled
@@ -604,7 +604,7 @@ def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
     return [
         {
             "place": _joined(places, vehicle, language),
-            "text": shortened(with_minus(text), 400),
+            "text": shortened(as_printed(text), 400),
             "tone": TONES.get(reason.verdict, ""),
         }
         for text, (reason, places) in listed
@@ -642,7 +642,7 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
                 if finding.severity != "problem":
                     found.setdefault(sentence_of(finding, language), []).append(_places(graded, wheel.wheel, language))
     return [
-        {"place": _joined(places, vehicle, language), "text": _capital(shortened(with_minus(text), 400)), "tone": ""}
+        {"place": _joined(places, vehicle, language), "text": _capital(shortened(as_printed(text), 400)), "tone": ""}
         for text, places in found.items()
     ]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
 from jounce.plots.design import ride_spectra, trade_off
-from jounce.plots.display import number, percent
+from jounce.plots.display import given, number, percent
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
 from jounce.report.recordings import curve_blocks
 from jounce.ride.study import MERITS
@@ -62,7 +62,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     against = _stationary(study)
     if against:
         sections.append(Section("Linear model", tuple(against)))
-    counted = f"{number(lasting, 4)} s counted, from {number(study.trial.settling, 3)} s on"
+    counted = f"{given(lasting, 's')} counted, from {given(study.trial.settling, 's')} on"
     return Page(title, tuple(sections), f"Simulated ride; {counted}")
 
 

@@ -45,6 +45,15 @@ def overview(project: Project, path: str) -> dict[str, Any]:
     }
 
 
+def title_of(project: Project, path: str) -> str:
+    """Give the title that a campaign's file has; its name where it cannot be read, of which the job tells then."""
+    try:
+        found = tomlkit.parse(project.read(path).text).get("title", "")
+    except (DescriptionError, tomlkit.exceptions.TOMLKitError):
+        return path
+    return found if isinstance(found, str) and found else path
+
+
 def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) -> dict[str, Any]:
     """Write a measured file into a campaign: a table of its bench, or one more trial. Comments of the file are kept.
 

@@ -16,6 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from jounce.core.errors import DescriptionError
 from jounce.web.answers import arguments, changed_by, rig_of, set_by
+from jounce.web.campaigns import title_of
 from jounce.web.project import Project
 
 _TO_SI = "from jounce.core.units import to_si\n"
@@ -128,7 +129,7 @@ class CampaignTask(_Task):
             f"write_campaign(result, {out!r}{', force=True' if self.force else ''})\n"
         )
         words = ["campaign", "run", file, f"--out={out}", *(["--force"] if self.force else [])]
-        return Doing(f"Campaign {Path(file).parent.name or Path(file).stem}", words, python=python, out=out,
+        return Doing(f"Campaign: {title_of(project, file)}", words, python=python, out=out,
                      page=f"{out}/report.html")  # fmt: skip
 
 

@@ -38,7 +38,7 @@ const KINDS: Record<string, string> = { channel: "Kanal", key: "Schlüssel", roa
 
 /** A message of the server in the language of the page; what is not known by its words stays as it is, names and numbers always do. */
 export function told(message: string): string {
-  const text = message.replace(" or allow it with --force.", message.includes("the output folder is not empty") ? ", or begin it again, which replaces what is there." : "."); // no page has options
+  const text = raised(message).replace(" or allow it with --force.", message.includes("the output folder is not empty") ? ", or begin it again, which replaces what is there." : "."); // no page has options
   if (!isGerman) return text;
   const [head, ...tail] = text.split(/(?=; (?:found|allowed:) )/);
   const more = tail.map((part) => part
@@ -46,6 +46,9 @@ export function told(message: string): string {
     .replace(/^(; )allowed: ([^.?]*(?:\.\d[^.?]*)*)/, (_, semicolon: string, given: string) => `${semicolon}zulässig: ${limits(given)}`));
   return hints(phrase(head!) + more.join(""));
 }
+
+/** Units in sentences as tables write them: m/s², m³. */
+export const raised = (text: string) => text.replace(/(?<=\b(?:k?m|s|N|rad))\^([23])/g, (_, power: string) => (power === "2" ? "²" : "³"));
 
 function phrase(head: string): string {
   const at = head.indexOf(": "), full = /^(.*?)([.?]?(?: .*)?)$/s.exec(head)!;
@@ -78,8 +81,8 @@ function hints(given: string): string {
 
 /** A sentence of the library: in the language of the page where it is known by its words, else as it is, and said to be English. */
 export function asSaid(message: string): Node | string {
-  const text = told(message);
-  return isGerman && text === message && heard(message) === message && /[a-z] [a-z]/.test(message) ? make("span", { lang: "en" }, message) : heard(text);
+  const given = raised(message), text = told(given);
+  return isGerman && text === given && heard(given) === given && /[a-z] [a-z]/.test(given) ? make("span", { lang: "en" }, given) : heard(text);
 }
 
 /** Findings, each with how grave it is and what it is about. */

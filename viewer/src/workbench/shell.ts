@@ -8,7 +8,7 @@ export type Values = URLSearchParams;
 /** A page has a word in the head and fills its place; an error that it throws is shown there with the way back. */
 export interface Page { label: string; show: (place: HTMLElement, values: Values) => Promise<void> }
 
-export const RIGS = ["rig"];
+export const RIGS = ["rig"], VEHICLES = ["rig", "vehicle"];
 export const address = (page: string, values: Record<string, string> = {}) => `#/${page}?${new URLSearchParams(values)}`;
 
 /** Goes to another page, unless the one that asked was left meanwhile: an answer that comes late takes nobody from where they are. */
@@ -24,5 +24,5 @@ export async function choose(place: HTMLElement, page: string, label: string, ke
   const names = [...entries.filter((entry) => kinds.includes(entry.kind)).map((entry) => entry.path), ...(shipped ? (await api.library()).map((one) => one.name) : [])];
   place.replaceChildren(make("h1", {}, label), names.length
     ? make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name))))
-    : make("p", { class: "empty" }, kinds === RIGS ? tr("No rig lies here yet: ") : tr("Nothing of that kind lies here yet: "), make("a", { href: address("project") }, tr("to the project")), "."));
+    : make("p", { class: "empty" }, kinds.includes("rig") ? tr("No rig lies here yet: ") : tr("Nothing of that kind lies here yet: "), make("a", { href: address("project") }, tr("to the project")), "."));
 }

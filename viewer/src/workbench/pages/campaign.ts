@@ -101,13 +101,18 @@ function part(one: Bench, whole_: Overview, link: Link): HTMLElement {
     make("div", { class: "form" }, ...(decays ? [field("Oscillating mass", mass), field("From", from), field("To", to)] : [field("Law", law), field("Ignore smaller deflections", discard), field("Force at zero", intercept)]), question.button), question.place);
 }
 
-const UNITS: Record<string, string> = { stiffness: "N/m", intercept: "N", damping_ratio: "1", damping_coefficient: "N·s/m", coulomb_force: "N", quadratic_drag: "N·s²/m²", natural_frequency_hz: "Hz", equilibrium: "m" };
+/** Estimates in the words and units of their report: key, words, unit, and what makes it of SI. */
+const ESTIMATES: Record<string, [words: string, unit: string, factor: number]> = {
+  stiffness: ["stiffness", "N/mm", 1e-3], intercept: ["intercept", "N", 1], damping_ratio: ["damping ratio", "1", 1], damping_coefficient: ["damping coefficient", "N·s/m", 1], coulomb_force: ["dry friction force", "N", 1],
+  quadratic_drag: ["quadratic drag", "N·s²/m²", 1], natural_frequency_hz: ["natural frequency", "Hz", 1], equilibrium: ["equilibrium", "mm", 1e3],
+};
 
 /** Estimates with their 95 % intervals, and what the reader must know. */
 function estimates(found: Record<string, unknown>): HTMLElement {
   const rows = Object.entries(found).flatMap(([name, value]) => {
     const one = value as { value?: number; interval?: [number, number] } | null;
-    return one && typeof one === "object" && typeof one.value === "number" && name in UNITS ? [[tr(name.replaceAll("_", " ").replace(" hz", "")), written(one.value), one.interval ? `${written(one.interval[0])} … ${written(one.interval[1])}` : "–", UNITS[name]!]] : [];
+    const [words, unit, factor] = ESTIMATES[name] ?? [];
+    return words && unit && factor && one && typeof one === "object" && typeof one.value === "number" ? [[tr(words), written(one.value * factor), one.interval ? `${written(one.interval[0] * factor)} … ${written(one.interval[1] * factor)}` : "–", unit]] : [];
   });
   const findings = (found.findings ?? []) as { severity: string; message: string }[];
   return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...advised(findings, "p"));

@@ -1,12 +1,12 @@
 /** Shock-absorber inspection: records read and graded with their protocol, the history of a vehicle, and the store searched. */
 
 import { make, written } from "../../page";
-import { tr } from "../../words";
+import { localised, tr } from "../../words";
 import * as api from "../api";
 import { dropZone, Question, report, type Told, ways } from "../jobs";
 import { field } from "../parts";
 import { Reading } from "../reading";
-import { address, type Page, RIGS, type Values } from "../shell";
+import { address, type Page, type Values, VEHICLES } from "../shell";
 import { advised, asSaid } from "../refusals";
 
 export const inspection: Page = { label: "Inspection", show };
@@ -15,7 +15,7 @@ export interface Choices { testers: string[]; methods: string[]; controls: strin
 interface Wheel { wheel: string; axle?: string; static_load: number | null; verdict: string; grade: Record<string, string>; reasons: string[]; uncertainty: Record<string, number>; findings: { severity: string; message: string }[]; [quantity: string]: unknown }
 interface Graded { wheels: Wheel[]; axle?: { axle: string; verdict: string; reasons: string[] }; verdict: string; deciding: string[]; limits: { label: string; source: string }; vehicle: { verdict: string; reasons: string[] }; reasons?: string[]; findings?: { severity: string; message: string }[]; error?: { message: string }; store: { location: string; records: number[] } | null }
 const QUANTITIES: [string, string, string, number][] = [
-  ["static_load", "static load", "N", 1], ["adhesion", "adhesion (EUSAMA)", "%", 100], ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1], ["phase_frequency_hz", "at", "Hz", 1], ["relative_force_amplitude", "relative force amplitude", "%", 100],
+  ["static_load", "static load", "N", 1], ["adhesion", "adhesion (EUSAMA)", "%", 100], ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1], ["phase_frequency_hz", "frequency of that angle", "Hz", 1], ["relative_force_amplitude", "relative force amplitude", "%", 100],
   ["tyre_rigidity", "tyre rigidity", "N/mm", 1e-3], ["theta_rig", "damping ratio on the tester (THETA)", "1", 1], ["theta_road", "damping ratio on the road (THETA)", "1", 1], ["boge_amplitude", "BOGE amplitude", "mm", 1e3],
 ];
 const TONES: Record<string, string> = { pass: "good", advise: "fair", fail: "bad", "not graded": "bad" };
@@ -24,7 +24,7 @@ const mark = (verdict: string) => make("span", { class: `mark ${TONES[verdict] ?
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
   const records = entries.filter((one) => one.kind === "record").map((one) => one.path), stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
-  const rigs = [...entries.filter((one) => RIGS.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
+  const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
   const store = select(stores), search_ = search(store, choices), noStore = make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.");
   const offered = () => { search_.hidden = !store.options.length; noStore.hidden = !search_.hidden; };
   const stored = (name: string) => { if (name) offer(store, [name]); offered(); }; // what is typed into the search stays
@@ -81,7 +81,12 @@ function graded(found: Graded): HTMLElement[] {
   const name = (one: Wheel) => [one.axle, one.wheel].filter(Boolean).map((word) => tr(word!)).join(" ");
   const cell = (one: Wheel, key: string, factor: number) => {
     const value = one[key], doubt = one.uncertainty?.[key];
-    return typeof value === "number" ? `${written(value * factor)}${doubt ? ` ± ${written(doubt * factor, 1)}` : ""}` : "–";
+    if (typeof value !== "number") return "–";
+    if (!doubt || !value) return written(value * factor);
+    const place = (x: number) => Math.floor(Math.log10(Math.abs(x * factor)));
+    const decimals = Math.min(Math.max(0, Math.min(-place(doubt), 3 - place(value))), 20); // both end at one place, the doubt is rounded up
+    const up = Math.ceil(doubt * factor * 10 ** decimals - 1e-9) / 10 ** decimals;
+    return localised(`${(value * factor).toFixed(decimals)} ± ${up.toFixed(decimals)}`);
   };
   const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
   shown.push(make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" }, make("table", {},

@@ -16,6 +16,7 @@ interface Kept { path: string; rig: string; changes: Record<string, number | str
 /** Where a file of a kind opens, and in which words. */
 const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   rig: [["rig", "name", "edit"], ["trial", "rig", "drive it"], ["kinematics", "rig", "kinematics"]],
+  vehicle: [["rig", "name", "edit"], ["trial", "rig", "drive it"]],
   record: [["record", "path", "look at it"], ["trial", "record", "beside a run"], ["inspection", "record", "inspect"]],
   campaign: [["campaign", "file", "open"]],
   store: [["inspection", "store", "search"]],
@@ -46,7 +47,7 @@ async function show(place: HTMLElement): Promise<void> {
   place.replaceChildren(
     make("h1", {}, name), make("p", { class: "muted" }, folder), next(entries, kept),
     entries.length
-      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written (UTC)"), tr("to do")].map((text) => make("th", { scope: "col" }, text)))), make("tbody", {}, ...rows)))
+      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written (UTC)"), tr("to do")].map((text, k) => make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text)))), make("tbody", {}, ...rows)))
       : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
     make("h2", {}, tr("Start from an example")), form, told, ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []));
 }

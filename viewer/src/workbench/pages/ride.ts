@@ -7,10 +7,10 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { accompany, begin, follow, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
-import { address, goTo, type Page, RIGS, type Values } from "../shell";
+import { address, goTo, type Page, type Values, VEHICLES } from "../shell";
 import type { Choices } from "./inspection";
 import { inWords } from "../quantities";
-import { advised } from "../refusals";
+import { advised, raised } from "../refusals";
 
 export const ride: Page = { label: "Ride and control", show };
 
@@ -34,7 +34,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
   if (id) { await showRun(place, id); return; }
   const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
-  const rigs = [...entries.filter((one) => RIGS.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
+  const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
   const roads = [..."ABCDEFGH".split("").map((one) => `iso:${one}`), ...choices.roads, ...entries.filter((one) => one.kind === "road").map((one) => one.path)];
   const vehicle = select(rigs, values.get("vehicle") ?? "audi-a6-quarter-car"), road = select(roads, values.get("road") ?? "iso:C"), changes = told(values.get("set"));
   const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
@@ -183,7 +183,7 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
     picture.append(link);
   }
   const figure = make("figure", {}), numbers = Object.keys(found.numbers);
-  figure.append(picture, make("figcaption", { class: "muted" }, `${found.driven}; round: the front, square: the rig as it is and single best dampers. Each opens as a ride.`));
+  figure.append(picture, make("figcaption", { class: "muted" }, `${raised(found.driven)}; round: the front, square: the rig as it is and single best dampers. Each opens as a ride.`));
   return [...(found.converged ? [] : [make("p", { class: "mark fair" }, "Not every design is surely the best of its kind.")]), figure,
     make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "designs" }, make("table", {}, make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "design"), ...(["comfort", "holding", "travel"] as const).map((role) => make("th", { scope: "col", class: "right" }, `${found.metrics[role]} [${as(found.units[role]!)[0]}]`)), ...numbers.map((path) => make("th", { scope: "col", class: "right" }, `${path} [${as(found.number_units[path]!)[0]}]`)), make("th", { scope: "col" }, ""))),
       make("tbody", {}, ...points.map((one) => make("tr", {}, make("th", { scope: "row" }, one.name), ...(["comfort", "holding", "travel"] as const).map((role) => make("td", { class: "right" }, written(one[role] * as(found.units[role]!)[1]))), ...numbers.map((path) => make("td", { class: "right" }, written(one.values[path] === undefined ? null : one.values[path]! * as(found.number_units[path]!)[1]))), make("td", {}, make("a", { href: opened(one), "aria-label": `drive ${one.name}, as a ride` }, "drive it"))))))),

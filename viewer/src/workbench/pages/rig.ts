@@ -8,14 +8,14 @@ import * as api from "../api";
 import { Form, type Key, type Value } from "../form";
 import { InTurn, Newest, problem } from "../parts";
 import { Points } from "../points";
-import { address, choose, type Page, type Values } from "../shell";
+import { address, choose, type Page, type Values, VEHICLES } from "../shell";
 import { asSaid } from "../refusals";
 
 export const rig: Page = { label: "Rig", show };
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("name");
-  if (!name) { await choose(place, "rig", tr("Rig"), "name"); return; }
+  if (!name) { await choose(place, "rig", tr("Rig"), "name", false, VEHICLES); return; }
   let saved = await api.file(name);
   if (!place.isConnected) return;
   let state: api.Form | null = null, isOld = false, said: HTMLElement | null = null;

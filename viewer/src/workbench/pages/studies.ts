@@ -6,7 +6,7 @@ import * as api from "../api";
 import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem } from "../parts";
-import { address, type Page, RIGS, type Values } from "../shell";
+import { address, type Page, type Values, VEHICLES } from "../shell";
 import { Brushes, type Column, type Influence, matrix, parallel, ranges, tornado } from "../variants";
 import { advised } from "../refusals";
 
@@ -22,7 +22,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const job = values.get("job"), folder = values.get("folder");
   if (job || folder) { await showSweep(place, job, folder); return; }
   const { entries } = await api.project();
-  const rigs = [...entries.filter((one) => RIGS.includes(one.kind)).map((one) => one.path), ...(await api.library()).map((one) => one.name)];
+  const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...(await api.library()).map((one) => one.name)];
   const found = entries.filter((one) => one.kind === "sweep");
   place.replaceChildren(make("h1", {}, "Studies"),
     make("p", { class: "muted" }, "Numbers of a rig are spread over ranges or distributions; every variant is simulated, and what its metrics depend on is told."),

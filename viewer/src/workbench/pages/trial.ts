@@ -6,7 +6,7 @@ import * as api from "../api";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, Live, once, problem, Sliders } from "../parts";
 import { Phase } from "../phase";
-import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
+import { address, choose, type Page, setLive, type Values, VEHICLES } from "../shell";
 
 export const trial: Page = { label: "Trial", show };
 
@@ -14,7 +14,7 @@ const FIRST = ["strut.spring.rate", "strut.damper.coefficient", "strut.damper.bu
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
-  if (!name) { await choose(place, "trial", tr("Trial"), "rig", true, RIGS, values.get("record") ? { record: values.get("record")! } : {}); return; }
+  if (!name) { await choose(place, "trial", tr("Trial"), "rig", true, VEHICLES, values.get("record") ? { record: values.get("record")! } : {}); return; }
   const [rig, { entries }] = await Promise.all([api.rig(name), api.project()]);
   if (!place.isConnected) return;
   const kind = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))));
