@@ -84,9 +84,14 @@ class Opened:
 
     def go(self, page: str) -> None:
         if not self.page.url.endswith(f"#/{page}"):
-            self.page.evaluate(
-                "page => { delete document.documentElement.dataset.ready; location.hash = page; }", f"/{page}"
-            )
+            words = "page => { delete document.documentElement.dataset.ready; location.hash = page; }"
+            try:
+                self.page.evaluate(words, f"/{page}")
+            except Exception as error:  # another language loads the page anew
+                if "context was destroyed" not in str(error):
+                    raise
+                self.ready()
+                self.page.evaluate(words, f"/{page}")
         self.ready()
         self.page.wait_for_timeout(400)
 
