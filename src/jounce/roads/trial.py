@@ -424,6 +424,7 @@ FASTEST = 15.0
 FEWEST_OUTPUTS = 4
 """Samples of the result while an obstacle passes; with fewer its peaks are missed."""
 _JUMP = 1e-6  # m
+_UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
@@ -536,7 +537,7 @@ def _loads(trial: Trial) -> Iterator[Finding]:
 
 
 def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Say what a run leaves out where the road jumps up under a damped tyre; jumping down, it leaves the tyre."""
+    """Say what a damped tyre makes of a road that jumps up or rises upright; where it falls, it leaves the tyre."""
     numbers = {} if rig is None else rig.parameters()
     damping = max((value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")), default=0.0)
     sides = (1,) if trial.right is None else (1, -1)
@@ -548,6 +549,17 @@ def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
             "length of the tyre's contact patch, or let the tyre envelop it"
         )
         yield Finding("trial: road", "warning", text, damping * rise)
+    if damping > 0.0 and any(_rises_upright(trial.segments(side=side)) for side in sides):
+        text = (
+            "the road rises upright, where the force of the tyre's damper has no bound: the greatest tyre force says "
+            "where the samples lie, and nothing else; let the tyre envelop the road"
+        )
+        yield Finding("trial: road", "warning", text)
+
+
+def _rises_upright(signal: Segments) -> bool:
+    finite = signal.with_finite_slopes()
+    return bool(np.any(finite.evaluate(finite.edges[1:-1])[1] > _UPRIGHT * signal.rate))
 
 
 def _jumps(signal: Segments) -> bool:

@@ -7,7 +7,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.parts import load
-from jounce.roads import Excitation, HalfSine, Ramp, Rectangle, Step, Train, Trial
+from jounce.roads import Excitation, HalfCylinder, HalfSine, Kerb, Ramp, Rectangle, Step, Train, Trial
 from jounce.roads.trial import trial_findings
 
 ROAD = HalfSine(height="10 mm", length="60 mm", start="0.2 m")
@@ -188,3 +188,13 @@ def test_the_blow_of_a_tyre_s_damper_at_a_jump_is_told() -> None:
     car, right = load("audi-a6-full-car"), Train(of=up, count=2, pitch=0.06)
     found = trial_findings(Trial(road=HalfSine(height=0.02, length=1.0), right=right, speed=5.0, duration=1.0), car)
     assert [one.value for one in found] == [pytest.approx(100.0 * 0.01)]
+
+
+def test_a_damped_tyre_on_an_upright_edge_is_told() -> None:
+    rig = load("audi-a6-quarter-car")
+    roads = {True: HalfCylinder(radius=0.01, start=1.0), False: Kerb(height=-0.02, edge_radius=0.02, start=1.0)}
+    for upright, road in roads.items():  # a kerb down falls upright: there the tyre leaves it
+        found = trial_findings(Trial(road=road, speed=5.0, duration=1.0), rig)
+        assert ["rises upright" in one.message for one in found] == [True] * upright
+    undamped = rig.with_changes({"tyre.damping_coefficient": 0.0})
+    assert not trial_findings(Trial(road=roads[True], speed=5.0, duration=1.0), undamped)
