@@ -12,7 +12,9 @@ import pytest
 
 import jounce as jn
 from jounce.kernel.poses import Walk, space_for, walk_poses
+from jounce.simulation import reduced as module
 from jounce.simulation.reduced import DEGREES, reduction_of
+from jounce.variants import many as many_runs
 
 KART = jn.load("kart-double-wishbone")
 BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike
@@ -228,6 +230,7 @@ def spread(random: np.random.Generator, count: int) -> dict[str, np.ndarray]:
 
 
 STOPPED = KART.with_changes({"strut.bump_stop": {"gap": "6 mm", "rate": "50 N/mm", "progression": 1e8}})
+RANGE = 0.0199  # m, which half of their wheels leave
 WORDS = ("rms sprung.az", "max tyre.force", "range strut.deflection", "Wk sprung.az", "min wheel.camber")
 
 
@@ -245,6 +248,30 @@ def test_variants_step_side_by_side_as_they_run_alone():
             assert float(many[word][i]) == pytest.approx(float(one[word][0]), rel=1e-6)
         full = jn.simulate(rig, trial, method="explicit", tolerance=1e-8)["sprung.z"].values
         assert np.max(np.abs(many["sprung.z"].values[i] - full)) < 1e-5 * np.ptp(full)
+
+
+def test_variants_whose_wheels_leave_their_tables_go_on_side_by_side_over_wider_ones(monkeypatch):
+    changes, trial = spread(np.random.default_rng(SEED), 40), bump()
+    usual = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z")
+    held, real = [], many_runs._Group._step_through
+
+    def step_through(*arguments):
+        found = real(*arguments)
+        held.append(int(found.held.sum()))
+        return found
+
+    monkeypatch.setattr(many_runs._Group, "_step_through", step_through)
+    monkeypatch.setattr(module, "first_range", lambda _: RANGE)
+    many = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z")
+    assert len(held) == 2
+    assert 0 < held[0] <= 24  # whose wheels travel less; the others are 16 or more
+    assert sum(held) == many.attrs["side_by_side"] == 40
+    assert not any(many["reason"].values)
+    for word in WORDS:
+        assert many[word].values == pytest.approx(usual[word].values, rel=1e-6)
+    rig = STOPPED.with_changes({path: float(values[3]) for path, values in changes.items()})
+    full = jn.simulate(rig, trial, method="explicit", tolerance=1e-8)["sprung.z"].values
+    assert np.max(np.abs(many["sprung.z"].values[3] - full)) < 1e-5 * np.ptp(full)
 
 
 def test_neither_threads_nor_variants_that_fail_change_the_others():

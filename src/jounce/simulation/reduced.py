@@ -351,10 +351,13 @@ class ReducedCorner:
                 return None
             if laid_out.holds(solution.states):
                 return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
-            low, high = laid_out.travelled(solution.states)
-            wider = BESIDE * (high - low)
-            laid_out = self.over(float(low - wider), float(high + wider))
+            laid_out = self.beyond(*map(float, laid_out.travelled(solution.states)))
         return None
+
+    def beyond(self, low: float, high: float) -> ReducedRun | None:
+        """Lay out a run for a range of travel that reaches farther than where a wheel has been, m."""
+        wider = BESIDE * (high - low)
+        return self.over(low - wider, high + wider)
 
     @property
     def limit(self) -> float:

@@ -24,10 +24,10 @@ from jounce.roads.trial import is_lasting
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
-from jounce.simulation.reduced import ReducedCorner, Reduction, reduction_for
+from jounce.simulation.reduced import ReducedCorner, ReducedRun, Reduction, reduction_for
 from jounce.simulation.reduced_car import CarReduction, ReducedCar, car_reduction_for
 from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, samples_reached, turns_little
-from jounce.simulation.sampled import STEPS_SHARE
+from jounce.simulation.sampled import STEPS_SHARE, TRIES
 from jounce.simulation.settings import RunSettings
 from jounce.variants import stepped
 from jounce.variants.designs import MOST, Design
@@ -467,14 +467,35 @@ class _Group:
     def _stepped(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
-        """Fill in what can be stepped side by side; tell which variants are left."""
-        study, careful = self.study, np.ones(len(rows), dtype=bool)
-        laid_out = (
-            self._laid_out(parameters) if study.settings.method != "implicit" and len(rows) >= stepped.LEAST else None
-        )
-        if laid_out is None:
-            return careful
-        base, numbers, sound, holds, tolerance = laid_out
+        """Fill in what can be stepped side by side; tell which variants are left.
+
+        Those whose wheel left its table go on over a wider one that does for all of them, or for half.
+        """
+        careful, left = np.ones(len(rows), dtype=bool), np.arange(len(rows))
+        may = self.study.settings.method != "implicit" and len(rows) >= stepped.LEAST
+        laid_out = self._laid_out(parameters) if may else None
+        for _ in range(TRIES):
+            if laid_out is None:
+                break
+            travelled = self._step_through(results, laid_out, rows[left], threads)
+            careful[left[travelled.held]] = False
+            beyond = np.isfinite(travelled.low) & np.isfinite(travelled.high)
+            left = left[beyond]
+            if len(left) < stepped.LEAST:
+                break
+            low, high = travelled.low[beyond], travelled.high[beyond]
+            laid_out = self._laid_out(parameters[left], (float(low.min()), float(high.max())))
+            if laid_out is None:
+                laid_out = self._laid_out(parameters[left], (float(np.median(low)), float(np.median(high))))
+        return careful
+
+    def _step_through(
+        self, results: _Results, laid_out: _LaidOut, rows: NDArray[np.int64], threads: int | None
+    ) -> _Travelled:
+        """Step variants and fill in what stays where their tables hold; tell where the others have been."""
+        study, nowhere = self.study, np.full(len(rows), np.nan)
+        told = _Travelled(np.zeros(len(rows), dtype=bool), nowhere, nowhere.copy())
+        base, numbers, sound, one, tolerance = laid_out
         outputs = study.compiled.output_names
         limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
         angles = angles_of(outputs) if base.compiled.facts.projects else []  # one coordinate cannot flip
@@ -490,13 +511,17 @@ class _Group:
         def take(block: int, states: Array, found: Array) -> None:
             first = block * wide
             count = min(wide, len(rows) - first)
-            kept = holds(states)
+            inside = one.holds(states)[:count] if one is not None else np.ones(count, dtype=bool)
+            kept = np.ones(wide, dtype=bool)
             for name, limit in limits.items():  # what runs away is said where it runs alone
                 course = found[row_of[name]]
                 kept = kept & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
             for name in angles:
                 kept = kept & turns_little(found[row_of[name]])
-            lanes = np.flatnonzero(sound[first : first + count] & kept[:count])
+            sane = sound[first : first + count] & kept[:count]
+            lanes, beyond = np.flatnonzero(sane & inside), np.flatnonzero(sane & ~inside)
+            if one is not None:
+                told.low[first + beyond], told.high[first + beyond] = (part[beyond] for part in one.travelled(states))
             still = blocks.outputs_at_rest(rest, block)
             for i, metric in enumerate(results.metrics):
                 row = row_of[metric.channel]
@@ -508,18 +533,21 @@ class _Group:
                 shown = [row_of[name] for name in results.channels]
                 for lane in lanes:
                     results.courses[rows[first + lane]] = found[shown, lane].copy()
-            careful[first + lanes] = False
+            told.held[first + lanes] = True
 
         blocks.run(rest, take, threads)
-        results.tally["side_by_side"] += int(np.sum(~careful))
-        return careful
+        results.tally["side_by_side"] += int(np.sum(told.held))
+        return told
 
-    def _laid_out(self, parameters: Array) -> _LaidOut | None:
-        """How variants may be stepped side by side; None where they may not, or where the rig itself cannot run."""
+    def _laid_out(self, parameters: Array, travel: tuple[float, float] | None = None) -> _LaidOut | None:
+        """How variants may be stepped side by side; None where they may not, or where the rig itself cannot run.
+
+        Where a wheel is known to have been, in ``travel`` (m), tables reach farther than that.
+        """
         study = self.study
         times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
         if study.reduction is None:
-            if not stepped.can_step(study.compiled, len(parameters)):
+            if travel is not None or not stepped.can_step(study.compiled, len(parameters)):
                 return None
             try:
                 method = study.settings.method
@@ -527,17 +555,17 @@ class _Group:
             except SimulationError:
                 return None
             every = np.ones(len(parameters), dtype=bool)
-            found = _LaidOut(base, parameters, every, lambda states: np.ones(states.shape[1], dtype=bool), tolerance)
+            found = _LaidOut(base, parameters, every, None, tolerance)
         else:
             names = study.compiled.facts.parameters
             values = dict(zip(names, study.base.tolist(), strict=True))
             corner = ReducedCorner(study.reduction, values, self._signals, times, tolerance)
-            one = corner.lay_out()
+            one = corner.lay_out() if travel is None else corner.beyond(*travel)
             if one is None:
                 return None
             whole = np.concatenate([study.base[None, :], parameters])
             numbers, sound = study.reduction.alike(one.table, one.degree, names, whole, corner.limit)
-            found = _LaidOut(one.prepared, numbers[1:], sound[1:], one.holds, STEPS_SHARE * tolerance)
+            found = _LaidOut(one.prepared, numbers[1:], sound[1:], one, STEPS_SHARE * tolerance)
         base = found.base
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
         return found if steps else None
@@ -610,13 +638,21 @@ class _Group:
 
 
 class _LaidOut(NamedTuple):
-    """A run of the rig itself, parameters of the variants, which of them are sound, where their states may be."""
+    """A run of the rig itself, parameters of the variants, which of them are sound, and that run with its table."""
 
     base: Prepared
     numbers: Array
     sound: NDArray[np.bool_]
-    holds: Callable[[Array], NDArray[np.bool_]]
+    one: ReducedRun | None
     tolerance: float
+
+
+class _Travelled(NamedTuple):
+    """Which variants stayed where their tables hold, and where the wheels that left them have been (m)."""
+
+    held: NDArray[np.bool_]
+    low: Array
+    high: Array
 
 
 @remembered
