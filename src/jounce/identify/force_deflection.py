@@ -129,6 +129,7 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
         text = "the deflection exceeds 1 m: check that it was read in the right unit."
         findings.append(Finding(trial.name, "problem", text, float(deflection[seated.turn])))
     _report_non_monotone(seated, findings)
+    findings += [*_out_of_range(seated), *_drift(seated)]
     return seated, findings
 
 
@@ -214,7 +215,8 @@ def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bo
 
 def _report_non_monotone(trial: SeatedTrial, findings: list[Finding]) -> None:
     deflection, force = trial.branch("loading")
-    drop = float((np.maximum.accumulate(force) - force).max())
+    below = force[deflection < (1.0 - _TOP) * deflection.max()]  # nearer to the top noise mixes both branches
+    drop = float((np.maximum.accumulate(below) - below).max(initial=0.0))
     span = float(np.ptp(force))
     if span > 0.0 and drop > 0.03 * span:
         text = f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling or a loose seat?"
@@ -223,6 +225,49 @@ def _report_non_monotone(trial: SeatedTrial, findings: list[Finding]) -> None:
     if back > 0.02 * float(np.ptp(deflection)):
         text = f"the deflection reverses by {1e3 * back:.3g} mm within the loading branch; all its points are used."
         findings.append(Finding(trial.name, "note", text, back))
+
+
+_TOP = 0.02  # of the largest deflection
+_FLAT = 0.05  # of the stroke over which the force may stay at its largest value
+_NO_DRIFT = 0.02  # of the largest force by which it may differ where a trial ends as it began
+
+
+def _out_of_range(trial: SeatedTrial) -> list[Finding]:
+    """A force that stays at its very largest value while the deflection goes on."""
+    deflection, force = trial.deflection, trial.force
+    top = np.flatnonzero(force == force.max())
+    over = float(np.ptp(deflection[top]))
+    if len(top) < _FEWEST_FLAT or over < _FLAT * float(np.ptp(deflection)):
+        return []
+    text = (
+        f"the force stays at {force.max():.4g} N over {1e3 * over:.3g} mm: the load cell or its amplifier was out of "
+        "range, and no law fits what it shows there; leave out what lies beyond "
+        f"{1e3 * float(deflection[top].min()):.3g} mm."
+    )
+    return [Finding(trial.name, "problem", text, over)]
+
+
+_FEWEST_FLAT = 6
+
+
+def _drift(trial: SeatedTrial) -> list[Finding]:
+    """A force that a trial does not come back with, where hysteresis cannot have taken it: it only takes."""
+    deflection, force, stroke = trial.deflection, trial.force, float(np.ptp(trial.deflection))
+    end = deflection[trial.turn :]
+    back = trial.turn + int(np.argmin(np.abs(end - deflection[0])))
+    if abs(float(deflection[back] - deflection[0])) > _TOP * stroke or len(force) - trial.turn < _FEWEST_FLAT:
+        return []
+    slope = float(np.ptp(force)) / stroke
+    less = force - slope * (deflection - deflection[0])
+    gained = float(np.median(less[max(back - 2, trial.turn + 1) : back + 3]) - np.median(less[:5]))
+    if gained < _NO_DRIFT * float(force.max()):
+        return []
+    text = (
+        f"the trial ends with {gained:.3g} N more than it began with at the same deflection, where hysteresis would "
+        "take some: the zero of the load cell drifts. If evenly, the slope of the loading branch is off by about "
+        f"{0.5 * gained / stroke:.3g} N/m, and that of both branches together is not."
+    )
+    return [Finding(trial.name, "warning", text, gained)]
 
 
 def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:

@@ -564,6 +564,9 @@ def _slope_at(x: Array, force: Array, width: float) -> float | None:
     return float(np.polyfit(x[near] / width, force[near], degree)[-2] / width)
 
 
+_ODD = 0.05  # of the stiffness of the other trials, from which on a trial is told
+
+
 def _advice(
     pooled: CurveFit, x: Array, force: Array, law: Law, preload: Estimate | None, rows: Sequence[TrialStiffness]
 ) -> list[Finding]:
@@ -581,6 +584,18 @@ def _advice(
         add("trials", "warning", text)
     if all(row.loss_factor is None for row in rows):
         add("trials", "note", "no trial has an unloading branch: no hysteresis energy, no loss factor.")
+    values = np.array([row.stiffness.value for row in rows])
+    for i, row in enumerate(rows):
+        others = np.delete(values, i)
+        if len(others) < 2 or np.median(others) <= 0.0:
+            break
+        far, usual = float(values[i] / np.median(others)), float(np.ptp(others) / np.median(others))
+        if abs(far - 1.0) > max(_ODD, 3.0 * usual):
+            text = (
+                f"its stiffness is {far:.3g} times that of the other trials ({row.stiffness.value:.4g} N/m): another "
+                "part, another unit or another zero? Value and interval of all together count it."
+            )
+            add(row.name, "warning", text, far)
     few = min(rows, key=lambda row: row.points)
     if few.points < 10:
         add(few.name, "warning", f"only {few.points} points are left to fit.", float(few.points))

@@ -499,3 +499,45 @@ def test_a_start_is_loaded_from_two_percent_of_the_largest_force_on(share, told)
     force = 1e4 * STROKE + share * 100.0 / (1.0 - share)
     found = [one for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings if "loaded" in one.message]
     assert [one.value for one in found] == [pytest.approx(force[0])] * told
+
+
+def cycled(name, rate=22730.0, drift=0.0, loss=0.0, seed=1):
+    """A load cycle of a spring to 15 mm and back, with noise of 1 N and 5 um; a drift of its load cell [N]."""
+    random = np.random.default_rng(seed)
+    x = np.concatenate([np.linspace(0.0, 0.015, 151), np.linspace(0.015, 0.0, 151)])
+    way = np.repeat([1.0, -1.0], 151)
+    force = rate * x + loss * way * np.minimum(1.0, x / 3e-4) + drift * np.linspace(0.0, 1.0, 302)
+    return ForceDeflectionTrial(x + random.normal(0.0, 5e-6, 302), force + random.normal(0.0, 1.0, 302), name)
+
+
+def told_of(*trials):
+    return " | ".join(f"{one.place}: {one.message}" for one in fit_stiffness(trials).findings)
+
+
+def test_a_load_cell_that_drifts_is_told_and_hysteresis_is_not_taken_for_it():
+    """20 N of drift made the loading branch 3 % too stiff, with an interval of 0.5 %, and nothing was said."""
+    assert "drifts" not in told_of(*(cycled(f"t{i}", loss=8.0, seed=i) for i in range(3)))
+    drifted = [cycled(f"t{i}", drift=20.0, seed=i) for i in range(3)]
+    told = [one.value for one in fit_stiffness(drifted).findings if "the zero of the load cell drifts" in one.message]
+    assert told == pytest.approx([20.0, 20.0, 20.0], abs=2.0)
+    assert not fit_stiffness(drifted).stiffness.has(22730.0)
+    assert fit_stiffness(drifted, branch="both").stiffness.value == pytest.approx(22730.0, rel=2e-3)
+
+
+def test_a_load_cell_out_of_range_is_told():
+    trial = cycled("t")
+    over = ForceDeflectionTrial(trial.deflection, np.minimum(trial.force, 250.0), "t")
+    assert "t: the force stays at 250 N over 4 mm" in told_of(over)
+    assert "the force stays" not in told_of(trial)
+
+
+def test_a_trial_unlike_the_others_is_told():
+    alike = [cycled(f"t{i}", rate, seed=i) for i, rate in enumerate((22700.0, 22730.0, 22760.0))]
+    assert "times that of the other trials" not in told_of(*alike)
+    found = fit_stiffness([*alike, cycled("in kgf", 22730.0 / 9.81, seed=5)]).findings
+    told = [(one.place, one.value) for one in found if "that of the other trials" in one.message]
+    assert told == [("in kgf", pytest.approx(1.0 / 9.81, rel=0.03))]
+
+
+def test_noise_at_the_top_of_a_cycle_is_no_slip():
+    assert "slip" not in told_of(*(cycled(f"t{i}", loss=8.0, seed=i) for i in range(5)))
