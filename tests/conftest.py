@@ -6,6 +6,7 @@ import gc
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -26,6 +27,7 @@ hypothesis.settings.load_profile("jounce")
 _CACHE = pytest.StashKey[str]()
 COLLECTED = pytest.StashKey[set[str]]()
 SOURCES = pytest.StashKey[dict[str, dict[str, str] | None]]()
+FAST = "not slow and not pages and not examples"  # the tests of `make test`, as pyproject.toml has it
 QUICK = ("unit", "properties")  # the other kinds of test run models, which are compiled, or the whole documentation
 
 
@@ -50,6 +52,25 @@ def pytest_unconfigure(config: pytest.Config) -> None:
         shutil.rmtree(config.stash[_CACHE], ignore_errors=True)
 
 
+def pytest_collection(session: pytest.Session) -> None:
+    """Processes side by side collect the same tests: each rewrites asserts of its share first, and finds the others'.
+
+    That takes twice as long as all else of collecting, once after every edit. What cannot be imported is told later.
+    """
+    worker = getattr(session.config, "workerinput", {"workerid": "gw0", "workercount": 1})
+    if worker["workercount"] == 1 or sys.dont_write_bytecode or not _is_whole(session.config):
+        return
+    files = sorted(Path(__file__).parent.rglob("test_*.py"))
+    for file in files[int(worker["workerid"].removeprefix("gw")) :: worker["workercount"]]:
+        known = set(sys.modules)
+        try:
+            _ = pytest.Module.from_parent(session, path=file).obj
+        except (Exception, pytest.skip.Exception):  # noqa: BLE001 - collecting tells it
+            for name in set(sys.modules) - known:
+                if name.startswith("tests."):
+                    del sys.modules[name]
+
+
 def pytest_itemcollected(item: pytest.Item) -> None:
     item.config.stash[COLLECTED].add(name_of(item))  # slow ones, too: they are deselected later
     item.config.stash[SOURCES][name_of(item)] = told(item)
@@ -59,21 +80,31 @@ def pytest_collection_finish(session: pytest.Session) -> None:
     """Thousands of tests are no garbage, and models are made of a million small objects: collections are rare."""
     if session.config.getoption("--quick"):  # not earlier: so are the processes started that run the tests
         subprocess.Popen.__init__ = _left_out("starts a process")  # type: ignore[method-assign]
+    elif session.config.option.markexpr == FAST:
+        _make_code_quickly()
     gc.collect()
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)
 
 
 @pytest.fixture(scope="module")
-def made_quickly(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Code that is not optimised, in a third of the time: for tests of equations, which hold whatever is made of them.
+def optimised() -> Iterator[None]:
+    """Code as users have it: for twins, which hold that it computes what it shall, and for what compiles.
 
-    That optimised code computes the same is held by twins of fewer models, and by ``make test-all``, where these tests
-    have it, too. What is made here has a cache of its own, and is forgotten afterwards.
+    Other tests of ``make test`` have code that is not optimised, but made in a fifth of the time: equations hold
+    whatever is made of them. ``make test-pages`` and ``make test-all`` optimise all.
     """
-    if request.config.option.markexpr == "slow or not slow":
+    with pytest.MonkeyPatch.context() as patch:
+        for (module, name), value in _OPTIMISED.items():
+            patch.setattr(module, name, value)
         yield
-        return
+
+
+_OPTIMISED: dict[tuple[Any, str], Any] = {}
+"""What makes code that is optimised, and models of such code that this process has met, by module and name."""
+
+
+def _make_code_quickly() -> None:
     from jounce.kernel import machine, native
     from jounce.kernel.methods import lanes
     from jounce.kinematics import compliances
@@ -91,23 +122,26 @@ def made_quickly(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPa
         (lanes, "_ROWS"),
         (stepped, "_codes"),
     ]
+    key_here = native.key_here
 
     def plain(module: Any, *_: object, **__: object) -> bytes:
         return bytes(machine.this_machine(0).emit_object(module))
 
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("JOUNCE_CACHE_DIR", str(tmp_path_factory.mktemp("made-quickly")))
-        for module, name in kept_in_process:
-            patch.setattr(module, name, type(getattr(module, name))())
-        patch.setattr(native, "machine_code", plain)
-        yield
+    _OPTIMISED.update({(module, name): type(getattr(module, name))() for module, name in kept_in_process})
+    _OPTIMISED.update({(native, "machine_code"): native.machine_code, (native, "key_here"): key_here})
+    native.machine_code = plain
+    native.key_here = lambda identity: key_here(f"{identity} made quickly")
 
 
 @pytest.fixture(scope="session")
 def collected(request: pytest.FixtureRequest) -> set[str] | None:
     """All tests that this run has collected as ``file::name``; None where it was asked for a part of them."""
-    whole = [str(Path(name)) for name in request.config.args] in (["tests"], [str(Path(__file__).parent)])
-    return request.config.stash[COLLECTED] if whole and not request.config.getoption("--quick") else None
+    whole = _is_whole(request.config) and not request.config.getoption("--quick")
+    return request.config.stash[COLLECTED] if whole else None
+
+
+def _is_whole(config: pytest.Config) -> bool:
+    return [str(Path(name)) for name in config.args] in (["tests"], [str(Path(__file__).parent)])
 
 
 @pytest.fixture(scope="session")

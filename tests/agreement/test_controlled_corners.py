@@ -9,8 +9,6 @@ import jounce as jn
 from jounce.control import Skyhook
 from jounce.simulation.corner_models import corner_models
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 KART = "kart-double-wishbone"
 TRIAL = jn.Trial(road=jn.HalfSine(height="5 mm", length="300 mm", start="0.3 m"), speed="3 m/s", duration="1.5 s")
 

@@ -13,8 +13,6 @@ from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.settings import output_times
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 PROTOTYPE = parts.load(Path(__file__).parent.parent / "files" / "prototype-double-wishbone.toml")
 ROAD = HalfSine(height=0.01, length=0.1, start=0.1).segments(2.0).in_time(1.95)
 TIMES = output_times(0.5, 1e-3)

@@ -13,6 +13,8 @@ import pytest
 
 import jounce as jn
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 INERTIA = {
     "lower_arm": (0.08, 0.07, 0.12, 0.008, -0.005, 0.01),
     "upper_arm": (0.03, 0.03, 0.05, -0.003, 0.002, 0.004),

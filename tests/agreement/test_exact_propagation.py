@@ -14,6 +14,8 @@ from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import solve
 from jounce.simulation.settings import output_times
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 KART = parts.load("kart-quarter-car")
 RIGS = {
     "linear": {"tyre.lift_off": False},

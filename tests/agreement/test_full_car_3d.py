@@ -15,6 +15,8 @@ from jounce.models import build
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import solve
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 AGREEMENT = 1e-9
 BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
 

@@ -9,6 +9,8 @@ import pytest
 import jounce as jn
 from jounce.kinematics.loads import ContactLoad
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 TRAILING_ARM = """schema = "jounce.rig/1"
 model = "trailing-arm"
 guide = "fixed"

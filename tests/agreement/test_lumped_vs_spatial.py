@@ -16,8 +16,6 @@ from jounce.design.model_comparison import compare_models
 from jounce.parts.elements import VelocityTable
 from jounce.parts.variants import with_strut_angle
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 KART = jn.load("kart-double-wishbone")
 BUMP = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
 BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike

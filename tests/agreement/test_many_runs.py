@@ -10,6 +10,8 @@ from jounce.core.errors import DescriptionError
 from jounce.variants import many as module
 from jounce.variants import side_by_side
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 METRICS = {
     "audi-a6-quarter-car": ["rms sprung.az", "mean tyre.force", "min tyre.force", "range strut.deflection"],
     "audi-a6-half-car": ["rms body.az", "max strut.deflection", "rms sprung.az"],

@@ -12,6 +12,8 @@ from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import solve
 from jounce.simulation.settings import output_times
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 KART = parts.load("kart-quarter-car")
 AUDI = parts.load("audi-a6-quarter-car")
 POWER = {"kind": "power", "coefficient": 1.5e6, "exponent": 1.4}

@@ -16,6 +16,8 @@ from jounce.simulation import reduced as module
 from jounce.simulation.reduced import DEGREES, reduction_of
 from jounce.variants import many as many_runs
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 KART = jn.load("kart-double-wishbone")
 BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike
     "torsion_bar": {"stiffness": 60.0, "preload": 3.0, "on": "lower_arm"},

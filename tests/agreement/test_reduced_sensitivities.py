@@ -17,6 +17,8 @@ from jounce.simulation.problem import excitation
 from jounce.simulation.reduced import DEGREES, ReducedCorner, reduction_of
 from jounce.simulation.settings import output_times
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 KART = jn.load("kart-double-wishbone")
 STOPS = {"bump_stop": {"gap": "4 mm", "rate": "50 N/mm", "progression": 1e8}}
 STOPPED = KART.with_changes({f"strut.{name}": stop for name, stop in STOPS.items()} | {"steering.rack_travel": "4 mm"})

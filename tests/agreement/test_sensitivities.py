@@ -12,8 +12,6 @@ from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import solve
 from jounce.simulation.settings import output_times
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 KART = parts.load("kart-quarter-car")
 BUMP = HalfSine(height=0.01, length=0.06, start=0.1)
 CLEAT = Rectangle(height=0.01, length=0.06, start=0.1)

@@ -18,8 +18,6 @@ from jounce.simulation.prepare import prepare, solve
 from jounce.simulation.settings import MAX_STEPS, output_times
 from jounce.simulation.statics import find_equilibrium
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 RIGID = parts.load(Path(__file__).parents[1] / "files" / "prototype-double-wishbone.toml")
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 FRICTION = {"force": 10.0, "regularisation_velocity": 0.001}

@@ -7,6 +7,8 @@ import pytest
 
 import jounce as jn
 
+pytestmark = pytest.mark.usefixtures("optimised")
+
 HALF = jn.load("audi-a6-half-car")
 DEMO = jn.load("sldemo-half-car")
 HALF4 = jn.load("audi-a6-half-car-4dof")

@@ -13,8 +13,6 @@ from jounce import parts
 from jounce.mechanics import Mechanism, add_bushing, add_elastic_rod
 from jounce.roads import HalfSine, Trial
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 PROTOTYPE = parts.load(Path(__file__).parents[1] / "files" / "prototype-double-wishbone.toml")
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 BUMP = Trial(road=HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.3 s")

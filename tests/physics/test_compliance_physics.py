@@ -7,8 +7,6 @@ import pytest
 
 import jounce as jn
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 SOFT = {"stiffness": [6e6, 8e6, 3e6], "rotational_stiffness": [50.0, 60.0, 70.0]}
 

@@ -7,8 +7,6 @@ import pytest
 
 import jounce as jn
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 ROAD = jn.HalfSine(height="10 mm", length="100 mm", start="0.2 m")
 TRIAL = jn.Trial(road=ROAD, speed="1.95 m/s", duration="0.5 s")
 VEHICLES = (

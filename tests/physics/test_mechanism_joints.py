@@ -12,7 +12,6 @@ import pytest
 import jounce as jn
 from jounce.mechanics.joints import Joint
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
 AXIS, SECOND, AT = (0.2, 0.9, -0.3), (0.9, -0.2, 0.0), (0.3, 0.1, 0.2)
 HINGE = (0.3, 1.0, 0.1)
 PITCH, BALL = 0.4, (0.75, 0.2, 0.3)  # m a turn; the other end of the link

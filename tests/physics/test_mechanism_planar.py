@@ -10,8 +10,6 @@ from scipy.integrate import quad, solve_ivp
 
 import jounce as jn
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 Y = (0.0, 1.0, 0.0)
 CRANK, COUPLER, ROCKER, BASE = 0.2, np.hypot(0.4, 0.1), np.hypot(0.1, 0.3), 0.5  # m
 

@@ -10,8 +10,6 @@ from scipy.integrate import solve_ivp
 
 import jounce as jn
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 ORIGIN = (0.0, 0.0, 0.0)
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 0, -1], [1, 1, -1], [0, 1, -1], [0, 1, 0]], dtype=float)

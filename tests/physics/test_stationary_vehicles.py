@@ -13,8 +13,6 @@ from jounce.roads import Iso8608
 from jounce.roads.rough import BAND
 from jounce.roughness.spectra import white_noise_intensity
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 HARD = {"front.tyre.damping_coefficient": 0.0, "rear.tyre.damping_coefficient": 0.0}
 WIDE = (1e-5, 500.0)  # 1/m: nearly all waves
 

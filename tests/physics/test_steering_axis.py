@@ -10,8 +10,6 @@ import jounce as jn
 from jounce.kinematics.view import Screw, steering_screw
 from jounce.parts.corners import DoubleWishbone, FiveLink
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 AXIS_ROWS = (
     "caster",
     "kingpin_inclination",

@@ -141,3 +141,9 @@ def test_garbage_is_collected_again_after_a_model_was_compiled(monkeypatch, fold
         assert (seen, gc.isenabled()) == ([False], collects)
     finally:
         gc.enable()
+
+
+def test_twins_have_the_code_that_users_have(optimised):
+    """Most of the other tests have code that is made quickly: the two are kept apart."""
+    key = cache.key_here("a model")
+    assert (native.machine_code, native.key_here("a model")) == (machine.machine_code, key)

@@ -14,8 +14,6 @@ from jounce.mechanics import joints
 from jounce.mechanics.expressions import text_of
 from jounce.simulation import compiled
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 X, Y, Z, ORIGIN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
 BALL = (0.1, 0.1, 0.1)
 CHAIN = ((0.0, 0.0), (0.0, 0.2), (0.4, 0.3), (0.5, 0.0))

@@ -10,8 +10,6 @@ from jounce.control import PID, ActiveActuator, Passive, PythonControl, SemiActi
 from jounce.simulation.controlled import closed_loop_poles
 from jounce.simulation.environment import Stepper
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="0.6 s")
 CORNERS = ("front_left", "front_right", "rear_left", "rear_right")
 

@@ -9,8 +9,6 @@ import pytest
 
 import jounce as jn
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="100 mm", start="0.1 m"), speed="1.95 m/s", duration="0.4 s")
 WISHBONES = jn.load(Path(__file__).parents[2] / "files" / "prototype-double-wishbone.toml")
 QUARTER = jn.load("kart-quarter-car")

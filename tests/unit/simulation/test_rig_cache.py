@@ -13,8 +13,6 @@ from jounce.models import build
 from jounce.simulation import compiled as compiled_module
 from jounce.simulation.compiled import compile_model, compile_rig
 
-pytestmark = pytest.mark.usefixtures("made_quickly")
-
 KART = jn.load("kart-quarter-car")
 FREE = ("tyre.stiffness", "sprung.mass")
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.2 s")
