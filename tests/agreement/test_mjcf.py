@@ -13,6 +13,7 @@ from jounce.exchange.chrono import write_chrono
 from jounce.exchange.mjcf import write_mjcf
 from jounce.parts.importers.drafts import tensor_of
 from jounce.parts.importers.mjcf import _Tree, import_mjcf
+from jounce.simulation.compiled import compile_rig
 
 
 def engine():
@@ -145,6 +146,25 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
     with pytest.raises(jn.OutputError, match="hysteresis"):
         write_mjcf(jn.load("kart-double-wishbone").with_changes({"strut.damper": hysteretic}), tmp_path / "a.xml")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("name", "side"), [("kart-double-wishbone", "left"), ("generic-mcpherson", "right")])
+def test_bodies_begin_to_move_as_ours(tmp_path: Path, name: str, side: str) -> None:
+    """The body's acceleration at design, where nothing is in balance: masses, levers and forces of both sides."""
+    changes = {"strut.spring": {"rate": "30 N/mm", "preload": "1 kN"}, "wheel.camber": "-2 deg", "gravity": 5.0}
+    rig = jn.load(name).with_changes(changes)
+    rig = rig if side == "left" else rig.mirrored()
+    compiled = compile_rig(rig)
+    count = len(compiled.facts.coordinates)
+    x = np.concatenate([compiled.facts.start, np.zeros(len(compiled.facts.speeds) + len(compiled.facts.internal))])
+    given = x, compiled.inputs({}), compiled.parameter_values(rig.parameters())
+    modes = np.zeros(len(compiled.facts.switches))
+    modes = (compiled.evaluate("switch", *given, modes) > 0.0).astype(float)
+    ours = compiled.evaluate("rate", *given, modes)[count + compiled.facts.speeds.index("sprung.distance rate")]
+    _, model, data = opened(rig, tmp_path)
+    engine().mj_forward(model, data)
+    assert abs(ours) > 1.0
+    assert data.qacc[model.joint("sprung").dofadr[0]] == pytest.approx(ours, rel=1e-4)
 
 
 SAVED = """<mujoco><compiler angle="radian"/><compiler eulerseq="{order}"/>
