@@ -65,11 +65,11 @@ def evil(monkeypatch, tmp_path):
     """Read a file that misbehaves as its text says, with limits that are soon reached."""
     boot = f"{isolated._PATH}{EVIL}from jounce.recordings.isolated import serve; serve(readers.READERS)"
     monkeypatch.setattr(isolated, "_CHILD", boot)
-    monkeypatch.setattr(isolated, "TIME", 1.0)
     monkeypatch.setattr(isolated, "MEMORY", 3e8)
     monkeypatch.setattr(isolated, "_IDLE", [])
 
-    def read(what: str) -> SignalTable:
+    def read(what: str, seconds: float = 20.0) -> SignalTable:  # long enough where much else is to be done, too
+        monkeypatch.setattr(isolated, "TIME", seconds)
         file = tmp_path / "a.evil"
         file.write_text(what)
         return read_isolated(EVIL_READER, file, ReaderOptions())
@@ -92,7 +92,7 @@ def evil(monkeypatch, tmp_path):
 )
 def test_what_a_file_does_is_one_message(evil, what: str, says: str) -> None:
     with pytest.raises(JounceError, match=says):
-        evil(what)
+        evil(what, 1.0 if what in ("loop", "sleep") else 20.0)
     assert evil("whole").columns["a"].values.tolist() == [0.0, 1.0, 2.0]
 
 
@@ -110,7 +110,6 @@ def test_memory_is_looked_at_where_the_system_does_not_limit_it(evil, monkeypatc
     begin = "from jounce.recordings.isolated import serve"
     unlimited = f"from jounce.recordings import isolated; isolated._limit = lambda *_: None; {begin}"
     monkeypatch.setattr(isolated, "_CHILD", isolated._CHILD.replace(begin, unlimited))
-    monkeypatch.setattr(isolated, "TIME", 20.0)
     monkeypatch.setattr(isolated, "_LIMITS_MEMORY", False)
     monkeypatch.setattr(isolated, "_BETWEEN_LOOKS", 0.05)
     with pytest.raises(RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may"):
