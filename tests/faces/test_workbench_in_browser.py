@@ -93,7 +93,8 @@ class Opened:
                 self.ready()
                 self.page.evaluate(words, f"/{page}")
         self.ready()
-        self.page.wait_for_timeout(400)
+        self.page.wait_for_selector(".jobs > p.muted", state="detached")  # until its jobs were told
+        self.page.evaluate(DRAWN)
 
 
 @pytest.mark.pages
@@ -110,7 +111,7 @@ def test_every_page_is_usable_without_a_mouse_and_without_sight(workbench, brows
     for page in PAGES:
         opened.go(page)
         assert opened.page.evaluate("document.documentElement.scrollWidth") <= width, page
-        opened.page.evaluate(rules)
+        opened.page.evaluate(f"typeof axe === 'undefined' && (() => {{ {rules} }})()")
         told = opened.page.evaluate("rules => axe.run(document, {runOnly: rules})", RULES)
         serious = [one for one in told["violations"] if one["impact"] in ("serious", "critical")]
         found += [(page, one["id"], [node["html"][:120] for node in one["nodes"][:3]]) for one in serious]
@@ -226,35 +227,6 @@ def test_what_the_server_refuses_is_said_in_the_language_of_the_page(workbench, 
     wrong = opened.page.get_by_role("alert").filter(has_text="über 0 kg").first
     wrong.wait_for(timeout=10_000)
     assert "außerhalb des Bereichs; gefunden -3 kg; zulässig: über 0 kg" in wrong.inner_text().replace("'", "")
-    opened.context.close()
-    assert opened.troubles == []
-
-
-@pytest.mark.pages
-def test_what_is_edited_while_an_answer_is_under_way_is_not_lost(workbench, browser):
-    opened = Opened(browser, workbench, locale="en-GB")
-    page = opened.page
-    opened.go(f"rig?name={RIG}")
-    page.evaluate("""() => {
-      const real = window.fetch, wait = (path) => (path.includes("/api/form") ? 300 : 0);
-      const later = (path) => new Promise((done) => setTimeout(done, wait(path)));
-      window.fetch = (path, how) => later(String(path)).then(() => real(path, how));
-    }""")
-    for path, value in (("sprung.mass", "17 kg"), ("tyre.stiffness", "139 N/mm"), ("wheel.radius", "128 mm")):
-        page.locator(f"[data-path='{path}'] input").first.evaluate(
-            "(one, value) => { one.value = value; one.dispatchEvent(new Event('change')); }", value
-        )
-    text = page.get_by_label(f"text of {RIG}")
-    text.press("Control+Home")
-    page.keyboard.type("# mine\n")
-    until(
-        page,
-        """["# mine\\n", "17 kg", "139 N/mm", "128 mm"].every((one) =>
-             document.querySelector("textarea").value.includes(one))""",
-    )
-    page.get_by_text("nothing is wrong with it").wait_for()
-    page.wait_for_timeout(700)  # longer than any answer: none takes a text back
-    assert all(one in text.input_value() for one in ("# mine\n", "17 kg", "139 N/mm", "128 mm"))
     opened.context.close()
     assert opened.troubles == []
 

@@ -154,6 +154,46 @@ def test_what_is_typed_into_a_text_stays_while_its_first_answer_and_that_of_a_sa
     assert page.get_by_role("button", name="Save").is_enabled()
 
 
+def test_what_is_set_and_typed_at_once_stands_in_the_text_after_every_answer(page, base):
+    show(page, base, f"rig?name={CORNER}")
+    text, forms = page.get_by_label(f"text of {CORNER}"), Held(page, "**/api/form")
+    wanted = {"sprung.mass": "17 kg", "tyre.stiffness": "139 N/mm", "wheel.radius": "128 mm"}
+    for path, value in wanted.items():
+        page.locator(f"[data-path='{path}'] input").first.evaluate(
+            "(one, value) => { one.value = value; one.dispatchEvent(new Event('change', {bubbles: true})); }", value
+        )
+    text.press("Control+Home")
+    page.keyboard.type("# mine\n")
+    for _ in range(len(wanted) + 2):  # the first was asked of the text without the line, and is asked again
+        forms.go()
+        assert text.input_value().startswith("# mine\n")
+    forms.end()
+    page.get_by_text("nothing is wrong with it").wait_for()
+    assert all(one in text.input_value() for one in ("# mine\n", *wanted.values()))
+    assert [page.locator(f"[data-path='{path}'] input").first.input_value() for path in wanted] == [*wanted.values()]
+
+
+def test_what_a_save_would_change_stays_on_the_page_when_its_text_is_found_to_be_right(page, base):
+    show(page, base, f"rig?name={RIG}")
+    text, forms = page.get_by_label(f"text of {RIG}"), Held(page, "**/api/form")
+    text.press("Control+Home")
+    page.keyboard.type("# typed\n")
+    page.get_by_role("button", name="Save").click()
+    forms.go()
+    write = page.get_by_role("button", name="Write it")
+    write.wait_for()
+    forms.go()  # of what was typed, which is asked about when nothing more is
+    page.get_by_text("nothing is wrong with it").wait_for()
+    assert write.is_visible()
+    mass = mass_of(page, "sprung")
+    typed(mass, "21 kg")
+    forms.come()
+    write.click()  # it would not hold what was set meanwhile
+    forms.end()
+    page.locator(".difference .added", has_text="21 kg").wait_for()
+    assert page.get_by_text("Saved.").count() == 0
+
+
 def test_undo_takes_back_the_edit_that_is_under_way_and_what_was_typed_last(page, base):
     show(page, base, f"rig?name={RIG}")
     text = page.get_by_label(f"text of {RIG}")
@@ -313,3 +353,59 @@ def test_the_pose_stays_in_the_sweep_that_is_drawn_until_another_one_is(page, ba
     sweeps.go()
     page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + 20)
     until(page, lambda: float(rack.input_value()) > 3.0)
+
+
+def test_a_file_that_arrives_late_does_not_take_the_place_of_the_one_that_is_entered(page, base):
+    campaigns, asks, files = (Held(page, f"**/api/{one}?*") for one in ("campaign", "ask", "upload"))
+    page.goto(f"{base}#/campaign?file=c.toml")
+    trial = {"number": 1, "file": "one.csv", "recording": "one.csv", "use": "fit", "road": "A", "speed": "2 m/s"}
+    whole = {"title": "Mine", "synthetic": "", "rig": "r.toml", "roads": ["A"], "mass": "16 kg", "bench": []}
+    campaigns.go(whole | {"trials": [trial], "updates": []})
+    content = {"mimeType": "text/csv", "buffer": b"time [s], sprung.z [mm]\n0, 1\n"}
+    page.locator(".drop input[type=file]").set_input_files([{"name": "late.csv", **content}])
+    files.come()
+    page.get_by_role("button", name="look at one.csv").click()
+    page.get_by_label("Speed").fill("3 m/s")
+    files.go({"path": "measured/late.csv", "size": 9})
+    page.get_by_text("measured/late.csv: here now.").wait_for()
+    assert page.get_by_role("heading", name="one.csv").is_visible()
+    assert page.get_by_label("Speed").input_value() == "3 m/s"
+    page.get_by_role("button", name="look at measured/late.csv").click()
+    page.get_by_role("heading", name="measured/late.csv").wait_for()
+    asks.end()
+
+
+def test_a_card_of_a_job_takes_no_older_news_and_opens_its_results_as_often_as_asked(page, base):
+    job = {
+        "id": "one",
+        "kind": "design",
+        "asked": {"out": "o"},
+        "title": "Mine",
+        "state": "running",
+        "said": "",
+        "out": "",
+    }
+    job |= {
+        "python": "",
+        "command": "",
+        "files": {},
+        "begun": 1.0,
+        "ended": None,
+        "share": 0.5,
+        "left": 9.0,
+        "steps": [],
+    }
+    done = job | {"error": None, "state": "done", "ended": 2.0}
+    sockets: list[Any] = []
+    page.route_web_socket("**/api/live", lambda socket: sockets.append(socket))  # noqa: PLW0108 - it is marked
+    show(page, base, "jobs")
+    until(page, lambda: sockets)
+    for told in ([job | {"error": None}], [done], [job | {"error": None}]):
+        sockets[0].send(json.dumps(told))
+    opens = page.get_by_role("button", name="Show the results: Mine")
+    opens.wait_for()
+    drawn(page)
+    for _ in range(2):
+        with page.context.expect_page() as opened:
+            opens.click()
+        opened.value.close()

@@ -116,7 +116,8 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         one.fits()
         page.get_by_label("In place of the files there").check()
         page.get_by_role("button", name="Enter it into the campaign").click()
-        page.get_by_role("button", name="look at campaign/measured/soft spring.csv").wait_for()
+        parts = page.locator("section.job", has=page.get_by_role("heading", name="spring", exact=True))
+        parts.get_by_role("button", name="look at campaign/measured/soft spring.csv").wait_for()
         assert 'stroke_positive = "extension"' in (folder / "campaign" / "campaign.toml").read_text()
 
         page.get_by_role("button", name="Run the campaign").click()

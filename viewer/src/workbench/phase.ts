@@ -13,7 +13,7 @@ const USUAL = ["strut.deflection", "strut.velocity"];
 interface Both { role: string; label: string; x: Numbers; y: Numbers }
 
 export class Phase {
-  private readonly canvas = make("canvas", { role: "img" });
+  private readonly canvas = make("canvas", { role: "img", "aria-label": tr("Phase plot") });
   private readonly across = make("select", {});
   private readonly upward = make("select", {});
   private readonly values = make("output", {});

@@ -50,7 +50,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   });
   const reader = make("div", {}), come = make("p", { class: "bar", hidden: true }, "measured: ");
   const open = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
-    reader.replaceChildren(entry(path, file, form, given, found));
+    reader.replaceChildren(entry(path, file, form, given, found, go));
     reader.scrollIntoView({ block: "start" });
   };
   const link = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
@@ -118,8 +118,8 @@ function estimates(found: Record<string, unknown>): HTMLElement {
   return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...advised(findings, "p"));
 }
 
-/** A measured file: how it is read, and how it goes into the campaign. */
-function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview): HTMLElement {
+/** A measured file: how it is read, and how it goes into the campaign, which is not run meanwhile. */
+function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview, run: HTMLButtonElement): HTMLElement {
   const place = make("div", {}), told = make("div", { "aria-live": "polite" });
   let reading = new Reading(file, form, given as object);
   const kinds: [string, string][] = [["trial", "a trial"], ["decay", "a free decay"], ["spring", "the spring"], ["tyre", "a tyre at a pressure"]];
@@ -143,8 +143,7 @@ function entry(path: string, file: string, form: "recording" | "force-deflection
     const how = { columns, variable, stroke_positive, ...(use.value === "decay" ? {} : { force_positive }), ...(reading.form === "recording" ? { sample_time } : {}) };
     const what = use.value === "trial" ? { recording: file, ...(road.value ? { road: road.value, speed: speed.value } : { excitation: { file: support.value, datum: datum.value } }), tyre_pressure: pressure.value, use: goes.value, ...how }
       : { files: [file], replace: replace.checked, ...(use.value === "tyre" ? { pressure: pressure.value } : {}), ...(use.value === "decay" ? {} : { discard_below: discard.value }), ...how };
-    enter.disabled = true;
-    api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }).then(() => goTo(told, "campaign", { file: path, entered: String(Date.now()) }), (error) => { told.replaceChildren(problem(error)); enter.disabled = false; });
+    once(run, once(enter, api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }))).then(() => goTo(told, "campaign", { file: path, entered: String(Date.now()) }), (error) => told.replaceChildren(problem(error)));
   });
   place.append(reading.element);
   offer();
