@@ -83,15 +83,19 @@ class Opened:
         self.page.wait_for_selector("html[data-ready]", timeout=60_000)
 
     def go(self, page: str) -> None:
+        for loads in range(3):
+            try:
+                self._go(page)
+                return
+            except Exception as error:  # another language loads the page anew
+                if loads == 2 or "context was destroyed" not in str(error):
+                    raise
+
+    def _go(self, page: str) -> None:
+        self.ready()
         if not self.page.url.endswith(f"#/{page}"):
             words = "page => { delete document.documentElement.dataset.ready; location.hash = page; }"
-            try:
-                self.page.evaluate(words, f"/{page}")
-            except Exception as error:  # another language loads the page anew
-                if "context was destroyed" not in str(error):
-                    raise
-                self.ready()
-                self.page.evaluate(words, f"/{page}")
+            self.page.evaluate(words, f"/{page}")
         self.ready()
         self.page.wait_for_selector(".jobs > p.muted", state="detached")  # until its jobs were told
         self.page.evaluate(DRAWN)
