@@ -14,7 +14,7 @@ from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.identify.decay import lost_samples, noise_of, zigzag
+from jounce.identify.decay import lost_samples, noise_of, quantum_of, zigzag
 from jounce.identify.estimate import Estimate, central_differences, linear_least_squares, r_squared, uncertainty
 from jounce.identify.signs import ForcePositive, Signs, StrokePositive, closed_part, damper_signs, sign_of
 from jounce.recordings.quality import clipped_share
@@ -184,7 +184,7 @@ def _check_velocity(
             "as a backward difference is; compare with velocity_from='displacement', a central difference."
         )
         findings.append(Finding(name, "warning", text, delay))
-    resolution = _quantum(np.round(velocity, 9))
+    resolution = quantum_of(np.round(velocity, 9))
     if resolution > 1e-3 * float(np.abs(velocity).max()):
         text = (
             f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: motion below a few of these is "
@@ -200,7 +200,7 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
     step = float(np.median(steps))
     turns = np.diff(zigzag(_calmed(x), 0.05 * float(np.ptp(x))))[1:]
     widest = int(_WIDEST * turns.min()) if len(turns) else 0
-    noise = max(noise_of(x), _quantum(x) / math.sqrt(12.0))
+    noise = max(noise_of(x), quantum_of(x) / math.sqrt(12.0))
     if float(np.ptp(steps)) > 0.01 * step:
         widest = 0
     power = float(np.mean((_slope(x, widest) / step) ** 2 if widest > 1 else plain**2))
@@ -208,7 +208,7 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
     def share(half: int) -> float:
         weights = _weights_of_slope(half) if half > 1 else np.array([0.5, 0.5])
         white = noise**2 * float(weights @ weights)
-        return max(white, (0.5 * _quantum(x) / (2 * half + 1)) ** 2) / (step**2 * power)
+        return max(white, (0.5 * quantum_of(x) / (2 * half + 1)) ** 2) / (step**2 * power)
 
     half = 1
     while share(half) > _CALM and half < widest:
@@ -234,16 +234,6 @@ def _calmed(x: Array) -> Array:
     """Average over a hundredth of a cycle or so, in which turning points are looked for."""
     width = max(1, len(x) // 2000) | 1
     return np.convolve(np.pad(x, width // 2, mode="edge"), np.ones(width) / width, mode="valid")
-
-
-def _quantum(x: Array) -> float:
-    """Step of the values of a signal, its unit; 0 where they are not quantised."""
-    values = np.unique(x)
-    gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
-    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):
-        return 0.0
-    counts = gaps / gaps.min()
-    return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
 
 
 def _weights_of_slope(half: int) -> Array:

@@ -258,6 +258,16 @@ def noise_of(signal: Array) -> float:
     return float(np.median(np.abs(np.diff(signal, 3))) / (0.6745 * math.sqrt(20.0)))
 
 
+def quantum_of(x: Array) -> float:
+    """Step of the values of a signal, its unit; 0 where they are not quantised."""
+    values = np.unique(x)
+    gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
+    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):
+        return 0.0
+    counts = gaps / gaps.min()
+    return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
+
+
 def lost_samples(time: Array, signal: Array) -> int:
     """Count places where a smooth signal goes on as if samples were missing, though the time goes on evenly.
 
@@ -275,7 +285,7 @@ def lost_samples(time: Array, signal: Array) -> int:
     side = np.sign(middle)
     sizes = side * beside
     least, most = sizes.min(axis=0), sizes.max(axis=0)
-    least_step = max(_CLEAR * noise_of(signal), 1e-9 * float(np.ptp(signal)))
+    least_step = max(_CLEAR * max(noise_of(signal), quantum_of(signal)), 1e-9 * float(np.ptp(signal)))
     found = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
     return int(np.count_nonzero(found))
 
@@ -932,7 +942,74 @@ def fit_decay(
         findings=(),
     )
     findings += _advice(result, spread, float(np.median(np.diff(t))), stiffness, name)
+    if quantity != "acceleration" and (lost := lost_samples(t, signal)) > _FEW_LOST:
+        text = (
+            f"the record jumps at {lost} places as if samples were missing there, though the time goes on: frequency "
+            "and damping are wrong; give the recorded time."
+        )
+        findings.append(Finding(name, "problem", text, float(lost)))
+    if quantity == "displacement":
+        findings += _spring_that_is_no_line(peaks, parameters, noise_of(signal), name)
+    if spread.correlation_time > _ALIKE_FOR:
+        findings += _what_is_left(t, signal, residual, parameters, name)
     return replace(result, findings=tuple(findings))
+
+
+_FEW_LOST = 2  # places: fewer change nothing
+_ALIKE_FOR = 4.0  # samples over which residuals resemble each other, where more than noise is left
+_BENT, _CAUSE = 0.05, 0.5  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
+
+
+def _spring_that_is_no_line(peaks: Peaks, parameters: DecayParameters, noise: float, name: str) -> list[Finding]:
+    """Tell a frequency that changes with the amplitude: neither damping nor dry friction does that."""
+    swing = np.abs(np.diff(peaks.value))
+    clear = swing > max(20.0 * noise, 0.05 * swing[0], 6.0 * parameters.friction_deflection)
+    count = int(np.argmin(clear)) if not clear.all() else len(clear)
+    times, sizes = peaks.time[1 : count + 1], swing[1:count]
+    if len(times) < 6:
+        return []
+    periods = times[2:] - times[:-2]
+    squares = (0.5 * (sizes[:-1] + sizes[1:]) / swing[0]) ** 2
+    rates = (2.0 * math.pi / periods) ** 2
+    found, _, spread = linear_least_squares(np.column_stack([squares, np.ones_like(squares)]), rates)
+    share = float(found[0]) * float(squares[0]) / float(found[1])
+    if abs(share) < _BENT or not (bend := spread.estimates(found)[0]).interval or bend.has(0.0):
+        return []
+    text = (
+        f"the frequency changes from {1.0 / periods[0]:.3g} to {1.0 / periods[-1]:.3g} Hz as the amplitude falls: the "
+        f"spring is {'stiffer' if share > 0.0 else 'softer'} at large deflections, which neither damping nor friction "
+        "is; both make up for it and may be off by more than their intervals. Begin later, where swings are small."
+    )
+    return [Finding(name, "warning", text, share)]
+
+
+def _what_is_left(t: Array, signal: Array, residual: Array, parameters: DecayParameters, name: str) -> list[Finding]:
+    """Name what the residuals of a fit look like: a zero that drifts, or a damper that is firmer in one direction."""
+    left = float(residual @ residual)
+    if math.sqrt(left / len(t)) <= _EXACT * float(np.ptp(signal)):
+        return []
+    place = np.linspace(-0.5, 0.5, len(t))
+    since = t - parameters.release_time
+    fall = np.exp(-parameters.damping_ratio * parameters.angular_frequency * np.maximum(since, 0.0))
+    turn = 2.0 * parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2) * since
+    even = np.column_stack([fall, fall * np.cos(turn), fall * np.sin(turn), np.ones_like(t)])
+    slope, kept, _ = linear_least_squares(np.column_stack([place, np.ones_like(t)]), residual)
+    drifts = 1.0 - float(kept @ kept) / left
+    _, kept, _ = linear_least_squares(even, residual)
+    lopsided = 1.0 - float(kept @ kept) / left
+    if max(drifts, lopsided) < _CAUSE:
+        return []
+    if drifts > lopsided:
+        text = (
+            f"the zero of the record drifts by {float(slope[0]):.3g} (SI) in it, which makes {100.0 * drifts:.0f} % of "
+            "what is left: take the drift off; the intervals are wide for it."
+        )
+        return [Finding(name, "warning", text, float(slope[0]))]
+    text = (
+        f"what is left lies on one side twice a cycle ({100.0 * lopsided:.0f} % of it): a damper that is firmer in one "
+        "direction; damping is the mean of both, and the intervals are wide for it. Trials tell the two apart."
+    )
+    return [Finding(name, "warning", text, lopsided)]
 
 
 _TRIES = 5

@@ -438,3 +438,46 @@ def test_friction_is_exchanged_for_damping_that_takes_as_much():
     assert _along_the_valley(np.where(np.arange(6) == 2, 0.0, start), -0.05)[2] == pytest.approx(-0.05 * 0.01 * 0.02)
     assert _along_the_valley(start, 300.0)[1] == -0.15
     assert _along_the_valley(start, -300.0)[1] == 0.95
+
+
+# what intervals do not count ------------------------------------------------------------------------------------------
+
+
+def swung(cubic=0.0, bump=120.0, rebound=120.0):
+    """A decay of 16 kg on 18.4 N/mm from 20 mm, by a simulation of its own: cubic spring (N/m^3), two-sided damper."""
+    from scipy.integrate import solve_ivp
+
+    t = np.arange(0.0, 1.5, 1e-3)
+
+    def rates(_, state):
+        x, v = state
+        return v, -(18362.0 * x + cubic * x**3 + (bump if v < 0.0 else rebound) * v) / 16.0
+
+    x = solve_ivp(rates, (0.0, 1.5), (-0.02, 0.0), t_eval=t, rtol=1e-8, atol=1e-11, max_step=5e-3).y[0]
+    return t, x + np.random.default_rng(3).normal(0.0, 2e-5, len(t))
+
+
+def told_of(t, x):
+    return " | ".join(one.message for one in fit_decay(t, x, mass=16.0).findings)
+
+
+def test_a_spring_that_stiffens_is_not_taken_for_dry_friction():
+    t, x = swung(cubic=2e7)
+    assert not fit_decay(t, x, mass=16.0).coulomb_force.has(0.0)
+    assert "stiffer at large deflections" in told_of(t, x)
+    assert "large deflections" not in told_of(*swung())
+
+
+def test_a_drift_and_a_damper_that_is_firmer_in_one_direction_are_named():
+    t, x = swung()
+    assert "drifts" not in told_of(t, x)
+    assert "the zero of the record drifts by" in told_of(t, x + 2e-3 * t)
+    assert "firmer in one direction; damping is the mean" in told_of(*swung(bump=80.0, rebound=160.0))
+
+
+def test_samples_that_a_decay_lacks_are_told():
+    t, x = swung()
+    kept = np.arange(len(t)) % 10 != 4
+    assert "as if samples were missing" in told_of(t[: kept.sum()], x[kept])
+    assert "as if samples were missing" not in told_of(t[kept], x[kept])
+    assert "as if samples were missing" not in told_of(t, 5e-4 * np.round(x / 5e-4))
