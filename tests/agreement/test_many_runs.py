@@ -189,6 +189,13 @@ def test_who_is_interrupted_leaves_nothing_to_the_other_threads(monkeypatch):
     assert 1 <= len(asked) <= 3
 
 
+@pytest.fixture
+def however_short(monkeypatch):
+    """Threads share runs that are too short to be worth it."""
+    monkeypatch.setattr(module, "_LONG", -1.0)
+
+
+@pytest.mark.usefixtures("however_short")
 def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
     rig = jn.load("kart-double-wishbone")
     trial = jn.Trial(
@@ -207,6 +214,19 @@ def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
         run = jn.simulate(rig.with_changes({path: values[i] for path, values in changes.items()}), trial)
         expected = float(run["tyre.force"].max())  # to the tolerance: steps of a block fall elsewhere
         assert float(runs[0]["max tyre.force"][i]) == pytest.approx(expected, rel=1e-7)
+
+
+@pytest.mark.parametrize(("long", "alone"), [(-1.0, 2), (1e9, 7)])
+def test_threads_share_what_is_long(monkeypatch, long, alone):
+    monkeypatch.setattr(module, "_LONG", long)
+    taken, shared = [], []
+    monkeypatch.setattr(module, "share", lambda items, _, workers: shared.append((list(items), workers)))
+    module._shared(range(7), taken.extend, 3)
+    assert taken == list(range(alone))
+    assert shared == ([([2, 3, 4, 5, 6], 3)] if alone == 2 else [])
+    module._shared(range(7), taken.extend, 1)
+    assert taken[alone:] == list(range(7))
+    module._shared([], taken.extend, 0)
 
 
 def test_over_circles_variants_step_side_by_side():
@@ -248,6 +268,7 @@ def test_one_variant_that_the_description_forbids_leaves_the_others_side_by_side
     assert np.delete(found["rms sprung.az"].values, 2).tolist() == others.tolist()
 
 
+@pytest.mark.usefixtures("however_short")
 @pytest.mark.parametrize("control", [None, "skyhook"])
 def test_trials_that_differ_are_shared_by_threads(control):
     rig = jn.load("audi-a6-quarter-car")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, partial
@@ -34,7 +35,7 @@ from jounce.variants.designs import MOST, Design
 from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
-from jounce.variants.threads import share
+from jounce.variants.threads import Item, share
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -79,15 +80,13 @@ class Work:
             if len(rows) >= LEAST or workers <= 1:
                 group.fill(results, columns, rows, threads)
         if workers > 1:
-            (lead, rows), *others = small  # what all of them share is made by the first
-            lead.fill(results, columns, rows, 1)
             results.make_room()
 
-            def fill(pairs: Iterator[tuple[_Group, NDArray[np.int64]]]) -> None:
+            def fill(pairs: Iterable[tuple[_Group, NDArray[np.int64]]]) -> None:
                 for group, own in pairs:
                     group.fill(results, columns, own, 1)
 
-            share(others, fill, workers)
+            _shared(small, fill, workers)
         return results.dataset(self.study, columns, first, self.design)
 
 
@@ -378,10 +377,9 @@ class _Group:
 
         left = np.flatnonzero(careful).tolist()
         workers = min(threads or os.cpu_count() or 1, len(left))
-        alone(left if workers == 1 else left[:1])  # what all of them share is made by the first
         if workers > 1:
             results.make_room()
-            share(left[1:], alone, workers)
+        _shared(left, alone, workers)
 
     def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
         """Values (SI) of all parameters of the model, one row a variant."""
@@ -635,6 +633,25 @@ class _Group:
         assert at is not None
         still, values_there = prepared.still, prepared.problem.p
         return solution.outputs, prepared.compiled.evaluate("output", at.x, still, values_there, at.modes)
+
+
+def _shared(items: Sequence[Item], take: Callable[[Iterable[Item]], None], workers: int) -> None:
+    """Take items, shared by threads from where one took so long that they are worth it.
+
+    Short runs are Python for the most part, on which one thread at a time works: two that hand it to each other take
+    twice as long as one. The first makes what all of them share.
+    """
+    for i in range(len(items) if workers > 1 else 0):
+        begin = time.thread_time()
+        take(items[i : i + 1])
+        if i > 0 and time.thread_time() - begin > _LONG:
+            share(items[i + 1 :], take, workers)
+            return
+    if workers == 1:
+        take(items)
+
+
+_LONG = 2e-3  # s, of processor time
 
 
 class _LaidOut(NamedTuple):
