@@ -13,6 +13,8 @@ import pytest
 from jounce.cli import main
 from jounce.parts import library
 
+pytestmark = pytest.mark.usefixtures("optimised")  # what is compiled here is that of a process of its own
+
 HEAVY = ("casadi", "matplotlib", "numba", "pandas", "pint", "scipy.interpolate", "sqlalchemy", "xarray")
 """Packages that take long to load; jounce needs each of them for something."""
 SCRIPT = """
