@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -247,3 +248,39 @@ def test_tabs_and_parts_given_twice(changed) -> None:
     file.write_text(text[:end] + text[begin:end] + text[end:])
     with pytest.raises(DescriptionError, match=r"is given twice; found 'first in .*allowed: every part once"):
         import_adams(file)
+
+
+def in_inches(text: str) -> str:
+    """The subsystem in inches, pounds and radians: every number of it is another one."""
+    inch, pound = 25.4, 0.45359237
+    for old, new in (("'mm'", "'inch'"), ("'kg'", "'pound_mass'"), ("'deg'", "'radians'")):
+        text = text.replace(old, new)
+
+    def keyed(found: re.Match[str]) -> str:
+        name, value = found[2], float(found[3])
+        for pattern, unit in (("MASS", pound), ("I[XYZ]{2}", pound * inch**2), ("(PART_LOC|CM_LOC|USER_).*", inch)):
+            value = value / unit if re.fullmatch(pattern, name) else value
+        return f"{found[1]}{value!r}"
+
+    text = re.sub(r"(?m)^( *(\w+) *= *)(-?\d[\d.E+-]*)$", keyed, text)
+    rows = r"(?m)^( '\w+ *' +'(?:left/right|single)' +)(\S+) +(\S+) +(\S+)$"
+    text = re.sub(rows, lambda row: row[1] + " ".join(repr(float(row[i]) / inch) for i in (2, 3, 4)), text)
+    text = re.sub(
+        r"(?<=location = )(.*)", lambda row: ", ".join(repr(float(x) / inch) for x in row[1].split(",")), text
+    )
+    angle = r"(?m)^( '(?:camber|toe)_angle.*'real' +)(\S+)$"
+    return re.sub(angle, lambda row: f"{row[1]}{float(np.radians(float(row[2])))!r}", text)
+
+
+def test_inches_pounds_and_radians_are_the_same_rig(changed) -> None:
+    """Property files keep their own units."""
+    whole, _, _ = import_adams(DATABASE / SUB)
+    file = changed()
+    text = in_inches(file.read_text())
+    assert text != file.read_text()
+    file.write_text(text)
+    found, _, _ = import_adams(file)
+    before, after = whole.parameters(), found.parameters()
+    assert set(before) == set(after)
+    for path, value in after.items():
+        assert value == pytest.approx(before[path], rel=1e-5, abs=2e-6), path  # the rig's file has six digits
