@@ -516,7 +516,8 @@ def _ragged(row: list[str], header: list[str], where: str, separator: str) -> Re
 
 def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
     if cell == "":
-        return RecordingError("the cell is blank", where=where, allowed="a number", hint="Fill it or remove the row.")
+        hint = "Fill it or remove the row; export channels of different rates into files of their own, or at one rate."
+        return RecordingError("the cell is blank", where=where, allowed="a number", hint=hint)
     if _DECIMAL_COMMA.fullmatch(cell):
         return RecordingError(
             "decimal comma", where=where, found=cell, allowed="a decimal point", hint=f"Write {cell.replace(',', '.')}."

@@ -178,8 +178,12 @@ def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
             where=where,
             found=unit[:_LONGEST_UNIT],
             allowed=f"a unit that converts to {si}",
-            hint=_UNIT_HINT,
+            hint=_VOLTAGE_HINT if _VOLTAGE.fullmatch(unit.strip()) else _UNIT_HINT,
         ) from error
+
+
+_VOLTAGE = re.compile("[kmuµμ]?V|[Vv]olts?")
+_VOLTAGE_HINT = "A voltage is what a sensor gives: divide by its sensitivity (e.g. mV/g) and write the unit of that."
 
 
 def base_units(si: str) -> dict[str, int]:

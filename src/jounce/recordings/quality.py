@@ -94,14 +94,20 @@ def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = 
     _check_finite(time, at, name_row)
     if time.size > 1 and not np.any(time):
         raise RecordingError("time is zero in every row", where=at, hint="Was the clock column exported?")
-    steps = check_ascending(time, "time", "s", where=at, name_row=name_row)
+    steps = check_ascending(time, "time", "s", where=at, name_row=name_row, hint=_CLOCK)
     if time.size < FEWEST_SAMPLES:
         raise RecordingError("too few samples", where=at, found=str(time.size), allowed=f"at least {FEWEST_SAMPLES}")
     return steps
 
 
+_CLOCK = (
+    "A clock with too few digits, or one that jumped? Give the step of the samples (sample_time, --sample-time) if "
+    "none are missing; where two records follow each other, cut them apart."
+)
+
+
 def check_ascending(
-    values: Array, name: str, unit: str, *, where: str, name_row: Callable[[int], str] = row_number
+    values: Array, name: str, unit: str, *, where: str, name_row: Callable[[int], str] = row_number, hint: str = ""
 ) -> Array:
     """Refuse values that do not ascend strictly, with the first row; give their steps."""
     steps = np.diff(values)
@@ -112,6 +118,7 @@ def check_ascending(
             where=where,
             found=f"{values[row]:.9g} {unit} after {values[row - 1]:.9g} {unit}",
             allowed=f"strictly ascending {name}",
+            hint=hint,
         )
     return np.asarray(steps, dtype=float)
 
@@ -159,9 +166,10 @@ def check_channels(
     Returns
     -------
     list of Finding
-        A warning for each channel that is constant, or clipped: several flat pieces of at least 3 equal samples at its
-        largest or smallest value, entered by a jump. Flat pieces at 0, at either end of the record, and what was
-        driven (``road``, ``platform``, braking and bends) do not count.
+        A warning for each channel that is constant, holds each of its values for the same number of samples, or is
+        clipped: several flat pieces of at least 3 equal samples at its largest or smallest value, entered by a jump.
+        Flat pieces at 0, at either end of the record, and what was driven (``road``, ``platform``, braking and bends)
+        do not count.
 
     Raises
     ------
@@ -187,13 +195,32 @@ def check_channels(
             text = f"the channel is constant ({values[0]:g}); was the sensor connected?"
             findings.append(Finding(at, "warning", text, float(values[0])))
         elif clipping and not (_is_driven(name) or quantity_of(name) in _NEVER_CLIPPED):
-            findings += _clipping(values, at)
+            findings += _holding(values, at) or _clipping(values, at)
     return findings
 
 
 def _is_driven(name: str) -> bool:
     """Whether a channel is an input to the rig: the road under any wheel, a shaker, manoeuvre loads."""
     return name.endswith(_MAY_REST) or any(part.startswith(_DRIVEN_PLACES) for part in name.split("."))
+
+
+def _holding(values: Array, at: str) -> list[Finding]:
+    """Tell a channel that keeps each value for the same number of samples, and then jumps."""
+    changes = np.flatnonzero(np.diff(values))
+    runs, jumps = np.diff(changes), np.abs(np.diff(values)[changes])
+    if len(runs) < _FEWEST_HELD:
+        return []
+    held = int(np.median(runs))
+    if held < CLIPPED_RUN or np.mean(runs == held) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
+        return []
+    text = (
+        f"each value is held for {held} samples: the channel was recorded at 1/{held} of the rate, and comes some "
+        f"{0.5 * (held - 1):g} samples late; export it at its own rate"
+    )
+    return [Finding(at, "warning", text, float(held))]
+
+
+_FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them that are of one length
 
 
 def clipped_share(values: Array) -> float:

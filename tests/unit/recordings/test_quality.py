@@ -3,7 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.core.errors import RecordingError
+from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.units import conversion_factor
 from jounce.recordings.quality import check_channels, check_time
 
 STEPS = np.arange(200)
@@ -154,3 +155,28 @@ def test_flat_pieces_that_are_not_clipping(name: str, values: np.ndarray) -> Non
 @pytest.mark.parametrize("count", [0, 1])
 def test_too_few_samples_say_nothing(count: int) -> None:
     assert check_channels({"sprung.az": np.ones(count)}, where="a.csv") == []
+
+
+def test_values_that_are_held_are_not_taken_for_clipped() -> None:
+    """A force at a tenth of the rate, repeated to fill the rows, was said to be clipped."""
+    wave = np.sin(np.arange(2000) * 0.012)
+    (found,) = check_channels({"strut.force": np.repeat(wave[::10], 10)}, where="a.csv")
+    assert "each value is held for 10 samples" in found.message
+    assert found.value == 10.0
+    (clipped,) = check_channels({"strut.force": np.clip(wave, -0.9, 0.9)}, where="a.csv")
+    assert "looks clipped" in clipped.message
+    assert check_channels({"strut.force": np.round(wave, 2)}, where="a.csv") == []
+
+
+def test_a_clock_that_stands_or_goes_back_says_what_to_do() -> None:
+    for time in (np.repeat(STEPS * 0.01, 2), np.concatenate([STEPS, STEPS]) * 0.01):
+        with pytest.raises(RecordingError, match=r"time does not ascend at .*sample_time"):
+            check_time(time, where="a.csv")
+
+
+def test_a_voltage_is_told_from_a_misspelt_unit() -> None:
+    for unit in ("mV", "V"):
+        with pytest.raises(DescriptionError, match="divide by its sensitivity"):
+            conversion_factor(unit, "m/s^2")
+    with pytest.raises(DescriptionError, match="Check spelling"):
+        conversion_factor("N/mV", "m/s^2")
