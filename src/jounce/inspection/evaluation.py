@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,11 +28,11 @@ from jounce.inspection.signals import (
 )
 from jounce.inspection.sweep import SWINGS, Sweep, exciter_height, find_sweep, spring_against_height
 from jounce.inspection.turn_forces import analyse, find_lift_off, fit_test, stretches_between
+from jounce.parts.testers import Tester, as_tester
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from jounce.parts.testers import Tester
 
 _MARGIN = 0.5
 _SLOWEST = 0.3
@@ -51,7 +52,10 @@ class _Task:
 
 
 def evaluate(
-    record: xr.Dataset, tester: Tester | None = None, vehicle: Any = None, methods: Iterable[str] | None = None
+    record: xr.Dataset,
+    tester: Tester | str | Path | None = None,
+    vehicle: Any = None,
+    methods: Iterable[str] | None = None,
 ) -> Inspection:
     """Evaluate the record of one axle on a tester.
 
@@ -60,7 +64,7 @@ def evaluate(
     record : xarray.Dataset
         Plate forces (N) and heights (m) on ``time`` (s), one or two wheels, as ``read_record`` and simulations give
         them; ``left.static_load`` (N) and so on as attributes.
-    tester : Tester, optional
+    tester : Tester, str or Path, optional
         Kind of the plate, its mass, springs and limits; by default a rigid plate whose force needs no compensation.
     vehicle : Rig or Vehicle, optional
         Under test; the wheel loads of a quarter car, or of a vehicle's axle, are compared with the static loads.
@@ -96,6 +100,7 @@ def evaluate(
     (0.71, False)
     """
     facts, said = read_facts(record.attrs)
+    tester = None if tester is None else as_tester(tester)
     task = _task(tester, vehicle, methods, str(facts.get("axle", "")))
     sides = tested_wheels(record, facts)
     names = [name for name in map(str, record.data_vars) if name.partition(".")[0] in sides]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -18,7 +19,7 @@ from jounce.inspection.quarter_car import body_damping
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import QuarterCar, Rig
 from jounce.parts.elements import LinearDamper
-from jounce.parts.testers import Tester, load_tester
+from jounce.parts.testers import Tester, as_tester, load_tester
 from jounce.parts.vehicles import FrontViewAxle, Vehicle, axle_of
 from jounce.testers.periodic import steady_sweep
 from jounce.testers.plate_response import (
@@ -86,7 +87,7 @@ def on_plates(rig: Rig, axle: Literal["front", "rear"] = "front") -> Rig:
 
 def simulate_inspection(
     rig: Rig,
-    tester: Tester,
+    tester: Tester | str | Path,
     *,
     method: str | None = None,
     steady: bool = False,
@@ -102,7 +103,7 @@ def simulate_inspection(
     ----------
     rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
         Under test.
-    tester : Tester
+    tester : Tester, str or Path
         Plates, programme and limits.
     method : {"eusama", "egea", "theta", "boge"}, optional
         Whose grade decides; the tester's own otherwise.
@@ -136,6 +137,7 @@ def simulate_inspection(
     >>> round(found.wheel.adhesion, 3), round(found.wheel.adhesion_frequency_hz, 1)   # 1, Hz
     (0.725, 16.6)
     """
+    tester = as_tester(tester)
     deciding = _deciding(method, tester)
     stood = on_plates(rig, axle)
     modes = [wheel_mode(stood, tester, wheel=wheel, on=place) for place in ("road", "rig")]
@@ -156,7 +158,7 @@ def simulate_inspection(
 
 def simulate_axle(
     rig: Rig,
-    tester: Tester,
+    tester: Tester | str | Path,
     *,
     method: str | None = None,
     axle: Literal["front", "rear"] = "front",
@@ -170,7 +172,7 @@ def simulate_axle(
     ----------
     rig : FrontViewAxle, FullCar or HalfCar4DOF
         Under test.
-    tester : Tester
+    tester : Tester, str or Path
         Plates, programme and limits.
     method : {"eusama", "egea", "theta", "boge"}, optional
         Whose grade decides; the tester's own otherwise.
@@ -202,6 +204,7 @@ def simulate_axle(
     >>> [wheel.verdict for wheel in graded.wheels], record.attrs["wheel_order"]
     (['pass', 'pass'], 'left, right')
     """
+    tester = as_tester(tester)
     deciding = _deciding(method, tester)
     stood = on_plates(rig, axle)
     if not isinstance(stood, FrontViewAxle):

@@ -13,7 +13,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced, read_description
-from jounce.core.errors import nearest
+from jounce.core.errors import DescriptionError, nearest
 from jounce.core.files import chosen_file, shipped_files
 from jounce.core.findings import Finding, Severity
 from jounce.core.units import (
@@ -231,6 +231,20 @@ class Tester(Description):
 def library() -> dict[str, Path]:
     """Give the shipped testers: name to file."""
     return shipped_files("jounce.parts", "library/testers")
+
+
+def as_tester(given: Tester | str | Path) -> Tester:
+    """Give the tester meant: one, the file of one, or the name of a shipped one.
+
+    >>> as_tester("eusama") == load_tester("eusama")
+    True
+    """
+    if isinstance(given, str | Path):
+        return load_tester(given)
+    if not isinstance(given, Tester):
+        allowed = "a tester, its file, or the name of a shipped one"
+        raise DescriptionError("not a tester", where="tester", found=type(given).__name__, allowed=allowed)
+    return given
 
 
 def load_tester(name: str | Path) -> Tester:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array, Complex
 from jounce.parts.rig import Rig
-from jounce.parts.testers import Tester
+from jounce.parts.testers import Tester, as_tester
 from jounce.testers.plates import SteadyResponse, least, least_adhesion
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
@@ -66,15 +67,17 @@ def linear_rig_on_tester(on: TesterRig) -> LinearTesterRig:
     return LinearTesterRig(on, rest.reduced, rest.pick @ along["rate"], c, along["output"])
 
 
-def steady_response(rig: Rig, tester: Tester, frequency: ArrayLike, *, wheel: str = "left") -> SteadyResponse:
+def steady_response(
+    rig: Rig, tester: Tester | str | Path, frequency: ArrayLike, *, wheel: str = "left"
+) -> SteadyResponse:
     """Steady answer of a wheel to its plate, from the linear model in closed form.
 
     Parameters
     ----------
     rig : QuarterCar, Corner or FrontViewAxle
         What stands on the plates; laws of springs and dampers count with their slope at rest.
-    tester : Tester
-        Stroke and plate.
+    tester : Tester, str or Path
+        Stroke and plate; also by its name or file.
     frequency : array_like, shape (n,)
         Hz, above 0.
     wheel : {"left", "right"}
@@ -101,7 +104,9 @@ def steady_response(rig: Rig, tester: Tester, frequency: ArrayLike, *, wheel: st
     0.725
     """
     return _steady(
-        linear_rig_on_tester(rig_on_tester(rig, tester)), np.atleast_1d(np.asarray(frequency, dtype=float)), wheel
+        linear_rig_on_tester(rig_on_tester(rig, as_tester(tester))),
+        np.atleast_1d(np.asarray(frequency, dtype=float)),
+        wheel,
     )
 
 

@@ -16,7 +16,7 @@ from jounce.core.text import quoted
 from jounce.core.types import Array
 from jounce.core.writing import write_atomically
 from jounce.parts.rig import Rig
-from jounce.parts.testers import Tester
+from jounce.parts.testers import Tester, as_tester
 from jounce.parts.vehicles import FrontViewAxle, FullCar, HalfCar4DOF, axle_of
 from jounce.recordings.files import write_recording
 from jounce.recordings.schema import recording
@@ -60,7 +60,7 @@ def _refuse_below_zero(name: str, value: float | None, unit: str) -> None:
 
 def simulate_test(
     rig: Rig,
-    tester: Tester,
+    tester: Tester | str | Path,
     *,
     wheel: Wheel = "both",
     other: Other = "still",
@@ -76,8 +76,8 @@ def simulate_test(
     ----------
     rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
         What stands on the plates; of a vehicle it is the axle that ``about`` names, the front one otherwise.
-    tester : Tester
-        Plates, programme, sampling.
+    tester : Tester, str or Path
+        Plates, programme, sampling; also by its name or file.
     wheel : {"both", "left", "right"}
         Of an axle the wheels tested, left first; of a single wheel the plate that it stands on, left for ``"both"``.
     other : {"still", "excited"}
@@ -116,6 +116,7 @@ def simulate_test(
     >>> 0.7 < adhesion < 0.8
     True
     """
+    tester = as_tester(tester)
     _refuse_below_zero("noise", noise, "of the static load")
     facts = {"axle": "front", **(about or {})}
     if isinstance(rig, (FullCar, HalfCar4DOF)):

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, SimulationError
+from jounce.inspection.evaluation import evaluate
+from jounce.inspection.simulated import simulate_inspection
 from jounce.parts import load
 from jounce.parts.testers import Programme, load_tester
 from jounce.parts.variants import worn
@@ -152,3 +154,17 @@ def test_the_band_limit_counts_with_a_damped_tyre():
     adhesion, at = closed_form_adhesion(damped, EGEA)
     assert at == 25.0
     assert adhesion == pytest.approx(float(steady_response(damped, EGEA, [25.0]).adhesion[0]), abs=1e-12)
+
+
+def test_a_tester_is_named_as_a_rig_is() -> None:
+    named, given = (steady_response(CAR, tester, [16.6]) for tester in ("egea-specsus2018", EGEA))
+    assert named.adhesion.tolist() == given.adhesion.tolist()
+    assert simulate_inspection(CAR, "egea-specsus2018", steady=True).wheel.adhesion is not None
+    record = simulate_test(CAR, QUICK)
+    named, given = (evaluate(record, tester).wheels[0].phase_angle_min_deg for tester in ("egea-specsus2018", EGEA))
+    assert named == given is not None
+    for call in (lambda: simulate_test(CAR, "egea-specsus2018x"), lambda: evaluate(record, "egea-specsus2018x")):
+        with pytest.raises(DescriptionError, match="egea-specsus2018"):
+            call()
+    with pytest.raises(DescriptionError, match="not a tester"):
+        simulate_inspection(CAR, 6)  # type: ignore[arg-type]
