@@ -65,6 +65,10 @@ SENTENCES: dict[str, Sentence] = {
         "{text}",
         "Der Kanal scheint abgeschnitten: {percent:.2g} % seiner Messwerte liegen an seinen Grenzen.",
     ),
+    "reading_held": Sentence(
+        "{text}",
+        "Jeder Wert des Kanals steht {value:.0f} Abtastungen lang: Er wurde langsamer aufgezeichnet und ist verspätet.",
+    ),
     "reading_resampled": Sentence(
         "{text}",
         "Die Zeitschritte schwanken um {percent:.2g} % (zulässig: 1 %); auf gleiche Schritte umgerechnet.",
@@ -375,6 +379,7 @@ def warning(place: str, code: str, value: float | None = None, /, **words: Any) 
 _OF_READER = {
     "the channel is constant": "reading_constant",
     "the channel looks clipped": "reading_clipped",
+    "each value is held for": "reading_held",
     "the time step varies": "reading_resampled",
     "columns that are no known channel": "reading_columns",
     "signals of another length": "reading_columns",
