@@ -60,7 +60,11 @@ export class Reading {
     };
     const text = (key: "variable" | "sample_time", hint: string) => {
       const input = make("input", { type: "text", value: this.fields[key], placeholder: hint });
-      input.addEventListener("change", () => { this.fields[key] = input.value.trim(); void this.ask(); });
+      input.addEventListener("change", () => {
+        this.fields[key] = input.value.trim();
+        if (key === "variable") { this.known = []; this.mapping.replaceChildren(); } // its columns are others
+        void this.ask();
+      });
       return input;
     };
     this.question = new Question<Preview>("Preview", () => ({ kind: "preview", files: [this.file], form: this.form, ...this.asked() }), (told) => this.shown(told.result, told));
