@@ -423,6 +423,7 @@ def _asked(port: int, method: str, path: str, body: Any = None, token: str | Non
 def test_uploads_are_kept_as_they_are_and_replace_nothing(workbench):
     folder, port = workbench
     content = b"time [s],sprung.z [mm]\n" + b"".join(b"%.3f,%d\n" % (0.001 * i, i % 7) for i in range(50))
+    before = {one for one in folder.rglob("*") if one.is_file()}
     assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200
     assert (folder / "new" / "run.csv").read_bytes() == content
     assert _asked(port, "PUT", "/api/upload?path=new/run.csv", b"other")[0] == 409
@@ -430,13 +431,15 @@ def test_uploads_are_kept_as_they_are_and_replace_nothing(workbench):
         status, answer = _asked(port, "PUT", f"/api/upload?path={path}", b"x")
         assert status in (409, 422), answer
     assert (folder / "new" / "run.csv").read_bytes() == content
-    assert sorted(one.name for one in folder.rglob("*") if one.is_file()) == ["run.csv"]
+    assert {one for one in folder.rglob("*") if one.is_file()} - before == {folder / "new" / "run.csv"}
+    assert not (folder.parent / "out.csv").exists()
     with socket.create_connection(("127.0.0.1", port), timeout=10) as plain:
         head = f"PUT /api/upload?path=big.csv HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nAuthorization: Bearer {TOKEN}\r\n"
         plain.sendall(f"{head}Content-Length: 250000001\r\n\r\n".encode())
         assert plain.recv(100).split()[1] == b"413"
     assert _asked(port, "PUT", "/api/upload?path=y.csv", b"x", token=None)[0] == 401
-    assert [one["path"] for one in _asked(port, "GET", "/api/project")[1]["entries"]] == ["new/run.csv"]
+    entries = _asked(port, "GET", "/api/project")[1]["entries"]
+    assert [one["path"] for one in entries if folder / one["path"] not in before] == ["new/run.csv"]
 
 
 def test_what_would_be_read_is_shown_before_it_is_read(workbench):
