@@ -274,7 +274,7 @@ def lost_samples(time: Array, signal: Array) -> int:
     There one step is larger by half and more than two on either side, which are alike and far above the noise.
 
     >>> t = np.arange(400) * 1e-3
-    >>> lost_samples(t, np.sin(20.0 * t)), lost_samples(t, np.sin(20.0 * np.append(t[:60], t[60:] + 2e-3)))
+    >>> lost_samples(t, np.sin(20.0 * t)), lost_samples(t, np.sin(20.0 * np.append(t[:9], t[9:] + 2e-3)))
     (0, 1)
     """
     rates = np.diff(signal) / np.diff(time)

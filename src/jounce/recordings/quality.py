@@ -226,8 +226,8 @@ _FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them that are of one length
 def clipped_share(values: Array) -> float:
     """Share of the samples (1) that lie flat at the limits of a record, entered by a jump; 0 where a few do.
 
-    >>> round(clipped_share(np.clip(np.sin(np.arange(200) * 0.1), -0.9, 0.9)), 2)
-    0.22
+    >>> round(clipped_share(np.clip(np.sin(np.arange(200) * 0.1), -0.9, 0.9)), 3)
+    0.225
     """
     return sum(_clipped(values).values()) / max(values.size, 1)
 
