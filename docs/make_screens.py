@@ -46,12 +46,18 @@ def write() -> None:
                 page.goto(address)
                 page.wait_for_selector("html[data-ready]")
                 for name in PAGES:
-                    page.goto(f"{address.partition('?')[0]}#/{name}?rig=front.toml")
-                    page.get_by_text("computed and drawn in").wait_for(timeout=FIRST_ANSWER)
+                    for there in (
+                        "project",
+                        f"{name}?rig=front.toml",
+                    ) * 2:  # the first time compiles, and says how long
+                        page.goto(f"{address.partition('?')[0]}#/{there}")
+                        if there != "project":
+                            page.get_by_text("computed and drawn in").wait_for(timeout=FIRST_ANSWER)
                     SHOWN[name](page)
                     page.wait_for_timeout(STILL)
                     with Image.open(io.BytesIO(page.screenshot())) as picture:  # 256 colours: a third of the bytes
-                        picture.convert("RGB").quantize(dither=Image.Dither.NONE).save(
+                        few = Image.Quantize.MAXCOVERAGE  # which keeps the colours of thin rods apart
+                        picture.convert("RGB").quantize(method=few, kmeans=3, dither=Image.Dither.NONE).save(
                             FIGURES / f"workbench-{name}-{scheme}.png", optimize=True
                         )
                 context.close()

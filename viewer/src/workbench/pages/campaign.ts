@@ -1,7 +1,7 @@
 /** A bench campaign: measurements dropped in and read, parts characterised, the model updated, every trial compared. */
 
 import { make, written } from "../../page";
-import { tr } from "../../words";
+import { heard, tr } from "../../words";
 import * as api from "../api";
 import { accompany, ask, begin, dropZone, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
@@ -63,7 +63,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
     make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
     make("h2", {}, "Parts"), ...(found.bench.length ? found.bench.map((one) => part(one, found, link)) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
-    make("h2", {}, "Trials"), table("trials", ["number", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
+    make("h2", {}, "Trials"), table("trials", ["trial", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
     make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
     make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
     dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", () => {
@@ -97,7 +97,7 @@ function part(one: Bench, whole_: Overview, link: Link): HTMLElement {
     ? { kind: "decay", ...common, channel: one.channel ?? "sprung.z", mass: mass.value, begin: from.value, end: to.value, sample_time: one.sample_time ?? "" }
     : { kind: "stiffness", ...common, force_positive: one.force_positive ?? "", law: law.value, discard_below: discard.value, intercept: intercept.value, branch: one.branch ?? "loading" }),
   (told) => [estimates(told.result as Record<string, unknown>), report(told.report, decays ? "Decay and its bend by friction" : "Fit, with the discarded zone"), ways(told)]);
-  return make("section", { class: "job" }, make("h3", {}, one.name), one.found.length ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one))) : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
+  return make("section", { class: "job" }, make("h3", {}, heard(tr(one.name))), one.found.length ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one))) : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
     make("div", { class: "form" }, ...(decays ? [field("Oscillating mass", mass), field("From", from), field("To", to)] : [field("Law", law), field("Ignore smaller deflections", discard), field("Force at zero", intercept)]), question.button), question.place);
 }
 

@@ -39,7 +39,7 @@ class Drive {
       if (Number.isFinite(first) && Number.isFinite(last)) { this.slider.min = String(first); this.slider.max = String(last); }
       changed(true);
     });
-    this.element = make("div", { class: "slider drive" }, make("span", { class: "name" }, words), this.slider, this.number, make("span", { class: "unit" }, unit), this.range);
+    this.element = make("div", { class: "slider drive" }, make("span", { class: "name" }, words), this.slider, this.number, make("span", { class: "unit" }, unit.replace("deg", "°")), this.range);
   }
   get value(): number { return Number(this.number.value) || 0; }
   set value(to: number) { this.slider.value = String(to); this.number.value = String(Number(to.toPrecision(4))); }
