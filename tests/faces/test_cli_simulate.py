@@ -106,7 +106,7 @@ def test_run_that_never_meets_the_obstacle_is_said(cli, bump: Path) -> None:
         (("--road", "missing.toml"), "missing.toml: no such file. Check"),
         (("--road", "missing"), "no shipped road of that name"),
         (("--road", "detrended_rms_course"), "Did you mean 'detrended_rms_course_1in'?"),
-        (("--out", "run.xlsx"), "allowed: .nc, .csv"),
+        (("--out", "run.ods"), "allowed: .nc, .csv"),
         (("--out", "nowhere/run.nc"), "the folder of the output does not exist"),
     ],
 )

@@ -45,7 +45,7 @@ def test_descriptions_mean_what_they_meant() -> None:
     assert load_tester(KEPT / "tester.toml").method
 
 
-@pytest.mark.parametrize("suffix", [".nc", ".csv", ".mat", ".mf4", ".parquet"])
+@pytest.mark.parametrize("suffix", [".nc", ".csv", ".mat", ".mf4", ".parquet", ".xlsx"])
 def test_recordings_are_what_was_simulated(suffix: str) -> None:
     """As today's run of the same rig: golden within what the tolerance of a run allows."""
     found, _ = jn.read_recording(KEPT / f"run{suffix}")

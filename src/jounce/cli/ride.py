@@ -76,7 +76,7 @@ def ride(
     trust: Trust = False,
     set_: Changes = None,
     out: Annotated[
-        Path | None, typer.Option(help="Write the recording of a single run (.nc, .csv, .mat, .mf4, .parquet).")
+        Path | None, typer.Option(help="Write the recording of a single run (.nc, .csv, .mat, .mf4, .parquet, .xlsx).")
     ] = None,
     figure: FigureFile = None,
     report: ReportFile = None,

@@ -64,7 +64,9 @@ def simulate(
     output_step: Annotated[str, typer.Option(help="Time step of the output.")] = "1 ms",
     tolerance: Annotated[str, typer.Option(help="Relative error of displacements.")] = "1e-5",
     method: Annotated[str, typer.Option(help="Integration method: auto, explicit, or implicit (stiff rigs).")] = "auto",
-    out: Annotated[Path | None, typer.Option(help="Write the recording: RUN.nc, .csv, .mat, .mf4 or .parquet.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Write the recording: RUN.nc, .csv, .mat, .mf4, .parquet or .xlsx.")
+    ] = None,
     figure: FigureFile = None,
     report: ReportFile = None,
     force: Force = False,

@@ -156,8 +156,15 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     >>> table.names, table["Kraft"].unit, float(table["Weg"].in_si("m")[1]), table.remarks
     (('Weg', 'Kraft', 'Zeit'), 'N', 0.01, ('decimal commas were read as decimal points',))
     """
-    file = Path(path)
-    text = _text_of(file)
+    return columns_in(_text_of(Path(path)), Path(path))
+
+
+def columns_in(text: str, file: Path) -> ColumnTable:
+    r"""Read number columns of a text as :func:`read_columns_csv` does; ``file`` is where it comes from.
+
+    >>> columns_in("time [s]\tforce [N]\n0.0\t200.0\n", Path("run.xlsx"))["force"].values.tolist()
+    [200.0]
+    """
     lines = text.splitlines()
     comments, first = _leading_comments(lines)
     if first == len(lines):

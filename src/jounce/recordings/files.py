@@ -402,8 +402,9 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     dataset : xarray.Dataset
         A recording.
     path : Path or str
-        ``.nc`` for netCDF-4, ``.mat`` for MATLAB, ``.mf4`` for MDF 4.10 and ``.parquet`` (the extra ``io``) keep names,
-        units, long names and attributes; ``.csv`` is text with ``name [unit]`` headers (numbers in full).
+        ``.nc`` for netCDF-4, ``.mat`` for MATLAB, ``.mf4`` for MDF 4.10, ``.parquet`` and ``.xlsx`` for Excel (the last
+        three need the extra ``io``) keep names, units, long names and attributes; ``.csv`` is text with
+        ``name [unit]`` headers (numbers in full).
     force : bool
         Overwrite an existing file.
 
@@ -416,7 +417,7 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     ------
     OutputError
         For an existing file without ``force``, a missing folder, another suffix, names that collide (``.mat``) or that
-        the format cannot hold, and what is no number over time (all but ``.nc``).
+        the format cannot hold, what is no number over time (all but ``.nc``), and more rows than a sheet has.
 
     Examples
     --------

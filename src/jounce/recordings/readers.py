@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import json
 import logging
 import os
 import re
@@ -13,22 +14,32 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
+from datetime import datetime, time, timedelta
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
-from jounce.core.columns import NO_NUMBER, Column, ColumnTable, name_and_unit, parse_header, read_columns_csv
+from jounce.core.columns import (
+    NO_NUMBER,
+    Column,
+    ColumnTable,
+    columns_in,
+    name_and_unit,
+    parse_header,
+    read_columns_csv,
+)
 from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.types import Array
+from jounce.core.workbooks import sheets_of
 from jounce.recordings.hdf5 import announcement, check_size, held_rows
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.matlab import read_matrices
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
-from jounce.recordings.writers import ABOUT, attributes_in
+from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
 
 READERS: list[Reader] = []
 """Every format that can be read, in the order of lists."""
@@ -580,6 +591,98 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     if not columns or not table.num_rows:
         raise RecordingError("no rows", where=str(path))
     return SignalTable(_named(columns, path, options), long_names, attributes, findings=tuple(findings))
+
+
+_LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked
+
+
+@reader(
+    "excel",
+    "Excel workbook, one sheet with 'name [unit]' headers",
+    (".xlsx", ".xlsm"),
+    source="ECMA-376, Office Open XML",
+    example="columns={'sprung.az': 'acc_body [g]'}",
+    extra="io",
+    has_variables=True,
+    is_isolated=True,
+)
+def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
+    """The only sheet with numbers, or that of ``options.variable``; its cells are read as those of a text file.
+
+    Of formulas the values count that Excel has kept. A workbook that ``write_recording`` wrote tells names, units, long
+    names and attributes in sheets of their own.
+    """
+    require("openpyxl", "io")
+    kept: dict[str, list[list[Any]]] = {}
+    with _understood(path, "an Excel workbook"):
+        sheets = sheets_of(path, RecordingError, most_bytes=_LARGEST_WORKBOOK)
+        for title, rows in sheets:
+            kept[title] = [row for _, row in rows]
+    is_ours = {*EXCEL} <= kept.keys() and options.variable in ("", EXCEL[0])
+    title = EXCEL[0] if is_ours else _chosen_sheet(kept, options.variable, path)
+    table = _renamed(columns_in(_as_text(kept[title]), path), options.header)
+    if not is_ours:
+        others = tuple(name for name, rows in kept.items() if name != title and _holds_numbers(rows))
+        return SignalTable(table, left_out=others)
+    about = [["" if cell is None else str(cell) for cell in [*row, *[""] * 3][:3]] for row in kept[EXCEL[1]][1:]]
+    if not options.header and len(about) == len(table):
+        columns = [replace(one, name=name, unit=unit) for one, (name, unit, _) in zip(table, about, strict=True)]
+        table = replace(table, columns=tuple(columns))
+    with _understood(path, "a recording's workbook"):
+        attributes = {
+            str(key): json.loads("".join(str(piece) for piece in pieces if piece is not None))
+            for key, *pieces in kept[EXCEL[2]][1:]
+        }
+    return SignalTable(table, {name: long_name for name, _, long_name in about}, attributes)
+
+
+def _chosen_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Path) -> str:
+    if variable:
+        if variable not in sheets:
+            hint = nearest(variable, sheets)
+            raise RecordingError(f"no sheet {variable!r}", where=str(path), found=", ".join(sheets), hint=hint)
+        return variable
+    likely = [name for name, rows in sheets.items() if _holds_numbers(rows)]
+    if not likely:
+        raise RecordingError("no sheet with numbers", where=str(path), found=", ".join(sheets))
+    if len(likely) > 1:
+        hint = "Say which: variable = 'SHEET'."
+        raise RecordingError("several sheets hold numbers", where=str(path), found=", ".join(likely), hint=hint)
+    return likely[0]
+
+
+def _holds_numbers(rows: list[list[Any]]) -> bool:
+    return any(map(_has_number, rows))
+
+
+def _has_number(row: list[Any]) -> bool:
+    return any(isinstance(cell, int | float) and not isinstance(cell, bool) for cell in row)
+
+
+def _as_text(rows: list[list[Any]]) -> str:
+    """Cells between tabs, a line a row: of the columns that rows with several cells use, and of titles all."""
+    filled = [[i for i, cell in enumerate(row) if cell not in (None, "")] for row in rows]
+    used = [i for places in filled if len(places) > 1 for i in places]
+    first, end = min(used, default=0), max(used, default=-1) + 1
+    began = next((cell for row in rows for cell in row if isinstance(cell, datetime)), None)
+    lines = []
+    for row in rows:
+        cells = [_cell_text(cell, began) for cell in [*row, *[None] * end]]
+        lines.append("\t".join(cells[first:end]) if any(cells[first:end]) else " ".join(filter(None, cells)))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _cell_text(cell: Any, began: datetime | None) -> str:
+    """A cell as a text file has it; instants in s since the first, times of day since midnight."""
+    if cell is None:
+        return ""
+    if isinstance(cell, datetime) and began is not None:
+        cell -= began
+    elif isinstance(cell, time):
+        cell = timedelta(hours=cell.hour, minutes=cell.minute, seconds=cell.second, microseconds=cell.microsecond)
+    if isinstance(cell, timedelta):
+        cell = cell.total_seconds()
+    return repr(cell) if isinstance(cell, float) else " ".join(str(cell).replace('"', "'").split())
 
 
 _PARQUET_ENDS = 12  # bytes: its mark at both ends, and the length of what says where the columns are

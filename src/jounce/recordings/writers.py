@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ import numpy as np
 from jounce.core.errors import OutputError
 from jounce.core.optional import require
 from jounce.core.serialise import to_plain
+from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, workbook_of, wrapped
 from jounce.core.writing import Formats
 
 if TYPE_CHECKING:
@@ -186,6 +187,42 @@ def _parquet_of(dataset: xr.Dataset) -> bytes:
     return buffer.getvalue()
 
 
+EXCEL = "recording", "channels", "attributes"
+"""Sheets of a workbook: rows of numbers below ``name [unit]``, what the channels are, attributes as JSON texts."""
+
+
+def _xlsx_of(dataset: xr.Dataset) -> bytes:
+    """A column a channel; a sheet of their names, units and long names, and one of the attributes."""
+    signals = _signals(dataset)
+    for name, signal in signals.items():
+        _check_name(name, "".join(CONTROL.findall(name)), ".nc")
+        if not np.isfinite(signal.values).all():
+            hint = "Write .nc, .mat, .mf4 or .parquet, or leave the channel out."
+            raise OutputError("a sheet holds finite numbers only", where=name, found="NaN or infinity", hint=hint)
+    rows, columns = dataset.sizes["time"] + 1, len(signals)
+    if rows > MOST_ROWS or columns > MOST_COLUMNS:
+        raise OutputError(
+            "more than a sheet of Excel holds",
+            where="recording",
+            found=f"{rows} rows, {columns} columns",
+            allowed=f"{MOST_ROWS} rows, {MOST_COLUMNS} columns",
+            hint="Write .nc or .parquet, or every tenth sample.",
+        )
+    heads = [f"{name} [{_unit(signal)}]" for name, signal in signals.items()]
+    numbers = zip(*(np.asarray(signal.values, dtype=float).tolist() for signal in signals.values()), strict=True)
+    channels = [
+        (name, _unit(one), CONTROL.sub(" ", str(one.attrs.get("long_name", "")))) for name, one in signals.items()
+    ]
+    texts = {key: json.dumps(value, ensure_ascii=False) for key, value in json.loads(_about(dataset))[ABOUT].items()}
+    attributes = [(key, *wrapped(text)) for key, text in texts.items()]
+    found: dict[str, list[Sequence[float | str]]] = {
+        EXCEL[0]: [heads, *numbers],
+        EXCEL[1]: [("channel", "unit", "long name"), *channels],
+        EXCEL[2]: [("attribute", "value, as JSON"), *attributes],
+    }
+    return workbook_of(found)
+
+
 def _writer(content: Callable[[xr.Dataset], bytes]) -> Callable[[xr.Dataset, Path], object]:
     return lambda dataset, file: file.write_bytes(content(dataset))
 
@@ -198,6 +235,7 @@ RECORDING_FILES = Formats(
         ".mat": _writer(_mat_of),
         ".mf4": _writer(_mdf_of),
         ".parquet": _writer(_parquet_of),
+        ".xlsx": _writer(_xlsx_of),
     },
 )
 """File formats that recordings are written in."""

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
+from jounce.core.workbooks import CONTROL, undated
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
 from jounce.report.page import (
@@ -236,7 +237,7 @@ def tables_xlsx(page: Page) -> bytes:
     stream = io.BytesIO()
     book.properties.created = book.properties.modified = _EPOCH
     book.save(stream)
-    return _undated(stream.getvalue())
+    return undated(stream.getvalue())
 
 
 def _append(sheet: Any, values: Sequence[float | str]) -> None:
@@ -244,12 +245,9 @@ def _append(sheet: Any, values: Sequence[float | str]) -> None:
     row = sheet.max_row + (sheet.max_row > 1 or sheet.cell(1, 1).value is not None)
     for column, value in enumerate(values, 1):
         cell = sheet.cell(row, column)
-        cell.value = _CONTROL.sub(" ", value) if isinstance(value, str) else value
+        cell.value = CONTROL.sub(" ", value) if isinstance(value, str) else value
         if isinstance(value, str):
             cell.data_type = "s"
-
-
-_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
 
 
 def _epoch() -> Any:
@@ -259,17 +257,3 @@ def _epoch() -> Any:
 
 
 _EPOCH = _epoch()
-
-
-def _undated(content: bytes) -> bytes:
-    """Write a workbook's archive again without the times at which it was made."""
-    import zipfile
-
-    stream = io.BytesIO()
-    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as new:
-        for info in old.infolist():
-            data = old.read(info)
-            if info.filename == "docProps/core.xml":
-                data = re.sub(rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*", rb"\g<1>2000-01-01T00:00:00Z", data)
-            new.writestr(zipfile.ZipInfo(info.filename, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
-    return stream.getvalue()

@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from jounce.core.workbooks import workbook_of
+
 ROWS = 400
 TIME = np.arange(ROWS) * 0.005
 STROKE = 0.012 * np.sin(2.0 * np.pi * 1.7 * TIME) + 0.003 * np.sin(2.0 * np.pi * 11.0 * TIME)
@@ -203,3 +205,10 @@ def parquet() -> Sample:
     table = pa.table({"time [s]": TIME, "strut.stroke [m]": STROKE, "strut.force [N]": FORCE})
     pq.write_table(table, stream, row_group_size=150)
     return Sample("parquet", "a.parquet", stream.getvalue())
+
+
+@_sample
+def excel() -> Sample:
+    rows = zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True)
+    sheets = {"Messung": [("time [s]", "strut.stroke [m]", "strut.force [N]"), *rows]}
+    return Sample("excel", "a.xlsx", workbook_of(sheets))

@@ -35,7 +35,7 @@ def test_round_trip(run, tmp_path, suffix):
         assert again.attrs["note"] == run.attrs["note"]
 
 
-@pytest.mark.parametrize("suffix", [".mat", ".parquet", ".csv"])
+@pytest.mark.parametrize("suffix", [".mat", ".parquet", ".csv", ".xlsx"])
 def test_the_same_recording_gives_the_same_bytes(run, tmp_path, suffix):
     """Not so for MDF, whose library notes when it wrote, nor within MATLAB's header, which has the date."""
     first, second = (jn.write_recording(run, tmp_path / f"{name}{suffix}").read_bytes() for name in "ab")
@@ -70,7 +70,15 @@ def test_what_a_format_would_lose_is_refused(tmp_path, suffix) -> None:
 
 
 @pytest.mark.parametrize(
-    ("suffix", "name"), [(".csv", "a,b.az"), (".csv", "a;b.az"), (".csv", "a\tb.az"), (".nc", "a/b.az"), (".mf4", "")]
+    ("suffix", "name"),
+    [
+        (".csv", "a,b.az"),
+        (".csv", "a;b.az"),
+        (".csv", "a\tb.az"),
+        (".nc", "a/b.az"),
+        (".mf4", ""),
+        (".xlsx", "a\x07.az"),
+    ],
 )
 def test_names_that_a_format_cannot_hold(tmp_path, suffix, name) -> None:
     time = {"time": ("time", np.arange(10) * 0.01, {"units": "s"})}

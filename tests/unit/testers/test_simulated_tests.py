@@ -108,7 +108,7 @@ def test_files_have_a_header_that_says_the_load(tmp_path):
         write_test(record, file)
     write_test(record, tmp_path / "lane.nc")
     with pytest.raises(OutputError):
-        write_test(record, tmp_path / "lane.xlsx")
+        write_test(record, tmp_path / "lane.ods")
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import re
 import tomllib
-import zipfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Literal, cast
@@ -15,9 +14,10 @@ import numpy as np
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.findings import Finding
-from jounce.core.optional import require
+from jounce.core.optional import MissingPackageError
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
+from jounce.core.workbooks import sheets_of
 from jounce.parts.bodies import distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -262,21 +262,14 @@ def _cells(line: str) -> list[str]:
 
 def _sheet(file: Path) -> Iterator[tuple[str, list[str]]]:
     """Rows of all sheets of an Excel file."""
-    openpyxl = require("openpyxl", "io")
+    limits = {"most_bytes": 10 * _LARGEST, "most_rows": _ROWS, "most_columns": _COLUMNS}
     try:
-        with zipfile.ZipFile(file) as archive:
-            if sum(info.file_size for info in archive.infolist()) > 10 * _LARGEST:
-                raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 200 MB")
-        book = openpyxl.load_workbook(file, read_only=True, data_only=True)
-        for sheet in book.worksheets:
-            sheet.reset_dimensions()  # what a file tells of them may be wrong, and billions of cells
-            for number, row in enumerate(sheet.iter_rows(values_only=True, max_col=_COLUMNS), 1):
-                if number > _ROWS:
-                    raise DescriptionError("too many rows", where=str(file), allowed=f"up to {_ROWS}")
+        for title, rows in sheets_of(file, DescriptionError, **limits):
+            for number, row in rows:
                 cells = ["" if value is None else str(value).strip() for value in row]
                 if any(cells):
-                    yield f"{file}, {sheet.title}, row {number}", cells
-    except DescriptionError:
+                    yield f"{file}, {title}, row {number}", cells
+    except (DescriptionError, MissingPackageError):
         raise
     except Exception as error:  # noqa: BLE001 - openpyxl raises whatever a damaged file leads to
         raise DescriptionError(f"not an Excel file that can be read: {error}", where=str(file)) from None

@@ -1,0 +1,101 @@
+"""Excel workbooks: texts stay texts, numbers are whole, and the same content makes the same bytes.
+
+What a file says of its size is not believed: it may tell billions of cells.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from jounce.core.errors import JounceError
+from jounce.core.optional import require
+
+CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
+"""Signs that no cell can hold."""
+MOST_ROWS, MOST_COLUMNS, LONGEST_TEXT = 1_048_576, 16_384, 32_767
+"""Rows and columns of a sheet, and characters of a cell: the limits of Excel."""
+
+
+def workbook_of(sheets: Mapping[str, Iterable[Sequence[float | str]]]) -> bytes:
+    """Write rows of numbers and texts, sheet by sheet; numbers come back to the last bit."""
+    openpyxl = require("openpyxl", "io")
+    book = openpyxl.Workbook(write_only=True)
+    for name, rows in sheets.items():
+        sheet = book.create_sheet(name)
+        for row in rows:
+            sheet.append([_cell(openpyxl, sheet, value) for value in row])
+    stream = io.BytesIO()
+    book.save(stream)
+    return undated(stream.getvalue())
+
+
+def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
+    is_text = isinstance(value, str)
+    cell = openpyxl.cell.WriteOnlyCell(sheet, value if is_text else repr(float(value)))
+    cell.data_type = "s" if is_text else "n"  # no formula, and all digits: of a number 16 would be written
+    return cell
+
+
+def wrapped(text: str) -> list[str]:
+    """Cut a text into pieces that a cell holds.
+
+    >>> [len(piece) for piece in wrapped("x" * 40_000)]
+    [32767, 7233]
+    """
+    return [text[i : i + LONGEST_TEXT] for i in range(0, len(text), LONGEST_TEXT)]
+
+
+def undated(content: bytes) -> bytes:
+    """Write a workbook's archive again without the times at which it was made."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as new:
+        for info in old.infolist():
+            data = old.read(info)
+            if info.filename == "docProps/core.xml":
+                data = re.sub(rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*", rb"\g<1>2000-01-01T00:00:00Z", data)
+            new.writestr(zipfile.ZipInfo(info.filename, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+def sheets_of(
+    file: Path,
+    error: type[JounceError],
+    *,
+    most_bytes: int,
+    most_rows: int = MOST_ROWS,
+    most_columns: int | None = None,
+) -> Iterator[tuple[str, Iterator[tuple[int, list[Any]]]]]:
+    """Give the sheets of a workbook by name, each as its rows with their numbers; ``error`` refuses larger ones.
+
+    Rows are as long as what is in them, or all ``most_columns``. Whatever openpyxl raises over a damaged file goes
+    through.
+    """
+    openpyxl = require("openpyxl", "io")
+    with zipfile.ZipFile(file) as archive:
+        size = sum(info.file_size for info in archive.infolist())
+    if size > most_bytes:
+        raise error(
+            "the workbook is too large",
+            where=str(file),
+            found=f"{size / 1e6:.0f} MB",
+            allowed=f"up to {most_bytes / 1e6:.0f} MB",
+        )
+    book = openpyxl.load_workbook(file, read_only=True, data_only=True)
+
+    def rows_of(sheet: Any) -> Iterator[tuple[int, list[Any]]]:
+        sheet.reset_dimensions()
+        for number, row in enumerate(sheet.iter_rows(values_only=True, max_col=most_columns), 1):
+            if number > most_rows:
+                raise error("too many rows", where=f"{file}, {sheet.title}", allowed=f"up to {most_rows}")
+            yield number, list(row)
+
+    try:
+        for sheet in book.worksheets:
+            yield sheet.title, rows_of(sheet)
+    finally:
+        book.close()
