@@ -282,7 +282,7 @@ def filled(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
         _environment()
         .get_template(f"{template}.html.j2")
         .render(
-            css=_css("colours") + _css(template) + CSS + (bundle("viewer.css") if viewers else ""),
+            css=_css("colours") + _css("figures") + _css(template) + CSS + (bundle("viewer.css") if viewers else ""),
             viewers=viewers,
             data=data.replace("<", "\\u003c"),
             script=script,
