@@ -26,7 +26,7 @@ from jounce.roads import Iso8608, Train, Trapezoid, Trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import Prepared, prepare
 from jounce.simulation.problem import excitation
-from jounce.simulation.reduced_car import ReducedCar, car_reduction_of
+from jounce.simulation.reduced_car import LastTables, ReducedCar, car_reduction_of
 from jounce.simulation.settings import output_times
 from jounce.simulation.statics import find_equilibrium
 
@@ -254,7 +254,7 @@ def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> 
         )
         if error <= ERROR:
             break
-    seconds = median_time(lambda: replace(car, reduction=replace(reduction, made={})).run(), repeats=31)
+    seconds = median_time(lambda: replace(car, reduction=replace(reduction, made=LastTables())).run(), repeats=31)
     how = f"{solution.method}, {solution.steps} steps, {len(solution.outputs)} channels, with its tables"
     return Row(title, "jounce, one coordinate for each wheel", seconds, error, seconds / own.median, note=how)
 

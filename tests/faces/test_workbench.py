@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import ctypes
 import http.client
+import importlib.util
 import json
 import shlex
 import socket
@@ -777,10 +778,24 @@ def test_a_server_keeps_few_models_and_collects_in_pauses_until_it_ends(monkeypa
     with serving._within_bounds(given_back.set):
         assert Recent.most == serving._MOST_MODELS < before
         assert given_back.wait(30.0)
-        [collecting] = [one for one in threading.enumerate() if one.name == "garbage"]
+        [collecting] = [one for one in threading.enumerate() if one.name == "pauses"]
     collecting.join(30.0)
     assert not collecting.is_alive()
     assert Recent.most == before
+
+
+def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(monkeypatch, tmp_path):
+    (tmp_path / "needed_by_an_answer.py").write_text("")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(serving, "_PAUSE", 0.01)
+    monkeypatch.setattr(serving, "_IDLE", 10.0)
+    monkeypatch.setattr(serving, "_BUSY", 0.0)
+    assert [importlib.util.find_spec(name) for name in serving._LATER]
+    monkeypatch.setattr(serving, "_LATER", ("needed_by_an_answer",))
+    given_back = threading.Event()
+    with serving._within_bounds(given_back.set):
+        assert given_back.wait(30.0)
+        assert sys.modules.pop("needed_by_an_answer")
 
 
 def test_a_server_at_work_is_not_stopped_to_look_for_garbage(monkeypatch):

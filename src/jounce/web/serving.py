@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import gc
+import importlib
 import secrets
 import socket
 import sys
@@ -87,17 +88,18 @@ def _give_memory_back() -> Callable[[], object]:
 _MOST_MODELS = 16  # of each kind: one takes up to 2 MB, and 10 ms to be loaded again
 _PAUSE = 2.0  # s
 _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
+_LATER = ("scipy.signal", "jounce.cli.files", "jounce.variants.study", "jounce.design.kinematic_targets")
 
 
 @contextlib.contextmanager
 def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
-    """Keep few models, however many a server meets, and look for garbage, and give it back, while nobody waits.
+    """Keep few models, however many a server meets, and load, look for garbage, and give it back while nobody waits.
 
     Left to itself, Python does so once a quarter as many objects as there are have come, and stops an answer for it.
     """
     before, Recent.most = Recent.most, _MOST_MODELS
     ended = threading.Event()
-    threading.Thread(target=_collect_in_pauses, args=(ended, trim), name="garbage", daemon=True).start()
+    threading.Thread(target=_tidy_in_pauses, args=(ended, trim), name="pauses", daemon=True).start()
     try:
         yield
     finally:
@@ -105,15 +107,20 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
         Recent.most = before
 
 
-def _collect_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
+def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
+    """Load what the first spectrum, saved file, study and target would wait for; then look for garbage."""
+    later = iter(_LATER)
     before = collected = time.process_time()
     while not ended.wait(_PAUSE):
         now = time.process_time()
-        if now - before < _IDLE and now - collected > _BUSY:
-            gc.collect()
-            trim()
-            now = collected = time.process_time()
-        before = now
+        if now - before < _IDLE:
+            if name := next(later, None):
+                importlib.import_module(name)
+            elif now - collected > _BUSY:
+                gc.collect()
+                trim()
+                collected = time.process_time()
+        before = time.process_time()
 
 
 def _listening(port: int) -> socket.socket:
