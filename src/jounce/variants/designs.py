@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import itertools
 import math
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -162,7 +162,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
 
     Notes
     -----
-    Scrambling after Owen, from ``scipy.stats.qmc``.
+    Scrambling and points are those of ``scipy.stats.qmc.Sobol``.
 
     Examples
     --------
@@ -341,14 +341,55 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
         first, second = pairs[:, None, :numbers], pairs[:, None, numbers:]
         exchanged = np.where(np.eye(numbers, dtype=bool), second, first)
         found = np.concatenate([first, exchanged, second], axis=1).reshape(-1, numbers)
+    elif kind == "sobol":
+        found = _sobol(numbers, count, seed)
     else:
         from scipy.stats import qmc
 
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # a count that is no power of 2: the docstring says it
-            sampler = (qmc.Sobol if kind == "sobol" else qmc.LatinHypercube)(numbers, seed=seed)
-            found = sampler.random(count)
-    return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12), dtype=float)
+        found = qmc.LatinHypercube(numbers, seed=seed).random(count)
+    return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12, out=found), dtype=float)
+
+
+_BITS = 30
+_PLACES = 2 ** np.arange(_BITS - 1, -1, -1)
+
+
+def _sobol(numbers: int, count: int, seed: int) -> Array:
+    """Points of a scrambled Sobol sequence: those of ``qmc.Sobol(numbers, seed=seed)``, to the last bit.
+
+    SciPy's engine, made anew for each seed, takes as long as two dozen variants of a small model, half of it for what
+    is not the points. Its directions are the same for all seeds and read from it once. A triangle of random bits mixes
+    the bits of each direction, then the points are laid out by Gray's code: again as many as there are, the last one
+    first, moved along the next direction.
+    """
+    doublings = max((count - 1).bit_length(), 1)
+    random = np.random.default_rng(seed)
+    shift = random.integers(0, 2, (numbers, _BITS), dtype=np.uint32) @ _PLACES[::-1]
+    mix = np.tril(random.integers(0, 2, (numbers, _BITS, _BITS), dtype=np.uint32), -1) + np.eye(_BITS)
+    mixed = (mix @ _directions(numbers, doublings)).astype(np.int64) & 1
+    along = (_PLACES @ mixed).astype(np.uint32)
+    found = np.empty((numbers, count), dtype=np.uint32)
+    found[:, 0] = shift
+    for i in range(doublings):
+        old = 2**i
+        new = found[:, old : 2 * old]
+        np.bitwise_xor(found[:, old - new.shape[1] : old][:, ::-1], along[:, i, None], out=new)
+    return (found * 2.0**-_BITS).T
+
+
+@lru_cache(64)
+def _directions(numbers: int, count: int) -> Array:
+    """Bits of the first directions of Sobol's sequence, (numbers, bits, directions), the highest bit first."""
+    from scipy.stats import qmc
+
+    found = []
+    for i in range(count):
+        sequence = qmc.Sobol(numbers, scramble=False)
+        if i:
+            sequence.fast_forward(2**i - 1)
+        before, after = (sequence.random(2) * 2.0**_BITS).astype(np.int64)
+        found.append(before ^ after)
+    return np.asarray(np.array(found).T[:, None] >> np.arange(_BITS - 1, -1, -1)[:, None] & 1, dtype=float)
 
 
 LEVELS = 8

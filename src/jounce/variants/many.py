@@ -402,9 +402,12 @@ class _Group:
         inside = known.get(tuple(own))
         if inside is not None and all(a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)):
             return np.zeros(count, dtype=bool)
-        if 2 ** len(own) < count and all(map(partial(self._is_allowed, own), itertools.product(*box))):
-            known[tuple(own)] = box
-            return np.zeros(count, dtype=bool)
+        if 2 ** len(own) < count:
+            for reach in (1.0, 0.0):  # beyond the ends, too: the next sweeps may lie there
+                wide = [(low - reach * (high - low), high + reach * (high - low)) for low, high in box]
+                if all(map(partial(self._is_allowed, own), itertools.product(*wide))):
+                    known[tuple(own)] = wide
+                    return np.zeros(count, dtype=bool)
         rows = zip(*(column.tolist() for column in columns), strict=True)
         return np.array([not self._is_allowed(own, row) for row in rows], dtype=bool)
 

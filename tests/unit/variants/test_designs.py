@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.stats import qmc
 
 from jounce.core.errors import DescriptionError
 from jounce.core.units import Unit
@@ -61,6 +62,16 @@ def test_spreads_have_their_ends_and_moments(make):
     triangle = (-0.3 - 0.1 + 0.3) / 3.0
     assert found["height"].mean() == pytest.approx(triangle, abs=3 * 0.125 / 64)
     assert found["height"].var() == pytest.approx((0.09 + 0.01 + 0.09 - (0.03 - 0.09 - 0.03)) / 18.0, rel=0.05)
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 8, 1000])
+@pytest.mark.parametrize(("numbers", "seed"), [(1, 0), (2, 3), (12, 2**70)])
+@pytest.mark.filterwarnings("ignore:The balance properties:UserWarning")
+def test_points_of_a_sobol_sequence_are_those_of_scipy_to_the_last_bit(numbers, seed, count):
+    spreads = {str(i): [0.0, 1.0] for i in range(numbers)}
+    found = sobol(spreads, count, seed=seed).values(lambda _: (0.5, "1"))
+    points = qmc.Sobol(numbers, seed=seed).random(count)
+    assert np.array_equal(np.column_stack([*found.values()]), np.clip(points, 1e-12, 1.0 - 1e-12))
 
 
 def test_points_of_a_sobol_sequence_lie_evenly():
