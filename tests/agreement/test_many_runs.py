@@ -57,6 +57,15 @@ def test_side_by_side_gives_what_single_runs_give(name, one_by_one):
     same(found, one_by_one(rig, trial, design, metrics=METRICS[name]))
 
 
+def test_jumps_of_the_road_blow_side_by_side_as_in_single_runs(one_by_one):
+    rig, asked = jn.load("audi-a6-quarter-car"), ["rms sprung.az", "max sprung.z", "min tyre.force"]
+    trial = jn.Trial(road=jn.Rectangle(height="10 mm", length="60 mm", start="1 m"), speed=5.0, duration=0.6)
+    design = jn.sobol({"sprung.mass": "20 %", "tyre.damping_coefficient": ["0 N*s/m", "1000 N*s/m"]}, 8, seed=2)
+    found = jn.simulate_many(rig, trial, design, metrics=asked)
+    assert found.attrs["side_by_side"] == 8
+    same(found, one_by_one(rig, trial, design, metrics=asked), rel=1e-9)  # of slopes of 1e5
+
+
 def test_what_sweeps_over_one_trial_share_is_no_others(one_by_one):
     """What is laid out for a rig over a trial is kept beside the trial: another rig or step has its own."""
     rig, trial, design = jn.load("audi-a6-quarter-car"), course(), jn.sobol({"sprung.mass": "20 %"}, 8)

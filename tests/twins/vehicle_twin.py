@@ -436,7 +436,7 @@ def driven(vehicle, road, speed: float, duration: float, *, right=None, **loads:
         late = behind if corner.startswith("rear") else 0.0
         if under.kind == "table" and late:  # which may begin before distance 0: the same table, put further ahead
             under, late = under.model_copy(update={"start": under.start + late}), 0.0
-        pieces = road_pieces(under.segments(speed * duration).in_time(speed))
+        pieces = road_pieces(under.segments(speed * duration).in_time(speed).with_ramps(1e-9))
         signals[f"{corner}.road.z"] = Signal(pieces, late / speed)
     return signals
 

@@ -49,11 +49,16 @@ class Segments:
         """Difference of the highest and the lowest value, at the ends and in the middle of the pieces, m."""
         first, last = self.edges[:-1], self.edges[1:]
         ends = np.nextafter(last, first)
-        if not self.kind.any() and not self.coefficients[:, 2:].any():  # straight lines, of which roads have thousands
+        if self.is_made_of_lines:
             begin, rise = self.coefficients[:, 0], self.coefficients[:, 1]
             end = begin + self.rate * (ends - first) * rise
             return float(max(begin.max(), end.max()) - min(begin.min(), end.min()))
         return float(np.ptp(self.evaluate(np.concatenate([first, 0.5 * (first + last), ends]))[0]))
+
+    @cached_property
+    def is_made_of_lines(self) -> bool:
+        """Whether all pieces are straight; roads have thousands of them."""
+        return not self.kind.any() and not self.coefficients[:, 2:].any()
 
     @cached_property
     def fastest_wave(self) -> float:
@@ -84,6 +89,38 @@ class Segments:
                 height[chosen], slope[chosen] = law(s[chosen], *coefficients[:, chosen])
         return height, self.rate * slope
 
+    @cached_property
+    def jumps(self) -> Array:
+        """How far the height jumps at each inner edge, up positive, shape (n - 1,), m."""
+        inner, pieces = self.edges[1:-1], np.arange(len(self.kind))
+        if self.is_made_of_lines:
+            before = self.coefficients[:-1, 0] + self.rate * np.diff(self.edges[:-1]) * self.coefficients[:-1, 1]
+            return np.asarray(self.coefficients[1:, 0] - before)
+        return np.asarray(self.on_pieces(pieces[1:], inner)[0] - self.on_pieces(pieces[:-1], inner)[0])
+
+    def with_ramps(self, shortest: float) -> Segments:
+        """Give the same signal with a ramp just before each jump, no shorter than ``shortest`` (the unit of ``x``).
+
+        What follows the rate of the signal, as the damper of a tyre does, gets the blow of the jump from it, over 1e-5
+        of its height.
+        """
+        (at,) = np.nonzero(np.abs(self.jumps) > JUMP)
+        if not len(at):
+            return self
+        edge, left = self.edges[at + 1], self.edges[at]
+        width = np.maximum(_CHORD * np.abs(self.jumps[at]) / self.rate, shortest)
+        begin = edge - np.minimum(width, 0.5 * (edge - left))
+        lower = self.on_pieces(at, begin)[0]
+        ramps = np.zeros((len(at), 4))
+        ramps[:, 0] = lower
+        ramps[:, 1] = (self.on_pieces(at + 1, edge)[0] - lower) / (self.rate * (edge - begin))
+        return replace(
+            self,
+            edges=np.insert(self.edges, at + 1, begin),
+            kind=np.insert(self.kind, at + 1, POLYNOMIAL),
+            coefficients=np.insert(self.coefficients, at + 1, ramps, axis=0),
+        )
+
     def with_finite_slopes(self) -> Segments:
         """Give the same signal with a short chord wherever a circle begins or ends upright.
 
@@ -103,7 +140,9 @@ class Segments:
         )
 
 
-_CHORD = 1e-5  # of the radius
+_CHORD = 1e-5  # of the radius, or of the height of a jump
+JUMP = 1e-6
+"""Difference at an edge from which on a height jumps there, m."""
 
 
 def _split(kind: int, c: Array, length: float) -> list[tuple[float | None, int, Array]]:

@@ -88,7 +88,7 @@ class Versine(Road):
 class Rectangle(Road):
     """Cleat: the height jumps up, stays, and jumps down.
 
-    The damper of a tyre does not feel the jumps: the blow of its coefficient times the height is left out of a run.
+    Where it jumps up, the damper of a tyre gives the wheel a blow (N s): its coefficient times the height.
 
     Attributes
     ----------
@@ -237,7 +237,7 @@ class CircularSegment(Road):
 class Step(Road):
     """The height jumps to h and stays.
 
-    The damper of a tyre does not feel the jump: the blow of its coefficient times the height is left out of a run.
+    Where it jumps up, the damper of a tyre gives the wheel a blow (N s): its coefficient times the height.
 
     Attributes
     ----------

@@ -17,8 +17,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding
 from jounce.core.remembered import remembered
-from jounce.core.segments import Segments, flat
-from jounce.core.types import Array
+from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.parts.rig import questions
@@ -423,7 +422,6 @@ FASTEST = 15.0
 """Hz that the points of a road should at least resolve: about where wheels hop."""
 FEWEST_OUTPUTS = 4
 """Samples of the result while an obstacle passes; with fewer its peaks are missed."""
-_JUMP = 1e-6  # m
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
@@ -462,7 +460,7 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
         found += _rear(trial, behind)
         if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
             text = (
-                "the road jumps, which the dampers of massless axles cannot feel; "
+                "the road jumps, and the dampers of massless axles pass that on to the body as a blow; "
                 'model an edge as a ramp, e.g. of the shape "cosine" over the length of a tyre\'s contact patch'
             )
             found.append(Finding("trial: road", "warning", text))
@@ -541,12 +539,12 @@ def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     numbers = {} if rig is None else rig.parameters()
     damping = max((value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")), default=0.0)
     sides = (1,) if trial.right is None else (1, -1)
-    rise = max(float(np.max(_jumps_of(trial.segments(side=side)), initial=0.0)) for side in sides)
-    if damping > 0.0 and rise > _JUMP:
+    rise = max(float(np.max(trial.segments(side=side).jumps, initial=0.0)) for side in sides)
+    if damping > 0.0 and rise > JUMP:
         text = (
-            f"the road jumps up by {1e3 * rise:.3g} mm, and the blow of {damping * rise:.3g} N*s that the tyre's "
-            'damper gives the wheel there is left out; model the edge as a ramp, e.g. of the shape "cosine" over the '
-            "length of the tyre's contact patch, or let the tyre envelop it"
+            f"the road jumps up by {1e3 * rise:.3g} mm: the tyre's damper gives the wheel a blow of "
+            f"{damping * rise:.3g} N*s in no time, with a force and an energy that have no bound; model the edge as a "
+            'ramp, e.g. of the shape "cosine" over the length of the tyre\'s contact patch, or let the tyre envelop it'
         )
         yield Finding("trial: road", "warning", text, damping * rise)
     if damping > 0.0 and any(_rises_upright(trial.segments(side=side)) for side in sides):
@@ -563,13 +561,7 @@ def _rises_upright(signal: Segments) -> bool:
 
 
 def _jumps(signal: Segments) -> bool:
-    return bool(np.any(np.abs(_jumps_of(signal)) > _JUMP))
-
-
-def _jumps_of(signal: Segments) -> Array:
-    """Jumps (m, up positive) at the inner edges of a height."""
-    inner = signal.edges[1:-1]
-    return np.asarray(signal.evaluate(inner)[0] - signal.evaluate(np.nextafter(inner, -np.inf))[0])
+    return bool(np.any(np.abs(signal.jumps) > JUMP))
 
 
 def _has_sides(rig: Rig | None) -> bool:

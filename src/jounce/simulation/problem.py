@@ -33,7 +33,7 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
     for track in facts.tracks:
         if is_road(track):
             place = wheels[track.removesuffix(ROAD).removesuffix(".")]
-            found.append(trial.segments(place.behind, place.side))
+            found.append(trial.segments(place.behind, place.side).with_ramps(_SHORTEST * max(1.0, trial.duration)))
         elif track == COMMAND and trial.actuator_force is not None:
             found.append(trial.actuator_force.segments(trial.duration))
         else:
@@ -44,6 +44,7 @@ def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ())
 MOVES_TRACKS = ("front.distance", "rear.distance")
 """Numbers of a vehicle that the tracks depend on: when the rear axle meets the road."""
 
+_SHORTEST = 1e-9  # of a run: a thousand times what two instants differ by at least
 COMMAND = "command"  # the track of an actuator
 
 
