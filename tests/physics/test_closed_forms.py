@@ -200,3 +200,25 @@ def test_modes_are_the_roots_of_the_characteristic_polynomial():
     for mode in modes(KART):
         value = min(roots, key=lambda root: abs(abs(root) / (2 * np.pi) - mode.frequency_hz))
         assert mode.damping_ratio == pytest.approx(-value.real / abs(value), rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["two coefficients", "table", "with dry friction"])
+def test_modes_of_a_damper_with_two_sides_decay_as_it_does(kind):
+    """Each half swing of one mass decays by exp(-pi zeta / sqrt(1 - zeta^2)) of its side; friction takes no ratio."""
+    zetas, stiffness = (0.05, 0.15), 18362.0
+    bump, rebound = (2 * zeta * np.sqrt(stiffness * 16.0) for zeta in zetas)
+    changes = {
+        "strut.angle": 0.0,
+        "strut.spring.rate": stiffness,
+        "strut.damper": {"bump_coefficient": bump, "rebound_coefficient": rebound},
+        "unsprung.mass": 1e-4,
+        "tyre.stiffness": 1e10,
+    }
+    if kind == "table":
+        changes["strut.damper"] = {"velocity": [-1.0, 0.0, 1.0], "force": [-rebound, 0.0, bump]}
+    if kind == "with dry friction":
+        changes["strut.friction"] = {"force": 30.0}
+    body = modes(KART.with_changes(changes))[0]
+    decrement = sum(np.pi * zeta / np.sqrt(1 - zeta**2) for zeta in zetas)
+    assert 2 * np.pi * body.damping_ratio / np.sqrt(1 - body.damping_ratio**2) == pytest.approx(decrement, rel=5e-3)
+    assert body.frequency_hz == pytest.approx(np.sqrt(stiffness / 16.0) / (2 * np.pi), rel=1e-4)

@@ -16,9 +16,8 @@ from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.statics import Equilibrium, find_equilibrium
+from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
-_EDGE = 1e-12  # a switch this near to its edge in equilibrium is on it: the mean of both sides counts
 _STEP = 1e-3  # relative, of differences for mechanisms
 
 
@@ -127,7 +126,8 @@ class LinearFamily:
     def _exactly(self, p: Array, *, slopes: bool) -> tuple[Matrices, tuple[Matrices, ...]]:
         compiled = self.compiled
         graphs, u = _graphs(compiled, self.rig), compiled.inputs(0.0)
-        equilibrium, modes = _balanced(compiled, p, u)
+        equilibrium = _balanced(compiled, p, u)
+        modes = equilibrium.modes
         parts = [np.asarray(part) for part in graphs.values(equilibrium.x, u, p, modes)]
         model = self._shaped(parts)
         found: list[Matrices] = []
@@ -174,8 +174,8 @@ class LinearFamily:
     def _numeric(self, p: Array, pose: Array | None = None) -> tuple[Matrices, Array]:
         """Model about equilibrium, sought from a pose, and the pose found."""
         compiled, u = self.compiled, self.compiled.inputs(0.0)
-        equilibrium, modes = _balanced(compiled, p, u, pose)
-        where = (equilibrium.x, u, p, modes)
+        equilibrium = _balanced(compiled, p, u, pose)
+        where = (equilibrium.x, u, p, equilibrium.modes)
         across, along = compiled.slopes("x", *where), compiled.slopes("u", *where)
         columns = _road_columns(compiled)
         parts = [
@@ -216,13 +216,12 @@ def _road_columns(compiled: Compiled) -> list[int]:
     return [i * order + j for i, track in enumerate(facts.tracks) if is_road(track) for j in range(order)]
 
 
-def _balanced(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> tuple[Equilibrium, Array]:
-    """Static equilibrium and modes; a switch on its edge there counts as the mean of both sides."""
+def _balanced(compiled: Compiled, p: Array, u: Array, pose: Array | None = None) -> Equilibrium:
+    """Static equilibrium, as small motions see it."""
     equilibrium = find_equilibrium(compiled, p, u, pose)
     if not np.all(np.isfinite(equilibrium.x)):
         raise SimulationError("no static equilibrium was found", where="linear model")
-    switch = compiled.evaluate("switch", equilibrium.x, u, compiled.plain.extended(p), equilibrium.modes)
-    return equilibrium, np.where(np.abs(switch) < _EDGE, 0.5, equilibrium.modes)
+    return for_small_motions(compiled, equilibrium, p, u)
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.corner_models import corner_models
 from jounce.simulation.prepare import Prepared
 from jounce.simulation.settings import MAX_STEPS
-from jounce.simulation.statics import Equilibrium, find_equilibrium
+from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
 AnyControl = Controller | str | Path | Callable[..., Any]
 _FAR, _AT_LEAST = 1e3, 10.0  # sizes of the usual motion, and m or rad, beyond which a closed loop counts as diverging
@@ -407,6 +407,7 @@ def _held_poles(
     facts, names = compiled.facts, compiled.output_names
     columns = [facts.tracks.index(name) * facts.track_order for name in command_names(loop.corners)]
     rows = [names.index(name) for name in channels]
+    rest = for_small_motions(compiled, rest, p, still)
     where = (rest.x, still, p, rest.modes)
     along = compiled.slopes("u", *where)
     B, D = (rest.pick @ along["rate"])[:, columns], along["output"][np.ix_(rows, columns)]

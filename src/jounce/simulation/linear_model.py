@@ -14,7 +14,7 @@ from jounce.mechanics.facts import moved_by
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.result import flipped_at
-from jounce.simulation.statics import Equilibrium, find_equilibrium
+from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
 _NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero but for rounding
 
@@ -103,6 +103,9 @@ class Mode(Shown):
 def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     """Linearise a rig about static equilibrium.
 
+    A damper with another slope in bump than in rebound counts with the mean of both. Dry friction counts with its slope
+    at rest: it all but holds the strut, as it does while motions are too small to make it slide.
+
     Parameters
     ----------
     rig : Rig
@@ -127,7 +130,16 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     >>> bool(abs(model.frequency_response([1e-3], "sprung.z")[0] - 1.0) < 1e-3)   # quasi-static: the body follows
     True
     """
-    compiled, p, rest, u = _at_rest(rig, road_height)
+    return _linearised(rig, road_height, rig.parameters())
+
+
+def _sliding(rig: Rig) -> dict[str, float]:
+    """Numbers of a rig without dry friction."""
+    return {path: 0.0 if path.endswith("friction.force") else value for path, value in rig.parameters().items()}
+
+
+def _linearised(rig: Rig, road_height: float, numbers: dict[str, float]) -> LinearModel:
+    compiled, p, rest, u = _at_rest(rig, road_height, numbers)
     facts, where = compiled.facts, (rest.x, u, p, rest.modes)
     c, along = compiled.slopes("x", *where)["output"], compiled.slopes("u", *where)
     orders = ("", " rate", " acceleration")[: facts.track_order]
@@ -142,7 +154,8 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     """Oscillating modes of a rig about static equilibrium, by rising frequency.
 
-    A motion that nothing holds, such as yaw on a spherical joint, is none.
+    A motion that nothing holds, such as yaw on a spherical joint, is none. Of a damper with other slopes in bump than
+    in rebound the mean of both counts. Dry friction is left out: it damps by no ratio, and at rest it holds the strut.
 
     Parameters
     ----------
@@ -163,7 +176,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
     (5.1, 28.2)
     """
-    model = linearise(rig, road_height)
+    model = _linearised(rig, road_height, _sliding(rig))
     values, vectors = np.linalg.eig(model.A)
     heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
     names = [model.outputs[i] for i in heights]
@@ -205,7 +218,7 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     >>> round(jn.equilibrium(jn.load("kart-quarter-car"))["tyre.force"], 2)   # (16 + 5) kg * 9.81 m/s^2
     206.01
     """
-    compiled, p, rest, u = _at_rest(rig, road_height)
+    compiled, p, rest, u = _at_rest(rig, road_height, rig.parameters())
     outputs = compiled.evaluate("output", rest.x, u, p, rest.modes)
     return {
         **dict(zip(compiled.facts.states, map(float, rest.x), strict=True)),
@@ -213,13 +226,13 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     }
 
 
-def _at_rest(rig: Rig, road_height: float) -> tuple[Compiled, Array, Equilibrium, Array]:
+def _at_rest(rig: Rig, road_height: float, numbers: dict[str, float]) -> tuple[Compiled, Array, Equilibrium, Array]:
     if not np.isfinite(road_height):
         raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
     compiled = compile_rig(rig)
-    p = compiled.parameter_values(rig.parameters())
+    p = compiled.parameter_values(numbers)
     u = compiled.inputs(road_height)
-    rest = find_equilibrium(compiled, p, u)
+    rest = for_small_motions(compiled, find_equilibrium(compiled, p, u), p, u)
     outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extended(p), rest.modes)
     if flipped_at(compiled.output_names, outputs[:, None]) is not None:
         raise SimulationError(

@@ -28,6 +28,7 @@ _UNBALANCED = 1e-6  # m/s^2
 _ROUNDINGS = 8.0  # how many times the rounding of one product a balance of many may be off
 _PLACES = 1.0  # m, typical size of a hardpoint's coordinates
 _EPSILON = float(np.finfo(float).eps)
+_EDGE = 1e-12  # a switch this near to its edge is on it
 _INDEPENDENT = 1e-9  # smallest singular value of the constraints, relative to the largest
 
 
@@ -100,6 +101,19 @@ def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None
         while len(known) > _KEPT:
             known.popitem(last=False)
     return found
+
+
+def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array) -> Equilibrium:
+    """Give a state of rest as linear models see it: a switch on its edge there counts as the mean of both sides.
+
+    At rest a damper is neither in bump nor in rebound, and over a harmonic motion the mean of both takes out the energy
+    that the two do; a table with a point at no velocity is the same.
+    """
+    still = np.zeros_like(u)
+    still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
+    edge = np.abs(compiled.evaluate("switch", rest.x, still, p, rest.modes)) < _EDGE
+    found = _rest(compiled, rest.x, still, p, np.where(edge, 0.5, rest.modes)) if edge.any() else None
+    return rest if found is None else found
 
 
 def _found_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None) -> Equilibrium:

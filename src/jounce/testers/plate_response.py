@@ -12,6 +12,7 @@ from jounce.core.errors import SimulationError, unknown
 from jounce.core.types import Array, Complex
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester, as_tester
+from jounce.simulation.statics import for_small_motions
 from jounce.testers.plates import SteadyResponse, least, least_adhesion
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
@@ -60,8 +61,9 @@ class LinearTesterRig:
 
 def linear_rig_on_tester(on: TesterRig) -> LinearTesterRig:
     """Linearise a rig with driven exciters about rest."""
-    compiled, rest = on.compiled, on.rest
-    where = rest.x, on.prepared.still, on.prepared.problem.p, rest.modes
+    compiled, still, p = on.compiled, on.prepared.still, on.prepared.problem.p
+    rest = for_small_motions(compiled, on.rest, p, still)
+    where = rest.x, still, p, rest.modes
     along = compiled.slopes("u", *where)
     c = compiled.slopes("x", *where)["output"] @ rest.lift
     return LinearTesterRig(on, rest.reduced, rest.pick @ along["rate"], c, along["output"])
@@ -75,7 +77,8 @@ def steady_response(
     Parameters
     ----------
     rig : QuarterCar, Corner or FrontViewAxle
-        What stands on the plates; laws of springs and dampers count with their slope at rest.
+        What stands on the plates; laws of springs and dampers count with their slope at rest, the mean of
+        both sides where they have two.
     tester : Tester, str or Path
         Stroke and plate; also by its name or file.
     frequency : array_like, shape (n,)
