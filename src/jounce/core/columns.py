@@ -11,6 +11,7 @@ from itertools import compress
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file
@@ -21,6 +22,10 @@ _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
 _LONGEST_CELL = 1000
 _BLANK = "no cell of the column is filled"
+_MISSING = frozenset(
+    ("", "-", "--", "---", "nan", "-nan", "nan(ind)", "-nan(ind)", "n/a", "n.a.", "na", "#n/a", "#nv", "null", "none")
+)
+"""What loggers and spreadsheets write, in any case, where a channel has no sample."""
 NO_NUMBER = "No cell of the column is a number."
 _SINGLE_LETTERS = set("msNgGVAWJK%°")
 """Units of one letter that count behind a name as in ``Force (N)``: ``(L)`` and ``(R)`` are sides."""
@@ -31,7 +36,8 @@ class Column:
     """One column of a file: numbers as written, all finite, in the ``unit`` of the header (empty for none).
 
     A column whose cells are not all finite numbers has none, and the ``fault`` that says so when it is asked for.
-    ``written`` is the header's cell where it is not ``label``: ``Force (N)``.
+    ``written`` is the header's cell where it is not ``label``: ``Force (N)``. ``part`` are the rows (from 0) with a
+    number, and those numbers, where the others hold nothing: a channel of another rate, or with gaps.
     """
 
     name: str
@@ -40,6 +46,7 @@ class Column:
     file: str = ""
     fault: RecordingError | None = None
     written: str = ""
+    part: tuple[NDArray[np.intp], Array] | None = None
 
     @property
     def label(self) -> str:
@@ -272,7 +279,7 @@ def _header_line(lines: list[str], first: int) -> int:
         if any(unit and is_unit(unit) for _, unit in map(name_and_unit, cells)):
             return index
         row = rows[-1] if _are_units(rows[0]) else rows[0]
-        if len(cells) > 1 and row and all(map(_has_number, row)):
+        if len(cells) > 1 and any(map(_has_number, row)) and all(_has_number(one) or _is_missing(one) for one in row):
             return index
         if likely is None and any(map(_has_number, row)):
             likely = index
@@ -295,18 +302,45 @@ def _has_number(cell: str) -> bool:
 
 
 def _are_names(cells: list[str]) -> bool:
-    """Whether cells can name columns: letters in all of them, none a number, all different."""
+    """Whether cells can name columns: letters in all of them, none a number, all but times different."""
     worded = all(any(map(str.isalpha, cell)) and not _has_number(cell) for cell in cells)
-    return bool(cells) and worded and len(set(cells)) == len(cells)
+    names = [cell for cell in cells if not names_time(name_and_unit(cell)[0])]
+    return bool(cells) and worded and len(set(names)) == len(names)
+
+
+_TIME_WORDS = re.compile(
+    r"(?:x?time|zeit|timestamp|temps|tiempo|tempo|tid|t)(?:[ _.:-]?\d.*|[ _.:-].+)?", re.IGNORECASE
+)
+
+
+def names_time(name: str) -> bool:
+    """Whether a column's name begins with a word for time: one of several clocks of a file may be called so.
+
+    >>> [names_time(name) for name in ("time", "Zeit 2", "Time_100Hz", "t", "Time - AI 1", "lap time", "tyre.force")]
+    [True, True, True, True, True, False, False]
+    """
+    return _TIME_WORDS.fullmatch(name.strip()) is not None
+
+
+def _is_missing(cell: str) -> bool:
+    return cell.lower() in _MISSING
 
 
 def _are_units(cells: list[str]) -> bool:
-    """Whether cells are units only; numbers as other languages write them (``1.5d+00``: days?) are none."""
-    bare = [cell.strip("[]()") for cell in cells]
-    return bool(bare) and all(
-        cell == "-" or (is_unit(cell) and (cell == "1" or cell.startswith("1/") or not _BEGINS_WITH_NUMBER.match(cell)))
-        for cell in bare
+    """Whether cells are a row of units: no number, and more than half of what is filled are units that are known."""
+    filled = [bare for cell in cells if (bare := cell.strip("[]() ")) not in _NO_UNIT]
+    known = sum(map(_is_plain_unit, filled))
+    return 2 * known > len(filled) and not any(
+        _BEGINS_WITH_NUMBER.match(one) for one in filled if not _is_plain_unit(one)
     )
+
+
+_NO_UNIT = ("", "-", "#")
+
+
+def _is_plain_unit(cell: str) -> bool:
+    """Whether a cell is a unit; numbers as other languages write them (``1.5d+00``: days?) are none."""
+    return is_unit(cell) and (cell == "1" or cell.startswith("1/") or not _BEGINS_WITH_NUMBER.match(cell))
 
 
 _BEGINS_WITH_NUMBER = re.compile(r"[-+]?\d")
@@ -384,10 +418,9 @@ def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list
         return []
     cells = [cell.removeprefix("[").removesuffix("]").removeprefix("(").removesuffix(")").strip() for cell in
              _cells(rows[0], separator)]  # fmt: skip
-    filled = [cell for cell in cells if cell]
-    if len(cells) != len(header) or not filled or not all(cell == "-" or is_unit(cell) for cell in filled):
+    if len(cells) != len(header) or not _are_units(cells):
         return []
-    return cells
+    return ["" if cell in _NO_UNIT else cell for cell in cells]
 
 
 def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Sequence[int]]:
@@ -416,7 +449,9 @@ def _columns(
     if values is None and separator != "," and not any("." in row for row in rows):
         values = _plain_numbers([row.replace(",", ".") for row in rows], len(heads), separator)
         comma = values is not None and any("," in row for row in rows)
-    found: list[Array | RecordingError]
+    found: list[Array | RecordingError] = []
+    parts: dict[int, tuple[NDArray[np.intp], Array] | None] = {}
+    clocks: dict[int, str] = {}
     if values is not None:
         found = [np.ascontiguousarray(column) for column in values.T]
     else:
@@ -424,10 +459,21 @@ def _columns(
         marks = [_decimal_mark(column) for column in table]
         mixed = _mixed_marks(table, lines, heads, file) if {",", "."} <= set("".join(marks)) else None
         comma = mixed is None and "," in marks
-        found = [
-            mixed if mixed is not None and mark else _numbers(column, lines, f"column {head!r}", file, comma)
-            for column, head, mark in zip(table, heads, marks, strict=True)
-        ]
+        for position, (cells, head, mark) in enumerate(zip(table, heads, marks, strict=True)):
+            name, unit = name_and_unit(head)
+            clock = seconds_of(cells) if not mark and (names_time(name) or not unit) else None
+            if clock is not None:
+                clocks[position] = clock[1]
+                found.append(clock[0])
+                continue
+            numbers, part = _numbers(cells, lines, f"column {head!r}", file, comma)
+            parts[position] = None if mixed is not None and mark else part
+            found.append(mixed if mixed is not None and mark else numbers)
+    for position, numbers in enumerate(found):
+        if not isinstance(numbers, RecordingError) and _may_have_thousands(numbers):
+            cells = [_cells(line, separator)[position] for line in rows]
+            fault = _thousands(cells, lines, f"{file}: column {heads[position]!r}")
+            found[position] = numbers if fault is None else fault
     columns = []
     for position, (head, numbers) in enumerate(zip(heads, found, strict=True), 1):
         name, unit = (head, units[position - 1]) if units else name_and_unit(head)
@@ -442,11 +488,92 @@ def _columns(
             )
         written = head if head not in (name, f"{name} [{unit}]") else ""
         samples = numbers if fault is None and not isinstance(numbers, RecordingError) else np.empty(0)
-        columns.append(Column(name, "" if unit == "-" else unit, samples, str(file), fault, written))
+        if position - 1 in clocks:
+            unit = "s"
+            written = head if head != f"{name} [s]" else ""
+        unit = "" if unit == "-" else unit
+        columns.append(Column(name, unit, samples, str(file), fault, written, parts.get(position - 1)))
     remarks = (["decimal commas were read as decimal points"] if comma else []) + (
         ["the units were read from the line below the names"] if units else []
     )
+    remarks += [f"{heads[position]!r} is a clock: {told}" for position, told in clocks.items()]
     return tuple(columns), tuple(remarks)
+
+
+_OF_DAY = re.compile(r"(\d{1,2}):(\d{2}):(\d{2}(?:[.,]\d+)?)")
+_OF_CALENDAR = re.compile(r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2}):?(\d{2}))?")
+_DAY = 86400.0
+
+
+def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
+    """Seconds since the first of clock times, and what was understood; None for cells that are none.
+
+    Times of day (``23:59:59.75``) go on past midnight; instants of ISO 8601 are compared in UTC where they have a zone.
+
+    >>> seconds_of(["23:59:59.75", "00:00:00.25"])
+    (array([0. , 0.5]), 's since 23:59:59.75, past midnight')
+    >>> seconds_of(["2026-03-29T01:59:59+01:00", "2026-03-29T03:00:01+02:00"])
+    (array([0., 2.]), 's since 2026-03-29T01:59:59+01:00')
+    """
+    if not cells:
+        return None
+    if _OF_DAY.fullmatch(cells[0]):
+        times = [_OF_DAY.fullmatch(cell) for cell in cells]
+        parts = [one.groups() for one in times if one is not None]
+        if len(parts) < len(cells) or any(int(h) > 24 or int(m) > 59 for h, m, _ in parts):
+            return None
+        seconds = np.array([3600 * int(h) + 60 * int(m) for h, m, _ in parts], dtype=float)
+        seconds += np.array([s.replace(",", ".") for *_, s in parts], dtype=float)
+        nights = np.concatenate(([0], np.cumsum(np.diff(seconds) < -0.5 * _DAY)))
+        since = f"s since {cells[0]}" + (", past midnight" if nights[-1] else "")
+        return np.asarray(seconds - seconds[0] + _DAY * nights, dtype=float).round(9), since
+    if not _OF_CALENDAR.fullmatch(cells[0]):
+        return None
+    instants = [_OF_CALENDAR.fullmatch(cell) for cell in cells]
+    told = [one.groups(default="") for one in instants if one is not None]
+    has_zone = {bool(utc or hours) for _, _, utc, hours, _ in told}
+    if len(told) < len(cells) or len(has_zone) > 1:
+        return None
+    try:
+        whole = np.array([base.replace(" ", "T") for base, *_ in told], dtype="datetime64[s]").astype(np.int64)
+    except ValueError:  # the 31st of February
+        return None
+    zones = [60 * (60 * int(hours or 0) + int(f"{hours[:1]}{minutes or 0}")) for *_, hours, minutes in told]
+    whole -= np.array(zones, dtype=np.int64)
+    parts_of_second = np.array([(part or "0").replace(",", ".") for _, part, *_ in told], dtype=float)
+    elapsed = np.asarray((whole - whole[0]) + (parts_of_second - parts_of_second[0]), dtype=float).round(9)
+    return elapsed, f"s since {cells[0]}"
+
+
+_FEWEST_THOUSANDS = 10
+_GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
+
+
+def _may_have_thousands(numbers: Array) -> bool:
+    """Whether numbers look as 999, 1.000, 1.001 do: whole ones up to 999, and others from 1 with three decimals."""
+    size = np.abs(numbers)
+    if not size.size or float(size.max()) > 999.9995 or float(size.max()) < 100.0:
+        return False
+    broken = size != np.floor(size)
+    grouped = size[broken]
+    if grouped.size < _FEWEST_THOUSANDS or grouped.min() < 1.0 or not size[~broken].size:
+        return False
+    return bool(np.abs(grouped * 1e3 - np.round(grouped * 1e3)).max() < 1e-6 * 1e3)
+
+
+def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> RecordingError | None:
+    """The error for numbers whose only marks separate three digits each, beside whole numbers below a thousand."""
+    marked = [(cell, line) for cell, line in zip(cells, lines, strict=True) if "." in cell or "," in cell]
+    if not marked or not all(_GROUPED.fullmatch(cell) for cell, _ in marked):
+        return None
+    cell, line = marked[0]
+    return RecordingError(
+        "thousands separators, or decimals?",
+        where=where,
+        found=f"{cell!r} (line {line}): all marks have three digits behind them, and whole numbers stand beside them",
+        allowed="numbers without thousands separators",
+        hint="Export the file without them, or with decimals in all numbers.",
+    )
 
 
 def _table(
@@ -486,20 +613,28 @@ def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str],
     )
 
 
-def _numbers(cells: list[str], lines: Sequence[int], column: str, file: Path, comma: bool) -> Array | RecordingError:
-    """Finite numbers of a column, or the first thing wrong with it, with its line."""
+def _numbers(
+    cells: list[str], lines: Sequence[int], column: str, file: Path, comma: bool
+) -> tuple[Array | RecordingError, tuple[NDArray[np.intp], Array] | None]:
+    """Finite numbers of a column, or the first thing wrong with it, with its line, and the rows that hold numbers."""
     texts = [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells] if comma else cells
     try:
         values = np.array(texts, dtype=float)
     except ValueError:
         values = None
     if values is not None and np.isfinite(values).all() and not any("_" in cell for cell in texts):
-        return values
+        return values, None
     if not any(cells):
-        return RecordingError(_BLANK, where=f"{file}: {column}", allowed="numbers")
+        return RecordingError(_BLANK, where=f"{file}: {column}", allowed="numbers"), None
+    part = None
+    filled = np.flatnonzero([not _is_missing(cell) for cell in texts])
+    if 0 < filled.size < len(texts):
+        held = [texts[row] for row in filled]
+        if all(map(_is_number, held)) and np.isfinite(numbers := np.array(held, dtype=float)).all():
+            part = filled, numbers
     wrong = next(i for i, cell in enumerate(texts) if not _is_number(cell) or not math.isfinite(float(cell)))
     no_numbers = not any(_is_number(cell) for cell in texts)
-    return _bad_cell(cells[wrong], f"{file}, line {lines[wrong]}: {column}", no_numbers=no_numbers)
+    return _bad_cell(cells[wrong], f"{file}, line {lines[wrong]}: {column}", no_numbers=no_numbers), part
 
 
 def _ragged(row: list[str], header: list[str], where: str, separator: str) -> RecordingError:
@@ -523,7 +658,7 @@ def _ragged(row: list[str], header: list[str], where: str, separator: str) -> Re
 
 def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
     if cell == "":
-        hint = "Fill it or remove the row; export channels of different rates into files of their own, or at one rate."
+        hint = "Fill it or remove the row; of signals over time resample (--resample) bridges the gap and says so."
         return RecordingError("the cell is blank", where=where, allowed="a number", hint=hint)
     if _DECIMAL_COMMA.fullmatch(cell):
         return RecordingError(

@@ -16,8 +16,9 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
+from jounce.recordings.clocks import by_clock, is_steady, rate_of, told
 from jounce.recordings.plausibility import implausible
-from jounce.recordings.quality import FEWEST_SAMPLES, check_channels, check_instants, check_time
+from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
 from jounce.recordings.reader import ReaderOptions, SignalTable
 from jounce.recordings.readers import is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording
@@ -55,18 +56,20 @@ def read_recording(
     variable : str
         Matrix variable or struct (``.mat``) or group (``.tdms``) to read.
     resample : float or str, optional
-        Constant step in s (or text with unit) that the recording shall have: time may be irregular then, and signals
-        at other instants (slow channels, bus messages) are brought onto the same time. Where the step is larger than
-        that of the file, the signals are band-limited first, without phase, at 0.4 of the new rate.
+        Constant step in s (or text with unit) that the recording shall have: time may be irregular then, also that of
+        signals at other instants (slow channels, bus messages), and samples may be missing. Where the step is larger
+        than that of the file, the signals are band-limited first, without phase, at 0.4 of the new rate.
     database : Path or str, optional
         Database of bus messages (``.dbc``) with which the bus frames of an MDF file are decoded.
 
     Returns
     -------
     dataset : xarray.Dataset
-        Channels in SI on uniform ``time`` (s).
+        Channels in SI on uniform ``time`` (s), that of the fastest channel where all were recorded. A channel of a
+        lower rate is a cubic spline through its samples, and has its rate in Hz as the attribute ``recorded_rate``.
     findings : list of Finding
-        Columns that are no channel, what was understood (decimal commas), resampling with the largest gap, a sample
+        Columns that are no channel, what was understood (decimal commas), lower rates and above which frequency nothing
+        was measured, time that only some channels have, resampling with the largest gap, a sample
         time that contradicts the recorded time, constant and clipped channels, and as a problem magnitudes that no
         suspension reaches, with the unit that was likely meant.
 
@@ -95,22 +98,35 @@ def read_recording(
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
+    recorded = _own_time(signals, mapping) if given_step is not None else None
+    is_made = False
+    if given_step is None or not signals.others:
+        gaps = new_step is not None
+        signals, is_made = by_clock(signals, mapping.get("time", ""), given_step, bridges_gaps=gaps)
+    if is_made:  # each table has its time, of the file or from the given step of the rows
+        mapping.pop("time", None)
     main = _main_table(signals, mapping)
-    has_clocks = new_step is not None and given_step is None  # a given step is that of one clock only
-    tables = signals.tables if has_clocks else (main,)
-    located, findings = _locate_channels(signals, main, tables, mapping, has_step=given_step is not None)
-    findings = [*signals.findings, *(Finding(str(file), "note", text) for text in main.remarks), *findings]
+    has_clocks = given_step is None or is_made  # a given step is that of one clock only
+    tables = _usable(signals, main, mapping, is_resampled=new_step is not None) if has_clocks else (main,)
+    located, findings = _locate_channels(signals, main, tables, mapping, has_step=not has_clocks)
+    remarks = [text for table in signals.tables for text in table.remarks if table in tables]
+    findings = [*signals.findings, *(Finding(str(file), "note", text) for text in remarks), *findings]
     clocks = {table: table["time"] for table in tables if table is not main and "time" in table.names}
+    if main not in clocks and "time" in main.names and "time" in located:
+        clocks[main] = main["time"]
     if "time" in located:
-        clocks[main] = located.pop("time")[0]
+        column, home = located.pop("time")
+        clocks[home] = column
     rows = next((column.values.size for column, table in located.values() if table is main), 0)
-    if given_step is None:
-        instants = {table: in_si(column, "s") for table, column in clocks.items()}
-    else:
-        if rows < FEWEST_SAMPLES:
+    if given_step is not None:
+        if rows < FEWEST_SAMPLES and not is_made:
             allowed = f"at least {FEWEST_SAMPLES}"
             raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=allowed)
-        findings += _contradiction(clocks.get(main), given_step, rows, str(file))
+        findings += _contradiction(recorded, given_step, rows if recorded is None else recorded.values.size, str(file))
+    if has_clocks:
+        instants = {table: in_si(column, "s") for table, column in clocks.items()}
+    else:
+        assert given_step is not None
         instants = {main: np.asarray(np.arange(rows) * given_step, dtype=float)}
     units = {
         # a command is in the unit of its actuator, which only the file knows
@@ -118,26 +134,128 @@ def read_recording(
         for name, (column, _) in located.items()
     }
     values = {name: in_si(located[name][0], unit) for name, unit in units.items()}
-    uneven = list[Finding]()
+    homes = {name: table for name, (_, table) in located.items()}
+    for table in dict.fromkeys(homes.values()):
+        own = {name: one for name, one in values.items() if homes[name] is table}
+        if new_step is None and table in instants:
+            check_instants(instants[table], where=str(file), name_row=table.name_row)
+        findings += check_channels(own, where=str(file), name_row=table.name_row)
+    measured = values
     if new_step is not None:
-        findings += check_channels(values, where=str(file), name_row=main.name_row)
-        homes = {name: table for name, (_, table) in located.items()}
         time, values, uneven = _resampled(instants, values, homes, new_step, str(file))
     else:
-        time = instants[main]
-        if given_step is None:
-            time, uneven = check_time(time, where=str(file), name_row=main.name_row)
-        findings += check_channels(values, where=str(file), name_row=main.name_row)
-        if uneven:
-            together = read_at(instants[main], np.stack(list(values.values()), axis=1), time, 1.0 / (time[1] - time[0]))
-            values = {name: np.ascontiguousarray(column) for name, column in zip(values, together.T, strict=True)}
-    written = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
+        time, values, uneven = _together(instants, values, homes, str(file))
     step = float(time[-1] - time[0]) / (time.size - 1)
+    slower = _slower(instants, measured, homes, step, str(file))
+    findings += uneven
+    findings += [finding for finding, _, _ in slower]
+    written = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
     findings += implausible({name: values[name] for name in written}, step, where=str(file), written=written)
     channels = {
         name: (array, units[name], signals.long_names.get(located[name][0].name, "")) for name, array in values.items()
     }
-    return recording(time, channels, attributes=signals.attributes), findings + uneven
+    rates = {name: rate for _, names, rate in slower for name in names}
+    attributes = dict(signals.attributes)
+    if rates:
+        attributes["recorded_rates"] = "; ".join(
+            f"{name} {rate:g} Hz, between them a spline" for name, rate in rates.items()
+        )
+    run = recording(time, channels, attributes=attributes)
+    for name, rate in rates.items():
+        run[name].attrs["recorded_rate"] = rate
+    return run, findings
+
+
+def _own_time(signals: SignalTable, mapping: Mapping[str, str]) -> Column | None:
+    """The file's own time, which a given step replaces; None where there is none, or it cannot be read."""
+    try:
+        return locate(_main_table(signals, mapping), mapping.get("time", "time"))
+    except JounceError:
+        return None
+
+
+def _usable(
+    signals: SignalTable, main: ColumnTable, mapping: Mapping[str, str], *, is_resampled: bool
+) -> tuple[ColumnTable, ...]:
+    """Tables whose channels can come onto one time; those that nobody names only where they cut little of it."""
+    if is_resampled:
+        return signals.tables
+    usable = []
+    for table in signals.tables:
+        clock = next((column for column in table if column.name == "time" and column.fault is None), None)
+        if table is main or (clock is not None and clock.unit and is_steady(in_si(clock, "s"))):
+            usable.append(table)
+    asked = [
+        table for table in usable if any(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
+    ]
+    own = mapping.get("time", "time")
+    try:
+        first = in_si(locate(main, own if _is_home(main, own) else "time"), "s")
+    except JounceError:
+        return tuple(usable)
+
+    def is_harmless(table: ColumnTable) -> bool:
+        time = in_si(table["time"], "s")
+        cut = max(time[0] - first[0], first[-1] - time[-1])
+        return bool(cut <= (1.0 / rate_of(time) if mapping else _MOST_CUT * (first[-1] - first[0])))
+
+    return tuple(table for table in usable if table is main or table in asked or is_harmless(table))
+
+
+_MOST_CUT = 0.1  # share of the main clock's time that channels which nobody named may cut
+
+
+def _together(
+    instants: Mapping[ColumnTable, Array], values: Mapping[str, Array], homes: Mapping[str, ColumnTable], file: str
+) -> tuple[Array, dict[str, Array], list[Finding]]:
+    """All signals on the fastest clock, where all of them were recorded."""
+    used = list(dict.fromkeys(homes.values()))
+    fastest = min(
+        used, key=lambda table: float(np.median(np.diff(instants[table]))) if instants[table].size > 1 else 0.0
+    )
+    time, findings = check_time(instants[fastest], where=file, name_row=fastest.name_row)
+    rate = (time.size - 1) / float(time[-1] - time[0])
+    span = float(time[0]), float(time[-1])
+    first, last = max(instants[table][0] for table in used), min(instants[table][-1] for table in used)
+    slack = 1e-6 / rate
+    kept = (time >= first - slack) & (time <= last + slack)
+    if np.count_nonzero(kept) < FEWEST_SAMPLES:
+        raise RecordingError("the signals have no time in common", where=file)
+    wanted, found = time[kept], dict[str, Array]()
+    for table in used:
+        names = [name for name in values if homes[name] is table]
+        together = np.stack([values[name] for name in names], axis=1)
+        if table is not fastest or findings:
+            together = read_at(instants[table], together, wanted, rate)
+        else:
+            together = together[kept]
+        found |= {name: np.ascontiguousarray(column) for name, column in zip(names, together.T, strict=True)}
+    slowest = max(float(np.median(np.diff(instants[table]))) for table in used)
+    cut = max(float(wanted[0]) - span[0], span[1] - float(wanted[-1]))
+    if cut > slack:
+        text = (
+            f"only from {wanted[0]:.6g} s to {wanted[-1]:.6g} s have all channels been recorded (the fastest from "
+            f"{span[0]:.6g} s to {span[1]:.6g} s); the rest was left out"
+        )
+        findings = [*findings, Finding(f"{file}: time", "warning" if cut > 1.5 * slowest else "note", text, cut)]
+    return wanted, {name: found[name] for name in values}, findings
+
+
+def _slower(
+    instants: Mapping[ColumnTable, Array],
+    values: Mapping[str, Array],
+    homes: Mapping[str, ColumnTable],
+    step: float,
+    file: str,
+) -> list[tuple[Finding, list[str], float]]:
+    """Channels that were recorded at a lower rate than the recording has: what is said of them, and their rate."""
+    found = []
+    for table in dict.fromkeys(homes.values()):
+        names = [name for name in values if homes[name] is table]
+        if len(set(homes.values())) > 1 and step * rate_of(instants[table]) < 1.0 - LARGEST_JITTER:
+            together = np.stack([values[name] for name in names], axis=1)
+            found.append((told(names, instants[table], together, step, file), names, rate_of(instants[table])))
+    return found
 
 
 def _positive(given: float | str | None, where: str, what: str) -> float | None:
@@ -343,10 +461,12 @@ def _locate_channels(
             )
         located[name] = locate(home, spec), home
     used = {(column.name, id(table)) for column, table in located.values()}
-    ignored, empty = [], []
+    ignored, empty, again = [], [], []
     for table in tables:
         for column in table:
             if (column.name, id(table)) in used or column.name in located:
+                if column.name != "time" and located.get(column.name, (column, table))[1] is not table:
+                    again.append(column.label)
                 continue
             if column.name == "time" and (table is not main or (has_step and column.fault is not None)):
                 continue
@@ -383,6 +503,9 @@ def _locate_channels(
         findings.append(Finding(main.file, "note", text))
     if empty:
         text = f"channels without a single number were left out: {', '.join(empty)}; were they connected?"
+        findings.append(Finding(main.file, "warning", text))
+    if again:
+        text = f"channels that are there once more, at other instants, were left out: {', '.join(again)}"
         findings.append(Finding(main.file, "warning", text))
     if signals.left_out or others:
         text = (

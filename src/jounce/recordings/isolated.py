@@ -378,6 +378,7 @@ def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
                         one.file,
                         None if one.fault is None else _plain_error(one.fault),
                         one.written,
+                        None if one.part is None else [kept(one.part[0]), kept(one.part[1])],
                     ]
                     for one in table
                 ],
@@ -403,8 +404,16 @@ def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
     tables = [
         ColumnTable(
             tuple(
-                Column(name, unit, found(values), file, None if fault is None else _error(fault), written)  # type: ignore[arg-type]
-                for name, unit, values, file, fault, written in table["columns"]
+                Column(
+                    name,
+                    unit,
+                    found(values),
+                    file,
+                    None if fault is None else _error(fault),  # type: ignore[arg-type]
+                    written,
+                    None if part is None else (found(part[0]), found(part[1])),
+                )
+                for name, unit, values, file, fault, written, part in table["columns"]
             ),
             tuple(table["comments"]),
             table["file"],
