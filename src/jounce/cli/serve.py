@@ -15,7 +15,7 @@ from jounce.cli.reply import Reply
 
 def serve(
     folder: Annotated[Path, typer.Argument(metavar="DIR", help="The project: a folder of rigs, roads and records.")],
-    port: Annotated[int, typer.Option(help="Port on 127.0.0.1; 0 takes a free one.")] = 0,
+    port: Annotated[int, typer.Option(help="Port on 127.0.0.1; 0 takes the folder's own, or else a free one.")] = 0,
     no_open: Annotated[bool, typer.Option("--no-open", help="Open no browser.")] = False,
     as_json: Annotated[
         bool, typer.Option("--json", help='Print one line {"url": ..., "token": ...} when it answers, and no text.')

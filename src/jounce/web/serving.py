@@ -6,12 +6,14 @@ import contextlib
 import ctypes
 import gc
 import importlib
+import os
 import secrets
 import socket
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from hashlib import sha256
 from pathlib import Path
 
 from jounce.core.errors import DescriptionError, OutputError
@@ -27,7 +29,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     folder : path
         The project: nothing outside it can be read or written from the page.
     port : int
-        On 127.0.0.1; 0 takes a free one.
+        On 127.0.0.1; 0 takes the folder's own, where a browser finds what it kept of it, or else a free one.
     ready : callable
         Hears the address to open, with its token, and the token for scripts, once questions are answered.
 
@@ -51,7 +53,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     from jounce.web.app import create_app
 
     trim = _give_memory_back()
-    listening = _listening(port)
+    listening = _listening(port) if port else _usual(folder)
     number = listening.getsockname()[1]
     token = secrets.token_urlsafe(32)
     address = f"http://127.0.0.1:{number}/?token={token}"
@@ -121,6 +123,19 @@ def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
                 trim()
                 collected = time.process_time()
         before = time.process_time()
+
+
+def usual_port(folder: Path | str) -> int:
+    """Give the port on which a folder is served unless another is asked for: the same every time."""
+    place = os.path.normcase(Path(folder).resolve())
+    return 20_000 + int.from_bytes(sha256(place.encode()).digest()[:4]) % 10_000  # below those that systems hand out
+
+
+def _usual(folder: Path | str) -> socket.socket:
+    try:
+        return _listening(usual_port(folder))
+    except OutputError:  # somebody else has it
+        return _listening(0)
 
 
 def _listening(port: int) -> socket.socket:

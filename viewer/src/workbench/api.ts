@@ -37,6 +37,9 @@ export const query = (values: Record<string, string>) => new URLSearchParams(val
 export const get = async <T>(path: string): Promise<T> => (await asked("GET", path)).json() as Promise<T>;
 
 export const project = () => get<Project>("/api/project");
+let place: Promise<string> | null = null;
+/** The folder that the workbench is opened on, asked for once. */
+export function folder(): Promise<string> { place ??= project().then((found) => found.folder); place.catch(() => { place = null; }); return place; }
 export const library = () => get<{ name: string }[]>("/api/library");
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);

@@ -3,6 +3,9 @@
 import { translate } from "../words";
 
 translate({
+  "Unsaved changes": "Nicht gespeicherte Änderungen", "Unsaved changes of #": "Nicht gespeicherte Änderungen von #", "Restore": "Wieder einsetzen", "Discard": "Verwerfen", "Restored.": "Wieder eingesetzt.", "Discarded.": "Verworfen.",
+  "The file was changed since then: compare before you write it.": "Die Datei wurde seither geändert: vor dem Schreiben vergleichen.",
+  "The changes on this page are not saved, and this browser could not keep them. Leave all the same?": "Die Änderungen auf dieser Seite sind nicht gespeichert, und dieser Browser konnte sie nicht aufbewahren. Trotzdem verlassen?",
   "Project": "Projekt", "Rig": "Fahrwerk", "Trial": "Fahrversuch", "Kinematics": "Kinematik", "Records": "Messungen", "Campaign": "Kampagne", "Studies": "Studien", "Jobs": "Aufträge", "Ride": "Fahrkomfort", "Inspection": "Prüfung",
   "To the content": "Zum Inhalt", "loading …": "lädt …", "Back to the project": "Zurück zum Projekt", "Pages": "Seiten",
   "The server does not answer: start it again with jounce serve.": "Der Server antwortet nicht: mit jounce serve neu starten.",

@@ -10,6 +10,7 @@ import "./work.css";
 import { leave, make, themeButton } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
+import { mayLeave } from "./drafts";
 import { campaign } from "./pages/campaign";
 import { inspection } from "./pages/inspection";
 import { jobs } from "./pages/jobs";
@@ -64,6 +65,12 @@ document.getElementById("pages")!.append(...Object.entries(PAGES).map(([page, { 
 document.querySelector("header")!.append(languageButton(), themeButton());
 document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
 document.querySelector(".skip")!.textContent = tr("To the content");
-addEventListener("hashchange", () => { delete document.documentElement.dataset.ready; void show(); });
+let shown = location.hash;
+addEventListener("hashchange", () => {
+  if (location.hash !== shown && !mayLeave()) { history.replaceState(null, "", shown || address("project")); return; }
+  shown = location.hash;
+  delete document.documentElement.dataset.ready;
+  void show();
+});
 api.project().then(({ name }) => { document.getElementById("project")!.textContent = name; }, () => {});
 void show();

@@ -86,7 +86,7 @@ export class Sliders {
     for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
     choice.addEventListener("change", () => { const one = known.get(choice.value); if (one) this.add(one); choice.value = ""; });
     for (const path of first) { const one = known.get(path); if (one) this.add(one); }
-    for (const [path, value] of Object.entries(given)) { const one = known.get(path); if (one && Number.isFinite(value)) { this.add(one); this.set(path, value); } }
+    for (const [path, value] of Object.entries(given)) if (Number.isFinite(value)) this.take(path, value);
     const back = make("button", { type: "button" }, tr("All as they were"));
     back.addEventListener("click", () => {
       for (const path of Object.keys(this.changes)) delete this.changes[path];
@@ -95,6 +95,9 @@ export class Sliders {
     });
     this.element.append(this.rows, make("div", { class: "bar" }, choice, back));
   }
+
+  /** Takes a number that was changed elsewhere (SI), and shows its slider. */
+  take(path: string, value: number): void { const one = this.known.get(path); if (one) { this.add(one); this.set(path, value); } }
 
   /** Takes a number that was changed elsewhere (SI). */
   set(path: string, value: number): void {

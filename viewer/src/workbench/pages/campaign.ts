@@ -3,9 +3,10 @@
 import { make, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
+import { Drafts, enter, entered } from "../drafts";
 import { accompany, ask, begin, dropZone, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
-import { Reading } from "../reading";
+import { type Fields, Reading } from "../reading";
 import { address, goTo, type Page, type Values } from "../shell";
 import { advised } from "../refusals";
 
@@ -36,7 +37,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
 }
 
 async function showFile(place: HTMLElement, path: string, read: string): Promise<void> {
-  const found = await api.get<Overview>(`/api/campaign?${api.query({ path })}`);
+  const [found, project] = await Promise.all([api.get<Overview>(`/api/campaign?${api.query({ path })}`), api.folder()]);
   const folder = path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "";
   const inside = (name: string) => (folder ? `${folder}/${name}` : name);
   const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
@@ -50,9 +51,18 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   });
   const reader = make("div", {}), come = make("p", { class: "bar", hidden: true }, "measured: ");
   const open = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
-    reader.replaceChildren(entry(path, file, form, given, found, go));
+    opened = entry(path, file, form, given, found, go, (was) => drafts.done({ entry: was }));
+    reader.replaceChildren(opened.element);
+    drafts.changed();
     reader.scrollIntoView({ block: "start" });
   };
+  let opened: Opened | null = null;
+  const drafts = new Drafts<{ entry: Typed | null }>(project, address("campaign", { file: path }), { entry: null }, () => ({ entry: opened?.state() ?? null }), ({ entry: was }) => {
+    if (!was) return;
+    open(was.file, was.form, was.fields);
+    opened!.restore(was);
+  });
+  drafts.hear(reader);
   const link = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
     const button = make("button", { type: "button", "aria-label": tr("look at #", file) }, file.split("/").pop()!);
     button.addEventListener("click", () => open(file, form, given));
@@ -60,7 +70,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   };
   const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
   place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig ${found.rig}`),
-    ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
+    drafts.element, ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
     make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
     make("h2", {}, "Parts"), ...(found.bench.length ? found.bench.map((one) => part(one, found, link)) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
     make("h2", {}, "Trials"), table("trials", ["trial", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
@@ -118,8 +128,12 @@ function estimates(found: Record<string, unknown>): HTMLElement {
   return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...advised(findings, "p"));
 }
 
+/** What was entered of a measured file. */
+interface Typed { file: string; form: "recording" | "force-deflection"; fields: Fields; controls: Record<string, string> }
+interface Opened { element: HTMLElement; state: () => Typed | null; restore: (was: Typed) => void }
+
 /** A measured file: how it is read, and how it goes into the campaign, which is not run meanwhile. */
-function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview, run: HTMLButtonElement): HTMLElement {
+function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview, run: HTMLButtonElement, used: (was: Typed) => void): Opened {
   const place = make("div", {}), told = make("div", { "aria-live": "polite" });
   let reading = new Reading(file, form, given as object);
   const kinds: [string, string][] = [["trial", "a trial"], ["decay", "a free decay"], ["spring", "the spring"], ["tyre", "a tyre at a pressure"]];
@@ -137,18 +151,23 @@ function entry(path: string, file: string, form: "recording" | "force-deflection
   };
   use.addEventListener("change", offer);
   road.addEventListener("change", offer);
-  const enter = make("button", { type: "button", class: "main" }, "Enter it into the campaign");
-  enter.addEventListener("click", () => {
+  const go = make("button", { type: "button", class: "main" }, "Enter it into the campaign");
+  go.addEventListener("click", () => {
     const { columns, variable, sample_time, stroke_positive, force_positive } = reading.fields;
     const how = { columns, variable, stroke_positive, ...(use.value === "decay" ? {} : { force_positive }), ...(reading.form === "recording" ? { sample_time } : {}) };
     const what = use.value === "trial" ? { recording: file, ...(road.value ? { road: road.value, speed: speed.value } : { excitation: { file: support.value, datum: datum.value } }), tyre_pressure: pressure.value, use: goes.value, ...how }
       : { files: [file], replace: replace.checked, ...(use.value === "tyre" ? { pressure: pressure.value } : {}), ...(use.value === "decay" ? {} : { discard_below: discard.value }), ...how };
-    once(run, once(enter, api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }))).then(() => goTo(told, "campaign", { file: path, entered: String(Date.now()) }), (error) => told.replaceChildren(problem(error)));
+    const was = typed();
+    once(run, once(go, api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }))).then(() => { used(was); goTo(told, "campaign", { file: path, entered: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
   });
   place.append(reading.element);
   offer();
   void reading.ask();
-  return make("section", { class: "job" }, make("h3", {}, file), place, make("div", { class: "form" }, field("It is a measurement of", use), fields, enter), told);
+  const controls = { use, road, speed, pressure, support, datum, goes, replace, discard };
+  const typed = (): Typed => ({ file, form: reading.form, fields: reading.fields, controls: entered(controls) });
+  const element = make("section", { class: "job" }, make("h3", {}, file), place, make("div", { class: "form" }, field("It is a measurement of", use), fields, go), told);
+  let first = JSON.stringify(typed());
+  return { element, state: () => { const now = typed(); return JSON.stringify(now) === first ? null : now; }, restore: (was) => { first = ""; enter(controls, was.controls); } };
 }
 
 interface Estimated { initial: number; value: number; standard_error: number | null; interval: [number, number] | null; lower: number; upper: number; at_bound: boolean }

@@ -3,6 +3,7 @@
 import { make, written } from "../../page";
 import { localised, tr } from "../../words";
 import * as api from "../api";
+import { Drafts, enter, entered } from "../drafts";
 import { dropZone, Question, report, type Told, ways } from "../jobs";
 import { field } from "../parts";
 import { Reading } from "../reading";
@@ -11,6 +12,8 @@ import { advised, asSaid } from "../refusals";
 
 export const inspection: Page = { label: "Inspection", show };
 
+type Used = Record<string, string>;
+type Controls = Record<string, HTMLInputElement | HTMLSelectElement>;
 export interface Choices { testers: string[]; methods: string[]; controls: string[]; roads: string[] }
 interface Wheel { wheel: string; axle?: string; static_load: number | null; verdict: string; grade: Record<string, string>; reasons: string[]; uncertainty: Record<string, number>; findings: { severity: string; message: string }[]; [quantity: string]: unknown }
 interface Graded { wheels: Wheel[]; axle?: { axle: string; verdict: string; reasons: string[] }; verdict: string; deciding: string[]; limits: { label: string; source: string }; vehicle: { verdict: string; reasons: string[] }; reasons?: string[]; findings?: { severity: string; message: string }[]; error?: { message: string }; store: { location: string; records: number[] } | null }
@@ -28,13 +31,17 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const store = select(stores), search_ = search(store, choices), noStore = make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.");
   const offered = () => { search_.hidden = !store.options.length; noStore.hidden = !search_.hidden; };
   const stored = (name: string) => { if (name) offer(store, [name]); offered(); }; // what is typed into the search stays
-  const { element, here } = evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored);
+  const { element, here, controls } = evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored, (was) => drafts.done({ evaluate: was }));
+  const test = simulated(rigs, choices, (was) => drafts.done({ simulate: was }));
+  const state = () => ({ evaluate: entered(controls), simulate: entered(test.controls) });
+  const drafts = new Drafts(await api.folder(), address("inspection"), state(), state, (was) => { enter(controls, was.evaluate); enter(test.controls, was.simulate); });
+  for (const one of [element, test.element]) drafts.hear(one);
   offered();
   place.replaceChildren(make("h1", {}, "Inspection"),
     make("p", { class: "muted" }, "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store."),
-    make("h2", {}, "Evaluate a record"), element,
+    drafts.element, make("h2", {}, "Evaluate a record"), element,
     make("h2", {}, "New records"), dropZone(() => "records", "Drop records of a tester here, or choose them; they go to the folder records.", here),
-    make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), simulated(rigs, choices)),
+    make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), test.element),
     make("h2", {}, "Store"), noStore, search_);
 }
 
@@ -47,16 +54,18 @@ function offer(choice: HTMLSelectElement, names: string[]): void {
 }
 
 /** What evaluates a record, and what is called when records come: the first of them is chosen, unless another one was meanwhile. */
-function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void): { element: HTMLElement; here: () => (paths: string[]) => void } {
+function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void, used: (was: Used) => void): { element: HTMLElement; here: () => (paths: string[]) => void; controls: Controls } {
   const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
   const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
   const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(new Date().toISOString().slice(0, 10)), by = text(""), language = make("select", {}, make("option", { value: "en" }, "English"), make("option", { value: "de" }, "Deutsch"));
   const look = make("button", { type: "button" }, "Look at the record"), looked = make("div", {});
   look.addEventListener("click", () => { const reading = new Reading(record.value, "recording"); looked.replaceChildren(reading.element); void reading.ask(); });
-  const question = new Question("Evaluate and grade", () => ({
+  const controls = { record, other, tester, vehicle, method, plate, date, by, language, store };
+  let was: Used = {};
+  const question = new Question("Evaluate and grade", () => (was = entered(controls), {
     kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
     store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
-  }), (told: Told<Graded>, asked) => { if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol"), ways(told)]; });
+  }), (told: Told<Graded>, asked) => { used(was); if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol"), ways(told)]; });
   const none = make("p", { class: "empty", hidden: !!records.length }, "No record lies here yet.");
   const whole = make("section", { hidden: !records.length }, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
     make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
@@ -69,7 +78,7 @@ function evaluation(records: string[], rigs: string[], choices: Choices, stores:
       none.hidden = true;
     };
   };
-  return { element: make("div", {}, none, whole), here };
+  return { element: make("div", {}, none, whole), here, controls };
 }
 
 /** Verdicts first, then what was measured of every wheel, and why it is graded so. */
@@ -100,12 +109,14 @@ function graded(found: Graded): HTMLElement[] {
   return shown;
 }
 
-function simulated(rigs: string[], choices: Choices): HTMLElement {
+function simulated(rigs: string[], choices: Choices, used: (was: Used) => void): { element: HTMLElement; controls: Controls } {
   const rig = select(rigs, rigs.find((one) => one === "audi-a6-half-car-4dof")), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea")));
   const wear = make("input", { type: "text", value: "", placeholder: "0.4" }), wheel = select(["both", "left", "right"], "both"), out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
-  const question = new Question("Simulate the test", () => ({ kind: "test", vehicle: rig.value, tester: tester.value, wear: wear.value, wheel: wheel.value, out: out.value }),
-    (told, asked) => [make("p", { class: "good" }, `${asked.out} was written. `, make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it")), ways(told)]);
-  return make("section", {}, make("div", { class: "form" }, field("Rig or vehicle", rig), field("Tester", tester), field("Loss of damping", wear), field("Wheel", wheel), field("Record", out), question.button), question.place);
+  const controls = { rig, tester, wear, wheel, out };
+  let was: Used = {};
+  const question = new Question("Simulate the test", () => (was = entered(controls), { kind: "test", vehicle: rig.value, tester: tester.value, wear: wear.value, wheel: wheel.value, out: out.value }),
+    (told, asked) => (used(was), [make("p", { class: "good" }, `${asked.out} was written. `, make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it")), ways(told)]));
+  return { controls, element: make("section", {}, make("div", { class: "form" }, field("Rig or vehicle", rig), field("Tester", tester), field("Loss of damping", wear), field("Wheel", wheel), field("Record", out), question.button), question.place) };
 }
 
 interface Stored { number: number; date: string; plate: string; vehicle: string; axle: string; tester: string; name: string; verdict: string | null }

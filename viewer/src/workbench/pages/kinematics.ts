@@ -6,6 +6,7 @@ import { make, toggle, whenColoursChange, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { designing, type Target } from "../designing";
+import { Drafts } from "../drafts";
 import { type Band, Multiples } from "../multiples";
 import { field, Newest, once, problem, Sliders, Ways } from "../parts";
 import { Points } from "../points";
@@ -53,7 +54,8 @@ class Drive {
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
   if (!name) { await choose(place, "kinematics", tr("Kinematics"), "rig", true); return; }
-  const [rig, { entries }, shipped] = await Promise.all([api.rig(name), api.project(), api.library()]), isOwn = name.endsWith(".toml"), earlier = isOwn ? await api.versions(name) : [];
+  const [rig, { entries }, shipped] = await Promise.all([api.rig(name), api.project(), api.library()]), isOwn = name.endsWith(".toml");
+  const [earlier, digest, folder] = await Promise.all([isOwn ? api.versions(name) : [], isOwn ? api.file(name).then((file) => file.digest) : "", api.folder()]);
   if (!place.isConnected) return;
   const before = kept?.rig === name ? kept : null;
   kept = null;
@@ -109,7 +111,15 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   let quantities: { name: string; unit: string }[] = [];
   const wanted = new Targets(targets, () => quantities, () => over.value as Over, () => void ask());
 
-  const ask = () => newest.ask(async () => {
+  const drafts = new Drafts<{ changes: Record<string, number>; targets: Target[] }>(folder, address("kinematics", { rig: name }), { changes: {}, targets: [] }, () => ({ changes: sliders.changes, targets }), (was) => {
+    for (const [path, value] of Object.entries(was.changes)) sliders.take(path, value);
+    dragged.set(moved());
+    targets.splice(0, targets.length, ...was.targets);
+    wanted.list();
+    return ask();
+  }, () => digest);
+  const ask = () => { drafts.changed(); return asked(); };
+  const asked = () => newest.ask(async () => {
     if (!place.isConnected) return;
     const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
     const waiting = setTimeout(() => { state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
@@ -160,6 +170,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         if (!place.isConnected) return;
         const inFile = new Map(rig.numbers.map(({ path, value }) => [path, changes[path] ?? value])), later = moved().filter(({ path, value }) => value !== inFile.get(path));
         kept = { rig: name, said: tr("The changes stand in the file; what it was before is an earlier version."), targets, changes: Object.fromEntries(later.map(({ path, value }) => [path, value])) };
+        drafts.drop(); // the page that comes has it all
         dispatchEvent(new HashChangeEvent("hashchange"));
       } catch (error) { written_.replaceChildren(problem(error)); }
     })());
@@ -167,7 +178,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const design = isOwn ? designing(name, rig, targets, sliders, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); dragged.set(moved()); void ask(); }) : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
   whenColoursChange(() => view.repaint());
   arrange();
-  place.replaceChildren(make("h1", {}, tr("Kinematics of #", name)), ...(isOwn ? [make("p", { class: "bar" }, make("a", { href: address("rig", { name }) }, tr("To its file")))] : []),
+  place.replaceChildren(make("h1", {}, tr("Kinematics of #", name)), ...(isOwn ? [make("p", { class: "bar" }, make("a", { href: address("rig", { name }) }, tr("To its file")))] : []), drafts.element,
     make("div", { class: "form" }, field(tr("Curves over"), over), field(tr("Compare with"), against), field(tr("Targets of a study"), chosen), field(tr("Show curves with"), filter)),
     make("div", { class: "sliders drives" }, ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map((one) => drives[one].element)),
     state, notes,
@@ -216,7 +227,7 @@ class Targets {
     if (names.includes(before)) this.quantity.value = before;
     this.adds.disabled = !names.length;
   }
-  private list(): void {
+  list(): void {
     this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, quantity(one.quantity)),
       make("td", {}, one.value !== undefined ? `= ${one.value} ± ${one.tolerance}` : one.at_least !== undefined ? `≥ ${one.at_least} − ${one.tolerance}` : `≤ ${one.at_most} + ${one.tolerance}`), make("td", {}, `${one.over ?? one.at ?? tr("at design")}${one.along ? ` (${tr("rack travel")})` : ""}`),
       make("td", {}, make("button", { type: "button", "aria-label": tr("Take # away", one.quantity), click: () => { this.targets.splice(i, 1); this.list(); this.changed(); } }, "×"))))

@@ -5,6 +5,7 @@ import { make, written } from "../../page";
 import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
+import { discard, draftsOf, type Lying, moment as told } from "../drafts";
 import { field, once, problem, ways } from "../parts";
 import { address, goTo, type Page } from "../shell";
 import { inWords } from "../quantities";
@@ -13,6 +14,8 @@ export const project: Page = { label: "Project", show };
 
 interface Kept { path: string; rig: string; changes: Record<string, number | string>; trial: { road: Record<string, string>; speed: string; duration: string }; seed: number | null; version: string; rig_digest: string; trial_digest: string; when: number }
 
+/** What pages are called on which something is entered. */
+const LABELS: Record<string, string> = { rig: "Rig", kinematics: "Kinematics", campaign: "Campaign", ride: "Ride and control", inspection: "Inspection", studies: "Studies" };
 /** Where a file of a kind opens, and in which words. */
 const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   rig: [["rig", "name", "edit"], ["trial", "rig", "drive it"], ["kinematics", "rig", "kinematics"]],
@@ -45,11 +48,23 @@ async function show(place: HTMLElement): Promise<void> {
     once(copy, api.start(choice.value, target.value)).then((made) => goTo(place, "rig", { name: made.path }), (error) => told.replaceChildren(problem(error)));
   });
   place.replaceChildren(
-    make("h1", {}, name), make("p", { class: "muted" }, folder), next(entries, kept),
+    make("h1", {}, name), make("p", { class: "muted" }, folder), unsaved(draftsOf(folder)), next(entries, kept),
     entries.length
       ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written (UTC)"), tr("to do")].map((text, k) => make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text)))), make("tbody", {}, ...rows)))
       : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
     make("h2", {}, tr("Start from an example")), form, told, ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []));
+}
+
+/** What was entered on other pages and not saved. */
+function unsaved(drafts: Lying[]): HTMLElement {
+  const section = make("section", { class: "drafts", hidden: !drafts.length, tabindex: "-1", "aria-label": tr("Unsaved changes") });
+  section.append(make("h2", {}, tr("Unsaved changes")), make("ul", {}, ...drafts.map(({ key, page, at }) => {
+    const [name = "", values] = page.replace(/^#\//, "").split("?"), file = [...new URLSearchParams(values).values()][0] ?? "", words = [tr(LABELS[name] ?? name), file].filter(Boolean).join(": ");
+    const away = make("button", { type: "button", "aria-label": `${tr("Discard")}: ${words}` }, tr("Discard")), row = make("li", {}, make("a", { href: page }, words), `, ${told(at)} `, away);
+    away.addEventListener("click", () => { discard(key); row.remove(); section.focus(); section.hidden = !section.querySelector("li"); });
+    return row;
+  })));
+  return section;
 }
 
 /** What there is to do with what lies here. */

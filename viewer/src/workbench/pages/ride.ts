@@ -5,6 +5,7 @@ import { make, written } from "../../page";
 import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
+import { Drafts, enter, entered } from "../drafts";
 import { accompany, begin, follow, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
 import { address, goTo, type Page, type Values, VEHICLES } from "../shell";
@@ -44,17 +45,26 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const chosen = [...controls.querySelectorAll<HTMLInputElement>("input:checked")].map((one) => one.value);
+    const was = driven();
     once(go, begin({ kind: "compare", vehicle: vehicle.value, road: road.value, speed: speed.value, duration: duration.value, seed: Number(seed.value), control: chosen.length ? chosen : ["passive"], changes }))
-      .then((job) => goTo(place, "ride", { job: job.id }), (error) => said.replaceChildren(problem(error)));
+      .then((job) => { drafts?.done({ drive: was }); goTo(place, "ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
   });
   const changed = Object.entries(changes);
   form.append(make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Duration", duration), field("Seed", seed)),
     ...(changed.length ? [make("p", { class: "muted" }, `changed (SI): ${changed.map(([path, value]) => `${path} = ${written(Number(value), 5)}`).join(", ")} `, make("a", { href: address("ride", { vehicle: vehicle.value }) }, "as it is"))] : []), controls, make("div", { class: "bar" }, go), said);
+  const boxes = [...controls.querySelectorAll("input")], driving = { vehicle, road, speed, duration, seed, ...Object.fromEntries(boxes.map((one) => [`control ${one.value}`, one])) };
+  const driven = () => entered(driving), search = pareto(rigs, roads, (was) => drafts?.done({ search: was })), offers = make("div", {});
+  let drafts: Drafts<{ drive: Record<string, string>; search: Searched }> | null = null;
   place.replaceChildren(make("h1", {}, "Ride and control"),
-    make("p", { class: "muted" }, "A vehicle over a rough road, passive and with controllers: comfort beside travel and road holding, in numbers, over time and as spectra."), form,
-    make("h2", {}, "Best designs"), pareto(rigs, roads),
+    make("p", { class: "muted" }, "A vehicle over a rough road, passive and with controllers: comfort beside travel and road holding, in numbers, over time and as spectra."), offers, form,
+    make("h2", {}, "Best designs"), search.element,
     make("h2", {}, "Rides and fronts"), jobList(["compare", "pareto"], (one) => { location.hash = address("ride", { job: one.id }); }, "Nothing was driven here yet."),
     make("h2", {}, "Rides over each other"), overlay());
+  const [folder] = await Promise.all([api.folder(), search.loaded]), state = () => ({ drive: driven(), search: search.state() });
+  if (!place.isConnected) return;
+  drafts = new Drafts(folder, address("ride", Object.fromEntries(values)), state(), state, async (was) => { enter(driving, was.drive); await search.restore(was.search); });
+  for (const one of [form, search.element]) drafts.hear(one);
+  offers.replaceChildren(drafts.element);
 }
 
 /** Rides of any jobs that are done, up to six of any vehicles, over each other: over time, and as spectra. */
@@ -97,7 +107,9 @@ function overlay(): HTMLElement {
   return section;
 }
 
-function pareto(rigs: string[], roads: string[]): HTMLElement {
+interface Searched { form: Record<string, string>; rows: string[][] }
+
+function pareto(rigs: string[], roads: string[], begun: (was: Searched) => void): { element: HTMLElement; loaded: Promise<void>; state: () => Searched; restore: (was: Searched) => Promise<void> } {
   const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
   const vehicle = select(rigs, "audi-a6-quarter-car"), road = select(roads.filter((one) => one.startsWith("iso:")), "iso:C"), speed = text("20 m/s"), points = make("input", { type: "number", min: "2", max: "200", value: "12" });
   const rows = make("div", {}), paths = make("datalist", { id: "paths-that-are-free" }), said = make("div", { "aria-live": "polite" });
@@ -123,16 +135,24 @@ function pareto(rigs: string[], roads: string[]): HTMLElement {
       more.disabled = go.disabled = false;
     } catch (error) { if (vehicle.value === name) said.replaceChildren(problem(error)); }
   };
-  vehicle.addEventListener("change", () => void load());
+  let loaded = load();
+  vehicle.addEventListener("change", () => { loaded = load(); });
   more.addEventListener("click", () => add());
   go.addEventListener("click", () => {
     const free = Object.fromEntries([...rows.children].map((row) => [...row.querySelectorAll("input")].map((one) => one.value.trim()) as [string, string]).filter(([path]) => path));
+    const was = state();
     once(go, begin({ kind: "pareto", vehicle: vehicle.value, road: road.value, speed: speed.value, free, points: Number(points.value), limit: limit.value ? { "strut.deflection": limit.value } : {} }))
-      .then((job) => goTo(said, "ride", { job: job.id }), (error) => said.replaceChildren(problem(error)));
+      .then((job) => { begun(was); goTo(said, "ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
   });
-  void load();
-  return make("section", {}, make("p", { class: "muted" }, "From the most comfortable design to the one that holds the road best; each of them opens as a ride."),
-    make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Designs", points), field("Most travel r.m.s., if any", limit)), rows, paths, make("div", { class: "bar" }, more, go), said);
+  const controls = { vehicle, road, speed, points, limit }, state = () => ({ form: entered(controls), rows: [...rows.children].map((row) => [...row.querySelectorAll("input")].map((one) => one.value)) });
+  const restore = async (was: Searched) => {
+    enter(controls, was.form);
+    await loaded;
+    rows.replaceChildren();
+    for (const [path, within] of was.rows) { add(path); rows.lastElementChild!.querySelectorAll("input")[1]!.value = within ?? ""; }
+  };
+  return { loaded, state, restore, element: make("section", {}, make("p", { class: "muted" }, "From the most comfortable design to the one that holds the road best; each of them opens as a ride."),
+    make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Designs", points), field("Most travel r.m.s., if any", limit)), rows, paths, make("div", { class: "bar" }, more, go), said) };
 }
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {

@@ -5,8 +5,9 @@ import { MechanismView } from "../../mechanism";
 import { make, whenColoursChange } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
+import { Drafts, draftsOf, moment, stateOf } from "../drafts";
 import { Form, type Key, type Value } from "../form";
-import { InTurn, Newest, problem } from "../parts";
+import { copied, InTurn, Newest, problem } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, type Values, VEHICLES } from "../shell";
 import { asSaid } from "../refusals";
@@ -16,7 +17,13 @@ export const rig: Page = { label: "Rig", show };
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("name");
   if (!name) { await choose(place, "rig", tr("Rig"), "name", false, VEHICLES); return; }
-  let saved = await api.file(name);
+  const folder = await api.folder(), own = address("rig", { name });
+  let saved: api.Text;
+  try { saved = await api.file(name); } catch (error) { // what was typed for a file that is gone can still be had
+    place.replaceChildren(make("h1", {}, name), problem(error), ...draftsOf(folder).filter((one) => one.page === own).map(({ key, at }) => copied(tr("Unsaved changes of #", moment(at)), (stateOf(key) as { text: string }).text)),
+      make("p", {}, make("a", { href: address("project") }, tr("Back to the project"))));
+    return;
+  }
   if (!place.isConnected) return;
   let state: api.Form | null = null, isOld = false, said: HTMLElement | null = null;
   const past: string[] = [], future: string[] = [];
@@ -33,7 +40,15 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const points = new Points(view, (changes, done) => { if (done) void edit({ changes }); else void draw(changes); });
   const picture = make("section", { hidden: true, "aria-label": tr("The mechanism") }, make("h2", {}, tr("The mechanism")), make("p", { class: "muted" }, tr("Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.")), points.element, stage);
 
+  const drafts = new Drafts(folder, own, { text: held(saved.text) }, () => ({ text: text.value }), ({ text: to }) => inTurn(async () => {
+    step(text.value);
+    text.value = to;
+    buttons();
+    const found = await api.form(name, to, [], {});
+    if (text.value === to) take(found);
+  }), () => saved.digest, () => edits.waiting > 0 || form.isTyped);
   const buttons = () => {
+    drafts.changed();
     const waits = edits.waiting > 0 || text.value !== shown;
     save.disabled = text.value === held(saved.text);
     undo.disabled = !past.length && !waits;
@@ -125,6 +140,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     if (text.value !== now) { await review(); return; } // what is written has been seen
     try {
       saved = await api.save(name, now, saved.digest);
+      drafts.done({ text: now });
       reviewed = null;
       difference.replaceChildren();
       said = make("p", { class: "good" }, tr("Saved."));
@@ -135,6 +151,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         try {
           const found = await api.file(name), its = await api.form(name, held(found.text), [], {});
           saved = found;
+          drafts.done({ text: held(found.text) });
           step(text.value);
           take(its);
         } catch (error) { difference.prepend(problem(error)); }
@@ -146,7 +163,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   whenColoursChange(() => { view.repaint(); });
   place.replaceChildren(make("h1", {}, name),
     make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), make("a", { href: address("kinematics", { rig: name }) }, tr("Look at its kinematics"))),
-    told, make("div", { class: "bar" }, save, undo, redo), difference, unseen, picture,
+    drafts.element, told, make("div", { class: "bar" }, save, undo, redo), difference, unseen, picture,
     make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)));
   await edit({});
   await drawing;

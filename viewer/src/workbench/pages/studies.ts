@@ -3,6 +3,7 @@
 import { make, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
+import { Drafts, enter, entered } from "../drafts";
 import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem } from "../parts";
@@ -108,7 +109,8 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       buttons();
     } catch (error) { if (rig.value === name) told.replaceChildren(problem(error)); }
   };
-  rig.addEventListener("change", () => void load());
+  let loading = Promise.resolve();
+  rig.addEventListener("change", () => { loading = load(); });
   design.addEventListener("change", () => { count.disabled = !DESIGNS[design.value]![1]; });
   const spread = (row: HTMLTableRowElement): unknown => {
     const kind = row.querySelector("select")!.value;
@@ -121,7 +123,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   };
   let digest = "", written_ = "";
   const make_ = async () => {
-    const path = name.value, sizesOf = Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one.value]));
+    const was = state(), path = name.value, sizesOf = Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one.value]));
     const made = await (await api.asked("POST", "/api/study", {
       path, was: written_ === path ? digest : "", rig: rig.value,
       trial: { speed: speed.value, duration: duration.value, road: road.value === "iso" ? `iso:${sizesOf.class}` : { kind: road.value, start: "0.2 m", ...sizesOf } },
@@ -131,6 +133,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     })).json() as { digest: string; count: number; path: string };
     digest = made.digest;
     written_ = path;
+    drafts.done(was);
     return made;
   };
   const form = make("form", {});
@@ -153,6 +156,26 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     make("div", { class: "form" }, field("File of the study", name), field("Folder of the results", out), save, go), told);
   offerRoad();
   await load();
+  const controls = { rig, road, speed, duration, design, count, seed, metrics, name, out };
+  const sized = () => Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one]));
+  const state = () => ({
+    form: entered(controls), sizes: entered(sized()),
+    rows: [...rows.rows].map((row) => [row.querySelector("input")!.value, row.querySelector("select")!.value, ...[...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => one.value)]),
+  });
+  const drafts = new Drafts(await api.folder(), address("studies"), state(), state, async (was) => {
+    enter({ rig }, was.form); // its numbers come first
+    await loading;
+    enter(controls, { ...was.form, rig: rig.value });
+    await loading;
+    enter(sized(), was.sizes);
+    rows.replaceChildren();
+    for (const [path, spread, ...texts] of was.rows) {
+      add(path, spread);
+      rows.lastElementChild!.querySelectorAll<HTMLInputElement>("input[data-word]").forEach((one, k) => { one.value = texts[k] ?? one.value; });
+    }
+  });
+  drafts.hear(form);
+  form.prepend(drafts.element);
   return form;
 }
 

@@ -1,0 +1,214 @@
+"""What was entered and not saved: kept however its page is left, offered again, and written over no file by itself."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import jounce as jn
+from jounce.web.serving import usual_port
+
+TOKEN = "a-token-of-drafts"
+LIBRARY = Path(jn.__file__).parent / "parts" / "library"
+RIG, CORNER = "kart-quarter-car.toml", "kart-double-wishbone.toml"
+FULL = """const own = Storage.prototype.setItem;
+Storage.prototype.setItem = function (key, value) {
+  if (key.startsWith('jounce-draft')) throw new Error('full');
+  own.call(this, key, value);
+};"""
+pages = pytest.mark.pages
+
+
+@pytest.fixture(scope="module")
+def project(workbench: tuple[Path, int]) -> tuple[Path, str]:
+    folder, port = workbench
+    for name in (RIG, CORNER):
+        shutil.copy(LIBRARY / name, folder / name)
+    (folder / "one.csv").write_text("time [s], sprung.z [mm]\n" + "".join(f"{0.01 * i}, {i % 7}\n" for i in range(50)))
+    return folder, f"http://127.0.0.1:{port}/"
+
+
+@pytest.fixture
+def page(browser: Any, project: tuple[Path, str]) -> Iterator[Any]:
+    """A page of a browser that remembers nothing yet."""
+    context, troubles = browser.new_context(viewport={"width": 1280, "height": 720}), []  # type: Any, list[str]
+    context.set_default_timeout(60_000)
+    made = context.new_page()
+    made.on("pageerror", lambda error: troubles.append(str(error)))
+    made.goto(f"{project[1]}?token={TOKEN}")
+    made.wait_for_selector("html[data-ready=project]")
+    yield made
+    context.close()
+    assert troubles == []
+
+
+def show(page: Any, base: str, address: str) -> None:
+    page.goto(f"{base}#/{address}")
+    page.wait_for_selector(f"html[data-ready={address.partition('?')[0]}]")
+
+
+def until(page: Any, happens: Callable[[], object]) -> None:
+    """Wait until something is so; the page goes on meanwhile."""
+    assert any(happens() or page.wait_for_timeout(20) for _ in range(3000))
+
+
+def offers(page: Any) -> Any:
+    return page.get_by_role("region", name="Unsaved changes")
+
+
+def to_project(page: Any) -> None:
+    page.get_by_role("navigation").get_by_role("link", name="Project").click()
+    page.wait_for_selector("html[data-ready=project]")
+
+
+@pages
+def test_a_text_that_was_left_is_offered_restored_undone_and_discarded(page: Any, project: tuple[Path, str]) -> None:
+    folder, base = project
+    saved = (folder / RIG).read_text()
+    show(page, base, f"rig?name={RIG}")
+    text = page.get_by_label(f"text of {RIG}")
+    assert not offers(page).is_visible()
+    text.press("Control+Home")
+    page.keyboard.type("# mine\n")
+    to_project(page)  # at once: nothing waits for the end of the typing
+    offers(page).get_by_role("link", name=RIG).click()
+    page.wait_for_selector("html[data-ready=rig]")
+    assert text.input_value() == saved
+    offers(page).get_by_role("button", name="Restore").click()
+    page.get_by_text("Restored.").wait_for()
+    assert text.input_value() == f"# mine\n{saved}"
+    assert page.evaluate("document.activeElement.className") == "drafts"  # the keyboard goes on from there
+    page.get_by_role("button", name="Undo").click()
+    page.get_by_role("button", name="Save").and_(page.locator(":disabled")).wait_for()
+    assert text.input_value() == saved
+    page.get_by_role("button", name="Redo").click()
+    page.get_by_role("button", name="Save").and_(page.locator(":enabled")).wait_for()
+    page.go_back()
+    page.wait_for_selector("html[data-ready=project]")
+    page.go_forward()
+    page.wait_for_selector("html[data-ready=rig]")
+    offers(page).get_by_role("button", name="Discard").click()
+    page.get_by_text("Discarded.").wait_for()
+    page.reload()
+    page.wait_for_selector("html[data-ready=rig]")
+    assert not offers(page).is_visible()
+    assert (folder / RIG).read_text() == saved
+
+
+@pages
+def test_a_tab_that_was_closed_says_that_its_file_was_changed_since(page: Any, project: tuple[Path, str]) -> None:
+    folder, base = project
+    show(page, base, f"rig?name={CORNER}")
+    page.get_by_label(f"text of {CORNER}").press("Control+Home")
+    page.keyboard.type("# mine\n")
+    context = page.context
+    page.close(run_before_unload=True)  # nobody is asked: it is kept
+    changed = f"# theirs\n{(LIBRARY / CORNER).read_text()}"
+    (folder / CORNER).write_text(changed)
+    page = context.new_page()
+    show(page, base, f"rig?name={CORNER}")
+    page.get_by_text("The file was changed since then").wait_for()
+    offers(page).get_by_role("button", name="Restore").click()
+    page.get_by_text("Restored.").wait_for()
+    page.get_by_role("button", name="Save").click()
+    difference = page.get_by_role("region", name="What is changed")
+    assert {"-# theirs", "+# mine"} <= set(difference.inner_text().splitlines())
+    assert (folder / CORNER).read_text() == changed
+    (folder / CORNER).unlink()
+    page.reload()
+    assert page.locator("pre").inner_text().startswith("# mine")  # to be copied, where its file is gone
+    shutil.copy(LIBRARY / CORNER, folder / CORNER)
+
+
+@pages
+def test_only_what_a_browser_cannot_keep_is_asked_about(page: Any, project: tuple[Path, str]) -> None:
+    _, base = project
+    page.add_init_script(FULL)
+    page.reload()
+    show(page, base, f"rig?name={RIG}")
+    text, asked = page.get_by_label(f"text of {RIG}"), []  # type: Any, list[str]
+
+    def dismiss(dialog: Any) -> None:
+        asked.append(dialog.type)
+        dialog.dismiss()
+
+    page.on("dialog", dismiss)
+    text.press("Control+Home")
+    page.keyboard.type("# mine\n")
+    page.get_by_role("navigation").get_by_role("link", name="Project").click()
+    until(page, lambda: asked == ["confirm"] and page.url.endswith(RIG))
+    assert text.input_value().startswith("# mine")
+    page.evaluate("setTimeout(() => location.reload())")
+    until(page, lambda: asked == ["confirm", "beforeunload"])
+    assert text.input_value().startswith("# mine")
+
+
+@pages
+def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path, str]) -> None:
+    _, base = project
+
+    def again(address: str) -> None:
+        to_project(page)
+        show(page, base, address)
+        offers(page).get_by_role("button", name="Restore").click()
+        page.get_by_text("Restored.").wait_for()
+
+    show(page, base, "studies")
+    page.get_by_label("Rig").select_option(RIG)
+    page.get_by_label("Count").fill("33")
+    page.get_by_label("tyre.stiffness, share").wait_for()
+    page.get_by_role("button", name="leave out tyre.stiffness").click()
+    page.get_by_role("button", name="Another number").click()
+    page.get_by_label("number that varies").last.fill("sprung.mass")
+    page.get_by_label("number that varies").last.press("Tab")
+    page.get_by_label("how it is spread").last.select_option("range")
+    page.get_by_label("sprung.mass, to").fill("18 kg")
+    again("studies")
+    assert page.get_by_label("Rig").input_value() == RIG
+    assert page.get_by_label("Count").input_value() == "33"
+    assert page.get_by_label("sprung.mass, to").input_value() == "18 kg"
+    assert not page.get_by_label("tyre.stiffness, share").is_visible()
+    page.get_by_role("button", name="Write the study").click()
+    page.get_by_text("study.toml: 33 variants").wait_for()
+    to_project(page)
+    assert not offers(page).is_visible()  # it is written
+
+    show(page, base, "ride")
+    page.get_by_label("Seed").fill("7")
+    page.get_by_label("passive").uncheck()
+    page.get_by_label("its bounds").fill("1..2 kN*s/m")
+    again("ride")
+    assert page.get_by_label("Seed").input_value() == "7"
+    assert not page.get_by_label("passive").is_checked()
+    assert page.get_by_label("its bounds").input_value() == "1..2 kN*s/m"
+
+    show(page, base, "inspection")
+    page.get_by_label("Number plate").first.fill("B-AB 77")
+    again("inspection")
+    assert page.get_by_label("Number plate").first.input_value() == "B-AB 77"
+
+    show(page, base, "campaign")
+    page.get_by_label("Folder").fill("mine")
+    page.get_by_role("button", name="Start from it").click()
+    page.get_by_role("heading", name="My bench campaign").wait_for()
+    show(page, base, "campaign?file=mine/campaign.toml&read=one.csv")
+    page.get_by_label("what sprung.z is read as").fill("unsprung.z")
+    page.get_by_label("what sprung.z is read as").press("Tab")
+    page.get_by_label("Tyre pressure").fill("0.3 MPa")
+    again("campaign?file=mine/campaign.toml")
+    assert page.get_by_label("what sprung.z is read as").input_value() == "unsprung.z"
+    assert page.get_by_label("Tyre pressure").input_value() == "0.3 MPa"
+    again("campaign?file=mine/campaign.toml")  # it is not saved by being restored
+    assert page.get_by_label("what sprung.z is read as").input_value() == "unsprung.z"
+
+
+def test_a_server_comes_back_where_the_browser_knows_it(tmp_path: Path) -> None:
+    """What a browser keeps, it keeps for an address with its port."""
+    ports = {usual_port(tmp_path / str(i)) for i in range(50)}
+    assert usual_port(tmp_path / "1") == usual_port(tmp_path / "x" / ".." / "1")
+    assert len(ports) > 45
+    assert 20_000 <= min(ports) <= max(ports) < 30_000
