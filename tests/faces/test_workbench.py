@@ -24,6 +24,7 @@ import jounce as jn
 from jounce.cli import main
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.remembered import Recent
+from jounce.variants.shards import SCHEMA
 from jounce.web import serve, serving
 from jounce.web.project import Project
 from jounce.web.safety import HEADERS
@@ -618,6 +619,30 @@ def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):
     found = {entry.path: entry.kind for entry in Project(tmp_path).entries()}
     described = {"rig.toml": "rig", "road.toml": "road", "run.csv": "record"}
     assert found == {**described, "out/results.json": "results", "out/report.html": "page"}
+
+
+def test_what_a_sweep_wrote_is_one_entry_with_how_far_it_is(tmp_path):
+    for name, suffix, shards in (("swept", "nc", 3), ("swept.zarr", "json", 2)):
+        folder = tmp_path / name
+        (folder / "shards").mkdir(parents=True)
+        about = {"schema": SCHEMA, "count": 50, "shard": 20, "study": {}, "format": folder.suffix[1:] or "netcdf"}
+        (folder / "sweep.json").write_text(json.dumps(about))
+        (folder / "report.html").write_text("")
+        (folder / "study.toml").write_text('schema = "jounce.sweep/1"')
+        (folder / "sprung.az").mkdir()
+        (folder / "sprung.az" / ".zarray").write_text("{}")
+        (folder / "sprung.az" / "a.csv").write_text("t,x")  # in an array of a group: nobody's file
+        for i in range(shards):
+            (folder / "shards" / f"{i:06d}.{'0' * 32}.{suffix}").write_text("12345")
+    (tmp_path / "swept" / "mine").mkdir()
+    (tmp_path / "swept" / "mine" / "run.csv").write_text("t,x")
+    found = {one.path: one for one in Project(tmp_path).entries()}
+    assert {path: one.kind for path, one in found.items()} == {
+        "swept": "swept", "swept/report.html": "page", "swept/mine/run.csv": "record",
+        "swept.zarr": "swept", "swept.zarr/report.html": "page",
+    }  # fmt: skip
+    assert [(found[name].finished, found[name].count) for name in ("swept", "swept.zarr")] == [(3, 3), (2, 3)]
+    assert found["swept"].size == sum(one.stat().st_size for one in (tmp_path / "swept").rglob("*") if one.is_file())
 
 
 def test_the_command_prints_one_line_and_ends_when_it_is_told(tmp_path):

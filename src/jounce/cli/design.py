@@ -608,10 +608,16 @@ def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisati
     header = ("parameter", "unit", "start", "best", "lower bound", "upper bound", "objective within 1 %")
     console.print(table(f"Best parameters of {plain['rig']}: {found.driven}", header, rows, text=(0, 1, 6)))
     changed = [
-        (name, found.before[name], found.after[name], 100.0 * (found.after[name] / found.before[name] - 1.0))
+        (
+            name,
+            found.units[name],
+            found.before[name],
+            found.after[name],
+            100.0 * (found.after[name] / found.before[name] - 1.0),
+        )
         for name in found.objective
     ]
-    console.print(table("Objective (SI)", ("metric", "start", "best", "change %"), changed))
+    console.print(table("Objective (SI)", ("metric", "unit", "start", "best", "change %"), changed, text=(0, 1)))
     if found.constraints:
         limits = []
         for one in found.constraints:

@@ -357,6 +357,8 @@ class Optimisation(Plain):
         Objective over that of the start (1): weighted mean of the squared metrics, each relative to its start.
     before, after : dict
         Metric to its value, SI.
+    units : dict
+        Metric to its SI unit.
     constraints : tuple of DesignConstraint
         Every limit.
     converged : bool
@@ -380,6 +382,7 @@ class Optimisation(Plain):
     value: float
     before: dict[str, float]
     after: dict[str, float]
+    units: dict[str, str]
     constraints: tuple[DesignConstraint, ...]
     converged: bool
     iterations: int
@@ -395,7 +398,7 @@ class Optimisation(Plain):
             rows.append([item.path, f"{item.start:.5g}", f"{item.value:.5g}", item.unit, at])
         for name in self.objective:
             change = f"{100.0 * (self.after[name] / self.before[name] - 1.0):+.1f} %"
-            rows.append([name, f"{self.before[name]:.5g}", f"{self.after[name]:.5g}", "", change])
+            rows.append([name, f"{self.before[name]:.5g}", f"{self.after[name]:.5g}", self.units[name], change])
         for limit in self.constraints:
             active = "at its limit" if limit.is_active else ""
             words = limit.channel if limit.channel.endswith(limit.name) else f"{limit.name}, {limit.channel}"
@@ -558,8 +561,9 @@ def outcome(problem: DesignProblem, found: Search) -> Optimisation:
     if isinstance(problem.evaluator, StationaryEvaluator):
         findings += _linear(problem, best)
     before, after = ({text: problem.whole(text, at)[0] for text in problem.metrics} for at in (problem.start, values))
+    units = {text: one.unit for text, one in problem.metrics.items()}
     return Optimisation(
-        best, numbers, problem.weights, value, before, after, constraints, conditions.holds or found.settled,
+        best, numbers, problem.weights, value, before, after, units, constraints, conditions.holds or found.settled,
         found.iterations, problem.evaluations, "exact" if problem.evaluator.is_exact else "differences",
         driven_over(problem), tuple(findings),
     )  # fmt: skip

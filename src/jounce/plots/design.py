@@ -299,7 +299,9 @@ _Row = tuple[str, float, float, "DesignConstraint | None", str]
 
 def _rows(result: Optimisation) -> list[_Row]:
     """Name, value before and after, limit and unit of each bar: objective first, then limited channels."""
-    found: list[_Row] = [(name, result.before[name], result.after[name], None, "") for name in result.objective]
+    found: list[_Row] = [
+        (name, result.before[name], result.after[name], None, result.units[name]) for name in result.objective
+    ]
     for item in result.constraints:
         words = item.name.split()[1:] if item.channel != item.name else []
         found.append((" ".join([item.channel, *words]), item.start, item.value, item, item.unit))
@@ -315,7 +317,9 @@ def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
                 at = 100.0 * bound / size
                 axes.plot([at, at], [i - 0.4, i + 0.4], color="#a33f1f", linewidth=2.2, zorder=4)
         held = limit is not None and limit.is_active
-        text = quantity(after, unit, 4) if limit is not None else f"{number(100.0 * (after / size - 1.0), 3)} %"
+        text = quantity(after, unit, 4)
+        if limit is None:
+            text = f"{text}, {number(100.0 * (after / size - 1.0), 3)} %"
         axes.annotate(
             f" {text}{', at its limit' if held else ''}", (0.0, i), va="center", fontsize=7.5, color="white", zorder=5
         )

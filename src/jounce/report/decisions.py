@@ -42,10 +42,7 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     >>> [section.title for section in optimisation_page(found, title="A kart").sections]
     ['Answer', 'Metrics']
     """
-    facts = [
-        Fact(name, _change(found, name), f"from {number(found.before[name])} to {number(found.after[name])}, SI")
-        for name in found.objective
-    ]
+    facts = [Fact(name, _change(found, name), f"from {_ends(found, name)}") for name in found.objective]
     end = "converged" if found.converged else "did not converge"
     slopes = "exact gradients" if found.derivatives == "exact" else "finite-difference gradients"
     tone: Tone = "good" if found.converged else "bad"
@@ -56,15 +53,25 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
     if found.findings:
         answer.append(Findings(found.findings))
     names = dict.fromkeys((*found.objective, *found.before))
-    rows = tuple((name, *map(number, (found.before[name], found.after[name])), _change(found, name)) for name in names)
+    rows = []
+    for name in names:
+        unit = display_unit(found.units[name], max(abs(found.before[name]), abs(found.after[name])))
+        ends = (number(value * unit.factor) for value in (found.before[name], found.after[name]))
+        rows.append((name, unit.name or "–", *ends, _change(found, name)))
     words = "What is minimised, the limits and the numbers, from the start to the best design."
     metrics = (
         Picture(figure_of(found), "optimisation", words, words),
-        Table("Metrics, SI", ("metric", "start", "best", "change"), rows, "lrrr"),
+        Table("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
     )
     return Page(
         title, (Section("Answer", tuple(answer)), Section("Metrics", metrics)), f"Best design on {raised(found.driven)}"
     )
+
+
+def _ends(found: Optimisation, name: str) -> str:
+    """A metric of the start and of the best design."""
+    unit = display_unit(found.units[name], max(abs(found.before[name]), abs(found.after[name])))
+    return unit.behind(" to ".join(number(one[name] * unit.factor) for one in (found.before, found.after)))
 
 
 def _from_to(values: Array, si: str) -> str:

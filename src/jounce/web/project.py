@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import content_of
 from jounce.core.writing import write_atomically
 
@@ -26,18 +26,24 @@ RECORDS = (
 """Suffixes of files that were measured, or simulated: those of all readers."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
 LONGEST = 2_000_000  # bytes of a description
+_SWEPT = "sweep.json"
 _VERSIONS, _MOST_VERSIONS = (".jounce", "versions"), 50
 _VERSION = re.compile(r"\d{10,16}-[0-9a-f]{8}")
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One file of a project: its place in the folder, what it is, and when it was written (s since 1970)."""
+    """One file of a project: its place in the folder, what it is, and when it was written (s since 1970).
+
+    A sweep is one entry: its folder, with the shards that are ``finished`` and the ``count`` of all.
+    """
 
     path: str
     kind: str
     size: int
     modified: float
+    finished: int | None = None
+    count: int | None = None
 
 
 @dataclass(frozen=True)
@@ -76,17 +82,36 @@ class Project:
         return file
 
     def entries(self) -> list[Entry]:
-        """List what is here, folder by folder."""
-        found = []
+        """List what is here, folder by folder; what a sweep wrote is one entry, its pages beside it."""
+        found: list[Entry] = []
         for file in self._files():
+            if file.name == _SWEPT and (sweep := self._swept(file)):
+                found.append(sweep)
+                continue
             kind = _kind(file)
-            if kind:
+            if kind and not (kind == "results" and file.parent != self.root and (file.parent / _SWEPT).is_file()):
                 state = file.stat()
                 path = file.relative_to(self.root).as_posix()
                 found.append(Entry(path, kind, state.st_size, state.st_mtime))
             if len(found) == _MOST:
                 break
         return found
+
+    def _swept(self, manifest: Path) -> Entry | None:
+        """Give the folder of a sweep, with how far it is; none where that is the project itself, or says nothing."""
+        folder = manifest.parent
+        if folder == self.root:
+            return None
+        from jounce.variants.shards import read_kept
+
+        try:
+            kept = read_kept(folder)
+            files = [one.stat() for one in folder.rglob("*") if one.is_file()]
+            finished, count = len(kept.names()), len(kept.spans)
+        except (OSError, ValueError, JounceError):
+            return None
+        size, modified = sum(one.st_size for one in files), max(one.st_mtime for one in files)
+        return Entry(folder.relative_to(self.root).as_posix(), "swept", size, modified, finished, count)
 
     def read(self, path: str) -> Text:
         """Read a description."""
@@ -149,7 +174,16 @@ class Project:
         for folder, folders, files in os.walk(self.root):
             here = Path(folder)
             depth = len(here.relative_to(self.root).parts)
-            folders[:] = sorted(name for name in folders if not name.startswith((".", "__")) and depth < _DEEPEST)
+            own = (
+                here != self.root and _SWEPT in files
+            )  # shards, and the arrays of a Zarr group, are no files of anybody
+            folders[:] = sorted(
+                name
+                for name in folders
+                if not name.startswith((".", "__"))
+                and depth < _DEEPEST
+                and not (own and (name == "shards" or (here / name / ".zarray").is_file()))
+            )
             for name in sorted(files):
                 file = here / name
                 if not name.startswith(".") and file.is_file() and not file.is_symlink():
@@ -204,4 +238,4 @@ def _is_table(file: Path) -> bool:
 def _is_written(file: Path) -> bool:
     """Whether a sweep, a campaign or a search wrote it: what it found, and nothing to begin with."""
     folder = file.parent.parent if file.parent.name == "shards" else file.parent
-    return any((folder / name).is_file() for name in (*_RESULTS, "sweep.json"))
+    return any((folder / name).is_file() for name in (*_RESULTS, _SWEPT))

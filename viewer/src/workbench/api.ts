@@ -3,7 +3,7 @@
 import { tr } from "../words";
 import { told as refused } from "./refusals";
 
-export interface Entry { path: string; kind: string; size: number; modified: number }
+export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null }
 export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
 export interface Checked { kind: string; what: string; problems: string[]; notes: string[] }

@@ -3,6 +3,7 @@
 import { translate } from "../words";
 
 translate({
+  "sweep's results": "Ergebnisse einer Studie", "finished": "fertig", "# finished, can be resumed": "zu # fertig, lässt sich fortsetzen",
   "Unsaved changes": "Nicht gespeicherte Änderungen", "Unsaved changes of #": "Nicht gespeicherte Änderungen von #", "Restore": "Wieder einsetzen", "Discard": "Verwerfen", "Restored.": "Wieder eingesetzt.", "Discarded.": "Verworfen.",
   "The file was changed since then: compare before you write it.": "Die Datei wurde seither geändert: vor dem Schreiben vergleichen.",
   "The changes on this page are not saved, and this browser could not keep them. Leave all the same?": "Die Änderungen auf dieser Seite sind nicht gespeichert, und dieser Browser konnte sie nicht aufbewahren. Trotzdem verlassen?",

@@ -22,6 +22,7 @@ const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   vehicle: [["rig", "name", "edit"], ["trial", "rig", "drive it"]],
   record: [["record", "path", "look at it"], ["trial", "record", "beside a run"], ["inspection", "record", "inspect"]],
   campaign: [["campaign", "file", "open"]],
+  swept: [["studies", "folder", "results"]],
   store: [["inspection", "store", "search"]],
 };
 const moment = (seconds: number) => new Date(seconds * 1000).toISOString().slice(0, 16).replace("T", " ");
@@ -34,7 +35,7 @@ async function show(place: HTMLElement): Promise<void> {
     const page = entry.kind === "page" && entry.path.endsWith(".html") ? `/api/document?${api.query({ path: entry.path })}` : null;
     return make("tr", {},
       make("th", { scope: "row" }, first ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path) : page ? make("a", { href: page, target: "_blank" }, entry.path) : entry.path),
-      make("td", {}, tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(entry.modified)),
+      make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(entry.modified)),
       make("td", { class: "links" }, ...opens.slice(1).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
   });
   const choice = make("select", {}, ...library.map((one) => make("option", { value: one.name }, one.name)));
@@ -54,6 +55,9 @@ async function show(place: HTMLElement): Promise<void> {
       : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
     make("h2", {}, tr("Start from an example")), form, told, ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []));
 }
+
+/** A sweep, and how far it is: what is not finished can go on. */
+const how = ({ finished, count }: api.Entry): string => `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written(100 * (finished ?? 0) / (count || 1), 3)} %`)}`;
 
 /** What was entered on other pages and not saved. */
 function unsaved(drafts: Lying[]): HTMLElement {
@@ -76,7 +80,7 @@ function next(entries: api.Entry[], kept: Kept[]): HTMLElement {
     if (!kept.length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Drive # over an obstacle", rig.path)), tr(", and keep the run.")));
     if (kept.length === 1) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Change # and keep another run", rig.path)), tr(", to compare the two.")));
     if (record && !of("campaign").length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path, record: record.path }) }, tr("Look at # beside a run", record.path)), "."));
-    if (!of("sweep").length) steps.push(make("li", {}, make("a", { href: address("studies") }, tr("Vary its numbers in a study")), "."));
+    if (!of("sweep").length && !of("swept").length) steps.push(make("li", {}, make("a", { href: address("studies") }, tr("Vary its numbers in a study")), "."));
   }
   return steps.length ? make("section", { class: "next", "aria-label": tr("What to do next") }, make("h2", {}, tr("What to do next")), make("ul", {}, ...steps)) : make("section", { hidden: true });
 }
