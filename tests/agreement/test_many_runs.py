@@ -7,8 +7,8 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
+from jounce.variants import few_channels, side_by_side
 from jounce.variants import many as module
-from jounce.variants import side_by_side
 
 pytestmark = pytest.mark.usefixtures("optimised")
 
@@ -309,7 +309,20 @@ def test_curved_lumped_models_step_side_by_side():
             assert float(many[word][i]) == pytest.approx(float(one[word][0]), rel=1e-5)
 
 
-def test_what_runs_away_is_said():
+@pytest.mark.parametrize("name", METRICS)
+def test_runs_of_a_few_channels_are_those_of_all(name, monkeypatch):
+    rig, trial = jn.load(name), course(duration="1 s")
+    changes = {"trial.speed": [20.0, 10.0, 30.0], "trial.duration": [0.5, 1.0, 0.5], "trial.road.seed": [1, 2, 3]}
+    every = jn.simulate_many(rig, trial, changes, metrics=METRICS[name])
+    assert np.all(every["reason"].values == "")
+    monkeypatch.setattr(few_channels, "LEAST", 1)
+    found = jn.simulate_many(rig, trial, changes, metrics=METRICS[name])
+    same(found, every, rel=1e-13)
+
+
+@pytest.mark.parametrize("least", [1, few_channels.LEAST])
+def test_what_runs_away_is_said(least, monkeypatch):
+    monkeypatch.setattr(few_channels, "LEAST", least)
     road = jn.Ramp(height="200 m", length="1 m")
     rig = jn.load("audi-a6-quarter-car").with_changes({"tyre.lift_off": False})
     trial = jn.Trial(road=road, speed="20 m/s", duration="1 s")
@@ -318,7 +331,9 @@ def test_what_runs_away_is_said():
     assert np.all(np.isnan(found["max sprung.az"].values))
 
 
-def test_channels_over_time_are_those_of_simulate():
+@pytest.mark.parametrize("least", [1, few_channels.LEAST])
+def test_channels_over_time_are_those_of_simulate(least, monkeypatch):
+    monkeypatch.setattr(few_channels, "LEAST", least)
     rig, trial = jn.load("audi-a6-quarter-car"), course(duration="0.5 s")
     found = jn.simulate_many(rig, trial, {"sprung.mass": ["400 kg", "500 kg"]}, outputs="tyre.force")
     for variant, mass in enumerate((400.0, 500.0)):

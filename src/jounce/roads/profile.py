@@ -130,11 +130,16 @@ def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, hi
             fill(begin)
             starts.append(position + one.edges[:-1])
             kinds.append(one.kind)
-            coefficients.append(one.coefficients + np.array([lift, 0.0, 0.0, 0.0]))
+            coefficients.append(one.coefficients + np.array([lift, 0.0, 0.0, 0.0]) if lift else one.coefficients)
             cursor = end
         level = one.after + lift
     fill(high)
-    return _windowed(np.concatenate(starts), np.concatenate(kinds), np.concatenate(coefficients), low, high)
+    parts = (
+        (starts[0], kinds[0], coefficients[0])
+        if len(starts) == 1
+        else (np.concatenate(starts), np.concatenate(kinds), np.concatenate(coefficients))
+    )
+    return _windowed(*parts, low, high)
 
 
 def _rounding(x: float) -> float:

@@ -291,14 +291,23 @@ def _phases(seed: int, stream: int, count: int) -> Array:
     return np.asarray(bits >> np.uint64(11), dtype=float) * (2.0 * math.pi / 2**53)
 
 
-def _track_offset(n: Array, seed: int, waviness: float, coherence: tuple[float, str, float]) -> Array:
+def _track_offset(spread: Array, seed: int) -> Array:
     """Phase in rad by which the other track differs: normally distributed, so that its mean cosine is gamma."""
     from scipy.special import ndtri
 
+    share = np.clip(_phases(seed, 1, len(spread)) / (2.0 * math.pi), 2.0**-54, 1.0 - 2.0**-53)
+    return np.asarray(spread * ndtri(share))
+
+
+@lru_cache(maxsize=2)  # as long as profiles
+def _track_spread(
+    spectrum: tuple[float, float, tuple[float, float]], length: float, step: float, coherence: tuple[float, str, float]
+) -> Array:
+    """Standard deviation of that phase, the same for any seed."""
     track, model, decay = coherence
-    gamma = np.sqrt(track_coherence(n, track, model=model, decay=decay, waviness=waviness))
-    share = np.clip(_phases(seed, 1, len(n)) / (2.0 * math.pi), 2.0**-54, 1.0 - 2.0**-53)
-    return np.asarray(np.sqrt(-2.0 * np.log(np.clip(gamma, 1e-200, 1.0))) * ndtri(share))
+    _, n, _ = _amplitudes(spectrum, length, step)
+    gamma = np.sqrt(track_coherence(n, track, model=model, decay=decay, waviness=spectrum[1]))
+    return np.asarray(np.sqrt(-2.0 * np.log(np.clip(gamma, 1e-200, 1.0))))
 
 
 def _sampled(
@@ -311,13 +320,12 @@ def _sampled(
     interpolation: str,
 ) -> tuple[Array, Array, Array | None]:
     """Points of a road and, for cubics, its slopes there."""
-    waviness = spectrum[1]
     count, periods = _points(length, step), _periods(length, spectrum[2][0])
     total = count * periods
     lines, n, size = _amplitudes(spectrum, length, step)
     phase = _phases(seed, 0, len(n))
     if coherence is not None:
-        phase += _track_offset(n, seed, waviness, coherence)
+        phase += _track_offset(_track_spread(spectrum, length, step, coherence), seed)
     waves = np.zeros(total // 2 + 1, dtype=complex)
     waves[lines] = size * np.exp(1j * phase)
     x = np.linspace(0.0, length, count + 1)

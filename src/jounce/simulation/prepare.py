@@ -118,13 +118,15 @@ def prepare(
     offset: Array | None = None,
     method: Method = "auto",
     along: Array | None = None,
+    out: Samples | None = None,
 ) -> Prepared:
     """Lay out a run from static equilibrium under what the signals are at ``times[0]``.
 
     The output ``times`` (s) ascend. ``p`` are all parameter values, SI; the free ones of the model bring their
     sensitivities along (``along`` is as :meth:`Compiled.extended` has it). ``signals`` has every track against time:
     road heights (m), loads; one alone for a model with one track. ``tolerance`` and ``method`` are as
-    :class:`RunSettings` has them; ``offset`` is added to the equilibrium: where the run starts.
+    :class:`RunSettings` has them; ``offset`` is added to the equilibrium: where the run starts. It fills ``out``, in
+    place of new arrays.
     """
     if method == "implicit" and compiled.free:
         raise SimulationError(
@@ -153,7 +155,8 @@ def prepare(
     )
     control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, float(times[-1] - times[0]))
     exact = _exact(compiled, problem, control, times) if method == "auto" else None
-    prepared = Prepared(compiled, problem, control, room(compiled, times), exact, modes, rest, still)
+    out = room(compiled, times) if out is None else out
+    prepared = Prepared(compiled, problem, control, out, exact, modes, rest, still)
     if exact is not None:  # whose steps have no error that could be controlled
         return prepared
     waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
@@ -207,10 +210,10 @@ def _check_steps(steps: float, most: float, rate: float, lasting: float, place: 
         )
 
 
-def room(compiled: Compiled, times: Array) -> Samples:
-    """Arrays for a run sampled at ``times`` (s); what is not reached stays without a number."""
+def room(compiled: Compiled, times: Array, outputs: int | None = None) -> Samples:
+    """Arrays for a run sampled at ``times`` (s), of all ``outputs`` or so many; what is not reached has no number."""
     facts, free, count = compiled.facts, len(compiled.free), len(times)
-    n, outputs = len(facts.states), len(facts.outputs)
+    n, outputs = len(facts.states), len(facts.outputs) if outputs is None else outputs
     return Samples(
         np.ascontiguousarray(times, dtype=np.float64),
         np.full((n, count), np.nan),

@@ -123,8 +123,16 @@ def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
 
     Arguments as above.
     """
-    beyond = [np.abs(outputs[row]) > limit for row, limit in branch_limits(names).items()]
-    return min((int(np.argmax(each)) for each in beyond if each.any()), default=None)
+    first: int | None = None
+    for row, limit in branch_limits(names).items():
+        course = outputs[row]
+        if course.max() <= limit and course.min() >= -limit:  # what is not a number is neither
+            continue
+        beyond = np.abs(course) > limit
+        if beyond.any():
+            here = int(np.argmax(beyond))
+            first = here if first is None else min(first, here)
+    return first
 
 
 def branch_limits(names: tuple[str, ...]) -> dict[int, float]:

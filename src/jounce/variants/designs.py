@@ -347,7 +347,7 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
         from scipy.stats import qmc
 
         found = qmc.LatinHypercube(numbers, seed=seed).random(count)
-    return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12, out=found), dtype=float)
+    return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12), dtype=float)
 
 
 _BITS = 30
@@ -374,7 +374,7 @@ def _sobol(numbers: int, count: int, seed: int) -> Array:
         old = 2**i
         new = found[:, old : 2 * old]
         np.bitwise_xor(found[:, old - new.shape[1] : old][:, ::-1], along[:, i, None], out=new)
-    return (found * 2.0**-_BITS).T
+    return np.asarray((found * 2.0**-_BITS).T, dtype=float)
 
 
 @lru_cache(64)

@@ -30,8 +30,9 @@ from jounce.simulation.reduced_car import CarReduction, ReducedCar, car_reductio
 from jounce.simulation.result import angles_of, branch_limits, held_to_its_branch, samples_reached, turns_little
 from jounce.simulation.sampled import STEPS_SHARE, TRIES
 from jounce.simulation.settings import RunSettings
-from jounce.variants import stepped
+from jounce.variants import few_channels, stepped
 from jounce.variants.designs import MOST, Design
+from jounce.variants.few_channels import FewChannels
 from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
@@ -71,7 +72,8 @@ class Work:
 
     def run(self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None) -> xr.Dataset:
         """Run variants, given by their values (SI) by path; ``first`` is the number of the first one."""
-        results = _Results(self.metrics, self.channels, len(next(iter(columns.values()))))
+        count = len(next(iter(columns.values())))
+        results = _Results(self.metrics, self.channels, count, self.study.few_of(self.metrics, self.channels, count))
         groups = list(self.study.groups(columns))
         small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
         free = self.study.control is None  # a controller may be a function that keeps something
@@ -121,6 +123,7 @@ class _Results:
     metrics: list[RunMetric]
     channels: list[str]
     count: int
+    few: FewChannels | None
 
     @cached_property
     def numbers(self) -> Array:
@@ -245,6 +248,13 @@ class Study:
             found += channels
         return list(dict.fromkeys(found))
 
+    def few_of(self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int) -> FewChannels | None:
+        """How so many runs one by one may make no more channels than are wanted; None where that is not worth it."""
+        if self.control is not None or runs < few_channels.LEAST or not self.compiled.identity:
+            return None
+        wanted = dict.fromkeys([*(metric.channel for metric in metrics), *channels])
+        return FewChannels(self.compiled, tuple(wanted)) if len(wanted) < len(self.units) else None
+
     def owner(self, path: str) -> tuple[Any, str]:
         """What a path leads into, and the rest of the path."""
         for prefix, of in ((_TRIAL, self.trial), (_CONTROL, self.control)):
@@ -359,7 +369,7 @@ class _Group:
             described = self._forbidden(own, len(rows))
         for i in np.flatnonzero(described).tolist():
             changes = {path: float(column[i]) for path, column in own.items()}
-            self._alone(results, int(rows[i]), partial(self._run, changes))
+            self._alone(results, int(rows[i]), partial(self._run, changes, results.few))
         own, rows = {path: column[~described] for path, column in own.items()}, rows[~described]
         if not len(rows):
             return
@@ -373,7 +383,7 @@ class _Group:
 
         def alone(some: Iterable[int]) -> None:
             for i in some:
-                self._alone(results, int(rows[i]), partial(self._plain, parameters[i]))
+                self._alone(results, int(rows[i]), partial(self._solve, parameters[i], self._signals, results.few))
 
         left = np.flatnonzero(careful).tolist()
         workers = min(threads or os.cpu_count() or 1, len(left))
@@ -571,23 +581,24 @@ class _Group:
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
         return found if steps else None
 
-    def _alone(self, results: _Results, row: int, run: Callable[[], tuple[Array, Array, Sequence[str]]]) -> None:
-        """Fill in what a run gives: samples of all outputs, their values at rest, findings; or why there is none."""
+    def _alone(self, results: _Results, row: int, run: Callable[[], _Found]) -> None:
+        """Fill in what a run gives, or why there is none."""
         try:
-            outputs, rest, findings = run()
+            found = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
             results.reasons[row] = str(unforeseen(error))
             return
-        if findings:
-            results.found.add(findings)
-        names = self.study.compiled.output_names
+        if found.findings:
+            results.found.add(found.findings)
         for i, metric in enumerate(results.metrics):
-            j = names.index(metric.channel)
-            results.numbers[row, i] = of_course(metric, outputs[j], rest[j], self.study.settings.output_step)
+            j = found.names.index(metric.channel)
+            results.numbers[row, i] = of_course(
+                metric, found.outputs[j], found.rest[j], self.study.settings.output_step
+            )
         if results.channels:
-            results.courses[row] = outputs[[names.index(name) for name in results.channels]]
+            results.courses[row] = found.outputs[[found.names.index(name) for name in results.channels]]
 
-    def _run(self, changes: Mapping[str, float]) -> tuple[Array, Array, Sequence[str]]:
+    def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _Found:
         """Run the rig with some of its numbers changed."""
         settings, compiled, rig = self.study.settings, self.study.compiled, self.study.rig.with_changes(dict(changes))
         if self.control is not None:
@@ -595,28 +606,29 @@ class _Group:
 
             run = solved(rig, self.trial, settings, control=self.control)
             outputs = np.array([values for values, _, _ in run.channels.values()])
-            return outputs, outputs[:, 0], run.attributes.get("findings", ())
+            findings = run.attributes.get("findings", ())
+            return _Found(compiled.output_names, outputs, outputs[:, 0], findings)
         signals = excitation(compiled.facts, rig, self.trial)
-        return (*self._solve(compiled.parameter_values(rig.parameters()), signals), ())
+        return self._solve(compiled.parameter_values(rig.parameters()), signals, few)
 
-    def _plain(self, p: Array) -> tuple[Array, Array, Sequence[str]]:
-        """Run the model with values (SI) of all its parameters on the signals that all share; nothing is found."""
-        return *self._solve(p, self._signals), ()
-
-    def _solve(self, p: Array, signals: list[Segments]) -> tuple[Array, Array]:
-        """Run the model with values (SI) of all its parameters."""
+    def _solve(self, p: Array, signals: list[Segments], few: FewChannels | None) -> _Found:
+        """Run the model with values (SI) of all its parameters; nothing is found."""
         settings, compiled = self.study.settings, self.study.compiled
         times = settings.times(self.trial.duration)
-        reduced = self._reduced(p, signals, times)
-        if reduced is not None:
-            return reduced
+        some = self._reduced(p, signals, times)
+        if some is not None:
+            return _Found(compiled.output_names, *some)
+        some = few.run(p, signals, times, settings) if few is not None else None
+        if few is not None and some is not None:
+            return _Found(few.names, *some)
         prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
         solution = held_to_its_branch(compiled, prepared.run())
         samples_reached(solution, compiled.facts, check=True)
         at = prepared.equilibrium
-        if at is None:
-            return solution.outputs, solution.outputs[:, 0]
-        return solution.outputs, compiled.evaluate("output", at.x, prepared.still, p, at.modes)
+        rest = solution.outputs[:, 0]
+        if at is not None:
+            rest = compiled.evaluate("output", at.x, prepared.still, p, at.modes)
+        return _Found(compiled.output_names, solution.outputs, rest)
 
     def _reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
         """The same by one coordinate for each corner; None where that does not do."""
@@ -655,6 +667,15 @@ def _shared(items: Sequence[Item], take: Callable[[Iterable[Item]], None], worke
 
 
 _LONG = 2e-3  # s, of processor time
+
+
+class _Found(NamedTuple):
+    """What a run gives: channels, their samples and values at rest, a row each, and findings."""
+
+    names: Sequence[str]
+    outputs: Array
+    rest: Array
+    findings: Sequence[str] = ()
 
 
 class _LaidOut(NamedTuple):

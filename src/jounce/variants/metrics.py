@@ -101,5 +101,10 @@ def of_courses(metric: RunMetric, moved: Array, rest: Array, output_step: float)
     if metric.needs_course:
         felt = [weighted(row, 1.0 / output_step, metric.word) for row in moved]
         return np.array([float(np.sqrt(np.mean(row**2))) for row in felt])
-    square = np.einsum("ij,ij->i", moved, moved) / moved.shape[1]
-    return of_sums(metric.word, moved.mean(axis=1), square, moved.min(axis=1), moved.max(axis=1), rest)
+    if metric.word == "rms":
+        return np.asarray(np.sqrt(np.einsum("ij,ij->i", moved, moved) / moved.shape[1]))
+    if metric.word == "range":
+        return np.asarray(np.ptp(moved, axis=1))
+    if metric.word == "mean":
+        return np.asarray(rest + moved.mean(axis=1))
+    return np.asarray(rest + (moved.min(axis=1) if metric.word == "min" else moved.max(axis=1)))

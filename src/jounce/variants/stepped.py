@@ -90,6 +90,12 @@ def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> 
         inputs, n = len(facts.tracks) * facts.track_order, len(facts.states)
         return Source(made, Step("rate", n * width, n * width, inputs, len(facts.switches) * width))
 
+    return _code(compiled, f"stepped {width}", steps), code_of_outputs(compiled, channels, width)
+
+
+def code_of_outputs(compiled: Compiled, channels: Sequence[int], width: int = 0) -> Native:
+    """Native code of some outputs of a block, or, without ``width``, of one variant."""
+
     def outputs() -> Source:
         import casadi as ca
 
@@ -97,16 +103,17 @@ def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> 
 
         graph = compiled.functions["output"]
         arguments = [ca.SX.sym(name, graph.size1_in(i)) for i, name in enumerate("xupm")]
-        shown = ca.cse(ca.densify(graph(*arguments)[list(channels)]))
-        return Source({"output": Wide(ca.Function("output", arguments, [shown]), width)})
+        shown = ca.Function("output", arguments, [ca.cse(ca.densify(graph(*arguments)[list(channels)]))])
+        return Source({"output": Wide(shown, width) if width else shown})
 
-    found = []
-    for key, source in ((f"stepped {width}", steps), (f"outputs {width} {[*channels]}", outputs)):
-        whole = f"{compiled.identity} {key}"
-        if whole not in _codes:
-            _codes[whole] = kept_code(whole, source)[0]
-        found.append(_codes[whole])
-    return found[0], found[1]
+    return _code(compiled, f"outputs {width} {[*channels]}", outputs)
+
+
+def _code(compiled: Compiled, key: str, source: Callable[[], Source]) -> Native:
+    whole = f"{compiled.identity} {key}"
+    if whole not in _codes:
+        _codes[whole] = kept_code(whole, source)[0]
+    return _codes[whole]
 
 
 _codes: dict[str, Native] = {}

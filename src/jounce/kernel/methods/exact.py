@@ -74,9 +74,11 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     differentiates.
     """
     tracks, switches = problem.tracks, len(problem.m)
-    speed = np.abs(tracks.coefficients[:, 2] * np.repeat(tracks.rate, np.diff(tracks.first)))
-    frequency = np.unique(speed[tracks.kind == 1])
-    frequency = np.concatenate([np.zeros(1), frequency[frequency > 0.0]])
+    frequency, wave = np.zeros(1), np.zeros(len(tracks.kind), dtype=np.int64)
+    if tracks.kind.any():  # roads of thousands of lines have none
+        speed = np.abs(tracks.coefficients[:, 2] * np.repeat(tracks.rate, np.diff(tracks.first)))
+        frequency = np.unique(np.append(0.0, speed[tracks.kind == 1]))
+        wave = np.where(tracks.kind == 1, np.searchsorted(frequency, speed), 0).astype(np.int64)
     if np.any(tracks.kind == 2) or len(frequency) > MOST_WAVES or len(times) < 2:
         return None
     count = len(tracks.rate)
@@ -89,7 +91,6 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     along_edges = z / parts * len(tracks.start) if z > parts else 0.0
     if not parts * len(times) + along_edges < _MAX_STEPS:
         return None
-    wave = np.where(tracks.kind == 1, np.searchsorted(frequency, speed), 0).astype(np.int64)
     nodes, rows = BLOCK + 1, count * props.layout.signals
     slack = 1e-12 * max(1.0, abs(times[-1]))
     odd = np.flatnonzero(np.abs(distances - typical) > slack)

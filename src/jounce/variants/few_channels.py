@@ -1,0 +1,76 @@
+"""Variants one by one of which a few channels are wanted: code for these alone, in arrays that are used again.
+
+A car has sixty channels. To make all of them over a minute, in memory that is new each time, takes longer than the
+steps of the run.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from jounce.core.segments import Segments
+from jounce.core.types import Array
+from jounce.kernel.engine import Samples, Status
+from jounce.simulation.compiled import Compiled
+from jounce.simulation.prepare import prepare, room
+from jounce.simulation.result import angles_of, branch_limits, flipped_at, ran_away_at
+from jounce.simulation.settings import RunSettings
+from jounce.variants.stepped import code_of_outputs
+
+LEAST = 16
+"""Runs below which code for a few channels is not worth its making: a tenth of a second."""
+
+
+@dataclass(frozen=True)
+class FewChannels:
+    """Runs of a model of which some channels are wanted; what a run gives lasts until the next one of its thread."""
+
+    compiled: Compiled
+    wanted: tuple[str, ...]
+    _own: threading.local = field(default_factory=threading.local, init=False, compare=False)
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Channels that are made: those wanted, and those that tell whether it is still a suspension."""
+        known = self.compiled.output_names
+        return tuple(dict.fromkeys([*self.wanted, *(known[row] for row in branch_limits(known)), *angles_of(known)]))
+
+    @cached_property
+    def _rows(self) -> list[int]:
+        return [self.compiled.output_names.index(name) for name in self.names]
+
+    @cached_property
+    def _address(self) -> int:
+        return code_of_outputs(self.compiled, self._rows).address["output"]
+
+    def run(
+        self, p: Array, signals: Sequence[Segments], times: Array, settings: RunSettings
+    ) -> tuple[Array, Array] | None:
+        """Samples of the channels (``names``) and their values at rest.
+
+        None where the run does not reach its end, or is no suspension's: one with all channels says why.
+        """
+        samples = self._samples(times)
+        prepared = prepare(
+            self.compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method, out=samples
+        )
+        problem, at = prepared.problem, prepared.equilibrium
+        assert at is not None
+        prepared = replace(prepared, problem=problem._replace(engine=problem.engine._replace(output=self._address)))
+        found = prepared.run()
+        lost = found.status is not Status.COMPLETED or flipped_at(self.names, found.outputs) is not None
+        if lost or ran_away_at(self.names, found.outputs) is not None:
+            return None
+        return found.outputs, self.compiled.evaluate("output", at.x, prepared.still, p, at.modes)[self._rows]
+
+    def _samples(self, times: Array) -> Samples:
+        """The arrays of this thread."""
+        kept: Samples | None = getattr(self._own, "samples", None)
+        if kept is None or len(kept.times) != len(times):
+            kept = room(self.compiled, times, len(self.names))
+        kept = kept._replace(times=times)
+        self._own.samples = kept
+        return kept
