@@ -186,6 +186,23 @@ def test_modes(cli) -> None:
     text = cli("modes", RIG, "--set", "strut.damper.coefficient=1e5 N*s/m")
     assert text.exit_code == 0
     assert "Static equilibrium" in text.out
+    assert "friction" not in text.out
+    assert found["findings"] == []
+
+
+def test_modes_say_that_dry_friction_is_left_out(cli, tmp_path: Path) -> None:
+    words = ("modes", RIG, "--set", "strut.friction.force=40 N")
+    stuck = cli(*words, "--report", "stuck.html")
+    assert "note: strut.friction.force: dry friction is left out" in stuck.out
+    assert "dry friction is left out" in (tmp_path / "stuck.html").read_text(encoding="utf-8")
+    assert cli(*words, "--json").json["findings"][0]["place"] == "strut.friction.force"
+
+
+def test_coordinates_of_joints_at_rest_have_their_units(cli) -> None:
+    text = cli("modes", "kart-double-wishbone").out
+    for name, unit in (("sprung.distance rate", "m/s"), ("lower_arm.angle rate", "rad/s"), ("ball_joint.wx", "rad/s")):
+        (row,) = (line for line in text.splitlines() if name in line)
+        assert row.split(name)[1].split()[0] == unit
 
 
 def test_runs_are_compared_and_reported(cli, bump: Path, tmp_path: Path) -> None:

@@ -129,6 +129,7 @@ WRONG = {
     "an empty range": ('["400 kg", "520 kg"]', '["520 kg", "520 kg"]', "line 17: vary.sprung.mass", "not a range"),
     "a unit": ('"400 kg"', '"400 m"', "line 17: vary.sprung.mass[0]", "wrong unit"),
     "a metric": ("max tyre.force", "maximum tyre.force", "study.toml, line 3: metrics", "'max'"),
+    "a quantity of kinematics": ("max tyre.force", "range toe", "study.toml, line 3: metrics", "jn.sweep_variants"),
     "nothing to keep": (
         'metrics = ["rms sprung.az", "max tyre.force"]\n',
         "",

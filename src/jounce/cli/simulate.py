@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, cast
 
@@ -184,6 +185,7 @@ def modes(
     check_numbers(out, force=force)
     check_outputs(figure=figure, report=report, force=force)
     from jounce.core.serialise import to_plain
+    from jounce.ride.stationary import linear_findings
     from jounce.simulation import equilibrium
     from jounce.simulation import modes as find_modes
 
@@ -193,7 +195,9 @@ def modes(
         chosen = chosen_rig(rig, wanted)
         say("finding modes")
         found, rest = find_modes(chosen), equilibrium(chosen)
+        findings = [_of_modes(finding) for finding in linear_findings(chosen, {}, {})]
     plain = {"rig": rig, "changes": wanted, "modes": to_plain(list(found)), "equilibrium": rest}
+    plain["findings"] = to_plain(findings)
     name = Path(rig).stem
 
     def picture() -> Figure:
@@ -204,7 +208,7 @@ def modes(
     def page() -> Page:
         from jounce.report import modes_page
 
-        return modes_page(found, rest, title=f"Modes of {name}")
+        return modes_page(found, rest, findings, title=f"Modes of {name}")
 
     rows = [
         {"mode": k, **{key: mode[key] for key in _NUMBERS}, **{n: _amplitude(v) for n, v in mode["shape"].items()}}
@@ -214,10 +218,12 @@ def modes(
     drawn, missing = write_picture(picture, figure, f"Modes of {name}", force=force)
     document, undrawn = write_report(page, report, force=force)
     plain |= {"out": written, "figure": drawn, "report": document}
-    return Reply(plain, lambda console: _draw_modes(console, plain), as_json, missing=[*missing, *undrawn])
+    return Reply(plain, lambda console: _draw_modes(console, plain, findings), as_json, missing=[*missing, *undrawn])
 
 
-def _draw_modes(out: Console, plain: dict[str, Any]) -> None:
+def _draw_modes(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
+    from jounce.recordings.schema import state_unit
+
     found = plain["modes"]
     names = list(found[0]["shape"]) if found else []
     beside = names if len(names) <= _MOST_BESIDE else []
@@ -232,16 +238,18 @@ def _draw_modes(out: Console, plain: dict[str, Any]) -> None:
         out.print(table("Shapes", ("mode", *map(str, range(1, len(found) + 1))), shapes))
     if not found:
         out.print("no oscillating mode: all motions are overdamped")
-    rest = [(name, _unit(name), value) for name, value in plain["equilibrium"].items()]
+    rest = [(name, state_unit(name), value) for name, value in plain["equilibrium"].items()]
     out.print(table("Static equilibrium", ("quantity", "unit", "value"), rest, text=(0, 1)))
+    show_findings(out, findings)
     show_written(out, plain)
 
 
-def _unit(name: str) -> str:
-    """SI unit of a quantity in equilibrium; coordinates of joints are no channels."""
-    from jounce.recordings.schema import channel_unit, quantity_of
-
-    return channel_unit(name) if quantity_of(name) else "SI"
+def _of_modes(finding: Finding) -> Finding:
+    """Modes know no dry friction, where other linear models count its slope at rest."""
+    if not finding.place.endswith("friction.force"):
+        return finding
+    text = "dry friction is left out: it damps by no ratio, and holds what moves less than it gives way"
+    return replace(finding, severity="note", message=text)
 
 
 def _amplitude(shape: list[float]) -> float:

@@ -30,7 +30,7 @@ from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem
 from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
 from jounce.identify.prediction import RICHER, Band, bands_of
 from jounce.identify.update import UpdateResult, bounds_and_priors, updated
-from jounce.parts.rig import unit_of
+from jounce.parts.rig import shown_unit_of
 from jounce.variants.designs import is_whole
 
 if TYPE_CHECKING:
@@ -328,7 +328,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     progress(f"{name}: the density around the estimate")
     table = fitted(density, density.region, seed)
     progress(f"{name}: {draws} draws")
-    units = {item.path: unit_of(basis.trials[0].rig, item.path) for item in limits}
+    units = {item.path: shown_unit_of(basis.trials[0].rig, item.path) for item in limits}
     found = _told(name, density, table, limits, units, draws, seed, update)
     result = replace(found, update=update, basis=basis, findings=(*at.findings, *found.findings))
     if not chosen:

@@ -20,7 +20,7 @@ from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.parts import Rig
-from jounce.parts.rig import unit_of
+from jounce.parts.rig import shown_unit_of, unit_of
 from jounce.simulation.settings import RunSettings
 
 # what the data can tell -----------------------------------------------------------------------------------------------
@@ -524,7 +524,7 @@ def updated(  # noqa: PLR0913 - as update_model
             item.lower,
             item.upper,
             bool(at_bound[i]),
-            unit_of(trials[0].rig, item.path),
+            shown_unit_of(trials[0].rig, item.path),
         )
         if at_bound[i]:
             text = "ends on its bound: the data call for a value beyond it, or the model lacks something"

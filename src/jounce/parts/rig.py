@@ -144,6 +144,25 @@ def unit_of(kind: BaseModel, path: str) -> str:
     return quantity_at(kind, path).si
 
 
+def shown_unit_of(kind: BaseModel, path: str) -> str:
+    """SI unit of the number at ``path`` as results show it: a file takes coefficients of curves without one.
+
+    The i-th coefficient of a curve belongs to the power i + 1 of the deflection, so its unit depends on its place.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> cubic = {"kind": "polynomial", "coefficients": [1.4e5, 0.0, 3.0e6]}
+    >>> rig = jn.load("kart-quarter-car").with_changes({"tyre": {"curve": cubic}})
+    >>> [shown_unit_of(rig, f"tyre.curve.coefficients[{i}]") for i in (0, 2)]
+    ['N/m', 'N/m^3']
+    """
+    order = re.search(r"curve\.coefficients\[(\d+)\]$", path)
+    if order is None:
+        return unit_of(kind, path)
+    return "N/m" if order[1] == "0" else f"N/m^{int(order[1]) + 1}"
+
+
 def questions(description: BaseModel) -> list[tuple[str, str, float]]:
     """Numbers that nothing of a suspension has: path, what is to be asked, and the value (SI)."""
     found = []

@@ -109,6 +109,9 @@ def extremes(time: Array, channels: Mapping[str, tuple[Array, str, str]]) -> dic
     return found
 
 
+_OF_BALL_JOINTS = dict.fromkeys(("e0", "e1", "e2", "e3"), "1") | dict.fromkeys(("wx", "wy", "wz"), "rad/s")
+
+
 def quantity_of(name: str) -> str:
     """Give the known quantity a channel measures, or an empty text.
 
@@ -121,6 +124,30 @@ def quantity_of(name: str) -> str:
     while last and last not in QUANTITIES:
         last = last.partition("_")[2]
     return last
+
+
+def state_unit(name: str) -> str:
+    """Give the SI unit of a quantity at rest: a channel's, or that of a joint's coordinate or speed by its name.
+
+    Parameters
+    ----------
+    name : str
+        A channel, or ``<joint>.angle``, ``<joint>.distance rate``, ``<joint>.e0``, ``<joint>.wx`` and so on.
+
+    Returns
+    -------
+    str
+        SI unit; ``"SI"`` where the name does not tell.
+
+    Examples
+    --------
+    >>> [state_unit(name) for name in ("sprung.z", "rocker.angle rate", "lower_ball_joint.e0", "sprung.distance")]
+    ['m', 'rad/s', '1', 'm']
+    """
+    whole, rate, _ = name.partition(" rate")
+    if quantity_of(whole):
+        return channel_unit(whole) + ("/s" if rate else "")
+    return _OF_BALL_JOINTS.get(name.rpartition(".")[2], "SI")
 
 
 def channel_unit(name: str) -> str:

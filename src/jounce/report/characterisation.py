@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +13,7 @@ from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
 from jounce.identify.signs import compression_positive
-from jounce.parts.rig import unit_of
+from jounce.parts.rig import shown_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
 from jounce.report.chart import Chart
@@ -63,15 +62,9 @@ def characterisation(result: CampaignResult) -> Section:
 
 
 def unit_at(rig: Rig, path: str) -> str:
-    """SI unit of a rig value; ``1`` for a path that this rig does not have.
-
-    The i-th coefficient of a curve belongs to the power i + 1 of the deflection, so its unit depends on its place.
-    """
-    order = re.search(r"curve\.coefficients\[(\d+)\]$", path)
-    if order is not None:
-        return "N/m" if order[1] == "0" else f"N/m^{int(order[1]) + 1}"
+    """SI unit of a rig value; ``1`` for a path that this rig does not have."""
     try:
-        return unit_of(rig, path)
+        return shown_unit_of(rig, path)
     except (DescriptionError, AttributeError, KeyError, IndexError, TypeError):
         return "1"
 

@@ -9,7 +9,7 @@ import numpy as np
 from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.plots.signals import modes as draw_modes
-from jounce.recordings.schema import channel_unit, quantity_of
+from jounce.recordings.schema import state_unit
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, as_printed
 from jounce.report.recordings import curve_blocks
 
@@ -27,7 +27,9 @@ if TYPE_CHECKING:
 _ROUNDING = 1e-9  # of quantities without a smallest value of their own
 
 
-def modes_page(found: Sequence[Mode], equilibrium: Mapping[str, float], *, title: str) -> Page:
+def modes_page(
+    found: Sequence[Mode], equilibrium: Mapping[str, float], findings: Sequence[Finding] = (), *, title: str
+) -> Page:
     """Put the oscillating modes of a rig and its static equilibrium on a page.
 
     Parameters
@@ -36,6 +38,8 @@ def modes_page(found: Sequence[Mode], equilibrium: Mapping[str, float], *, title
         As :func:`jounce.modes` gives them.
     equilibrium : mapping of str to float
         Channel to its value at rest, SI, as :func:`jounce.equilibrium` gives it.
+    findings : sequence of Finding
+        What the linear model leaves out.
     title : str
         Head of the page.
 
@@ -75,14 +79,16 @@ def modes_page(found: Sequence[Mode], equilibrium: Mapping[str, float], *, title
         )
     rest = tuple((name, *_at_rest(name, value)) for name, value in equilibrium.items())
     statics = Table("Static equilibrium", ("quantity", "unit", "value"), rest, "llr")
-    return Page(title, (Section("Modes", answer), Section("Static equilibrium", (statics,))), "Linear model about rest")
+    told = (Findings(tuple(findings)),) if findings else ()
+    sections = (Section("Modes", (*answer, *told)), Section("Static equilibrium", (statics,)))
+    return Page(title, sections, "Linear model about rest")
 
 
 def _at_rest(name: str, value: float) -> tuple[str, str]:
     """Unit and value; what rounding leaves of nothing is nothing."""
-    if not quantity_of(name):  # coordinates of joints are no channels
-        return "SI", number(value)
-    si = channel_unit(name)
+    si = state_unit(name)
+    if si == "SI":
+        return si, number(value)
     unit = display_unit(si, value)
     return unit.name or "–", number(0.0 if abs(value) < SMALLEST.get(si, _ROUNDING) else value * unit.factor)
 

@@ -77,9 +77,19 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
             )
         channels = channels_of(words[1], list(units))
         if not channels:
-            raise unknown(words[1], units, what="channel", where="metrics")
+            raise _unknown_channel(words[1], units)
         found += [RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels]
     return list({metric.text: metric for metric in found}.values())
+
+
+def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
+    from jounce.kinematics.catalogue import CATALOGUE
+
+    error = unknown(name, units, what="channel", where="metrics")
+    if name not in {row.name for row in CATALOGUE}:
+        return error
+    hint = f"{name} is no channel of a run, but kinematics: jn.sweep_variants gives it over wheel travel."
+    return DescriptionError(error.what, where=error.where, allowed=error.allowed, hint=hint)
 
 
 def of_sums(word: str, mean: Array, square: Array, least: Array, most: Array, rest: Array) -> Array:
