@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
+from scipy.stats import norm
 
 import jounce as jn
 from jounce.parts import QuarterCar
@@ -159,3 +160,31 @@ def test_invariant_sum_of_any_half_car(damper, inertia):
         assert heave == pytest.approx(2.0 * 200e3 / 1636.0, rel=1e-9)
         (pitch,) = model.frequency_response([at], "body.pitch_acceleration", track)
         assert pitch == pytest.approx(arm * 2.0 * 200e3 / inertia, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["table", "tanh", "one line"])
+def test_dampers_whose_curve_bends_are_told_with_the_coefficient_they_damp_as(kind):
+    """For a Gaussian velocity it is the mean slope (Stein): slopes times probabilities, told where that at rest is not.
+
+    With it as coefficient a run of 58 s has the standard deviation of the body's acceleration within 1 % (1.36 and
+    1.37 m/s^2), and with the slope at rest 2.0 m/s^2.
+    """
+    knots, forces = np.array([-1.0, -0.05, 0.0, 0.05, 1.0]), np.array([-1500.0, -400.0, 0.0, 200.0, 900.0])
+    table = {"velocity": knots.tolist(), "force": forces.tolist()}
+    laws = {
+        "table": table,
+        "tanh": {"kind": "tanh", "coefficient": 500.0, "force": 300.0, "slope": 20.0},
+        "one line": {"velocity": [-1.0, 0.0, 0.4], "force": [-1500.0, 0.0, 600.0]},
+    }
+    found = stationary(car().with_changes({"strut.damper": laws[kind]}), "C", SPEED)
+    told = [one.value for one in found.findings if one.place == "strut.damper"]
+    if kind == "one line":
+        assert not told
+        return
+    velocity = norm(scale=found.standard_deviation["strut.velocity"])
+    if kind == "table":
+        edges = np.array([-np.inf, -0.05, 0.0, 0.05, np.inf])
+        expected = np.diff(velocity.cdf(edges)) @ (np.diff(forces) / np.diff(knots))
+    else:
+        expected = 500.0 + velocity.expect(lambda v: 300.0 * 20.0 * (1.0 - np.tanh(20.0 * v) ** 2))
+    assert told == [pytest.approx(expected, rel=1e-4)]

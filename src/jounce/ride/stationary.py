@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -29,6 +30,8 @@ _ABSENT = {
 }
 _LIFTS = 3.0  # standard deviations
 _TINY = 1e-12
+_FARTHEST = 6.0  # standard deviations
+_BENDS = 0.1  # share of its coefficient by which a damper's slope at rest may be off unsaid
 
 
 @dataclass(frozen=True)
@@ -293,7 +296,55 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
         found.append(Finding(path, "warning", text, numbers[path]))
     for path in (path for path in numbers if path.endswith("bump_coefficient")):
         found.append(Finding(path, "note", "the mean of bump and rebound coefficients is used.", numbers[path]))
-    return found
+    return [*found, *_bent_dampers(numbers, sigma)]
+
+
+def _bent_dampers(numbers: Mapping[str, float], sigma: Mapping[str, float]) -> Iterator[Finding]:
+    """Dampers whose slope at rest is not what they damp on this road: the coefficient of a Gaussian velocity is.
+
+    That is the mean of force times velocity over that of the velocity squared (statistical linearisation).
+    """
+    for damper in (path.removesuffix(".coefficient") for path in numbers if path.endswith("damper.coefficient")):
+        if f"{damper}.slope" not in numbers:
+            continue
+        c, f, slope = (numbers[f"{damper}.{name}"] for name in ("coefficient", "force", "slope"))
+        yield from _bent(damper, sigma, partial(_of_tanh, c, f, slope), c + f * slope)
+    for damper in (path.removesuffix(".velocity[0]") for path in numbers if path.endswith("damper.velocity[0]")):
+        if f"{damper}.force[0]" not in numbers:  # a map
+            continue
+        count = sum(path.startswith(f"{damper}.velocity[") for path in numbers)
+        knots, forces = (
+            np.array([numbers[f"{damper}.{name}[{i}]"] for i in range(count)]) for name in ("velocity", "force")
+        )
+        law = partial(_of_table, knots, np.diff(forces) / np.diff(knots), forces)
+        nearby = 1e-9 * float(np.abs(knots).max())
+        yield from _bent(damper, sigma, law, float(np.diff(law(np.array([-nearby, nearby])))[0] / (2.0 * nearby)))
+
+
+def _of_tanh(coefficient: float, force: float, slope: float, velocity: Array) -> Array:
+    return np.asarray(coefficient * velocity + force * np.tanh(slope * velocity))
+
+
+def _of_table(knots: Array, slopes: Array, forces: Array, velocity: Array) -> Array:
+    piece = np.clip(np.searchsorted(knots, velocity) - 1, 0, len(slopes) - 1)
+    return np.asarray(forces[piece] + slopes[piece] * (velocity - knots[piece]))
+
+
+def _bent(damper: str, sigma: Mapping[str, float], law: Callable[[Array], Array], at_rest: float) -> Iterator[Finding]:
+    place = damper.partition(".")[0]  # "strut", or the axle
+    own = (sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place))
+    speed = max(own, default=0.0)
+    if "third_spring" in damper or speed <= 0.0:
+        return
+    z = np.linspace(-_FARTHEST, _FARTHEST, 4001)
+    weight = np.exp(-0.5 * z**2)
+    felt = float(weight @ (law(speed * z) * z) / (weight @ z**2) / speed)
+    if abs(felt - at_rest) > _BENDS * abs(felt):
+        text = (
+            f"the curve bends: at {speed:.2g} m/s (standard deviation) it damps like {felt:.4g} N*s/m, but its slope "
+            f"at rest, {at_rest:.4g} N*s/m, is used; give {felt:.4g} N*s/m as coefficient and look again, or simulate."
+        )
+        yield Finding(damper, "warning", text, felt)
 
 
 def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
