@@ -124,6 +124,7 @@ class UpdateEntry(Description):
     weights: Literal["printed", "normalised"] | dict[str, NonNegativeNumber] = "printed"
     channels: tuple[str, ...] | None = None
     align: Literal["lag"] | None = None
+    nuisances: dict[str, Any] = {}
     starts: Annotated[Whole, Field(ge=1, le=1000)] = 1
 
 

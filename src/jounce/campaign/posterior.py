@@ -157,6 +157,11 @@ def _asked(
     if len(done) < len(before) and problems:
         raise FitError("an update it starts from failed", where=entry.name, found=str(problems[-1]))
     knowledge, _, trials, asked = runner.set_up(entry, start, done)
+    if asked.pop("nuisances"):
+        hint = (
+            "State what the update finds as speed of the trials and low_pass of the sensors, and leave nuisances out."
+        )
+        raise FitError("speeds and filters are not drawn from a posterior", where=entry.name, hint=hint)
     if not trials:
         raise FitError("no trial to fit", where=entry.name, hint='Mark trials with use = "fit" or name their numbers.')
     free: dict[str, Any] = dict(entry.free)

@@ -335,6 +335,7 @@ class Runner:
             "weights": entry.weights,
             "channels": entry.channels,
             "align": entry.align,
+            "nuisances": entry.nuisances,
             "starts": entry.starts,
             "doubt": self.campaign.doubt,
             "bench": bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import xarray as xr
@@ -89,6 +89,24 @@ class Free:
     def scaled(self, value: float) -> float:
         """Scaled coordinate of a value."""
         return (value - 0.5 * (self.upper + self.lower)) / self.half_range
+
+
+class Unknown(Protocol):
+    """An unknown of trials and sensors, beside the rig's parameters."""
+
+    @property
+    def name(self) -> str:
+        """How it is called."""
+        ...
+
+    @property
+    def free(self) -> Free:
+        """Its start and bounds."""
+        ...
+
+    def applied(self, trial: FitTrial, found: float) -> FitTrial:
+        """The trial with this value."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -187,6 +205,9 @@ class Residuals:
         return np.hstack([self.direct, lags])
 
 
+_ASIDE = 1e-3  # of half the range: step to either side for derivatives by nuisances
+
+
 def project_out(columns: Array, direction: Array) -> None:
     """Take out of each column, in place, what one direction explains."""
     length = float(direction @ direction)
@@ -211,7 +232,9 @@ class UpdateProblem:
         align: bool,
         lag_bound: float,
         tolerance: float,
+        nuisances: Sequence[Unknown] = (),
     ) -> None:
+        self.nuisances = tuple(nuisances)
         self.free, self.align, self.lag_bound, self.tolerance = tuple(free), align, lag_bound, tolerance
         self.trials = tuple(prepare_trial(trial, self.free, channels, weights) for trial in trials)
         self.evaluations = 0
@@ -234,8 +257,8 @@ class UpdateProblem:
 
     @property
     def size(self) -> int:
-        """Number of unknowns of the search."""
-        return len(self.free)
+        """Number of unknowns of the search: the free parameters, then the nuisances."""
+        return len(self.free) + len(self.nuisances)
 
     @property
     def data_energy(self) -> float:
@@ -243,8 +266,8 @@ class UpdateProblem:
         return sum(float(np.sum((c.weight * c.measured) ** 2)) for trial in self.trials for c in trial.channels)
 
     def values(self, scaled: Array) -> Array:
-        """Parameter values (SI) at scaled coordinates."""
-        return np.array([free.value(s) for free, s in zip(self.free, scaled, strict=True)])
+        """Parameter values (SI) at scaled coordinates; those of the nuisances behind them are not given."""
+        return np.array([free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)])
 
     def residuals(self, scaled: Array) -> Residuals:
         """Evaluate residuals and Jacobian with respect to the scaled unknowns."""
@@ -279,8 +302,8 @@ class UpdateProblem:
         vectors, jacobians, slopes, blocks, groups, lags, at = [], [], [], [], [], [], 0
         for trial in self.trials:
             scales = np.array([f.half_range * factor for f, factor in zip(self.free, trial.factors, strict=True)])
-            solution = trial.solve(values, self.tolerance)
-            tables = [trial.table(channel, solution) for channel in trial.channels]
+            tables = self._tables(trial, values, scaled[len(self.free) :])
+            scales = np.concatenate([scales, np.ones(len(self.nuisances))])
             lag, found = self._aligned(trial, tables)
             begin = at
             for channel, (table, slope) in zip(trial.channels, found, strict=True):
@@ -299,6 +322,45 @@ class UpdateProblem:
             tuple(groups),
             np.array(lags),
         )
+
+    def speed_slope(self, scaled: Array) -> Array:
+        """Derivative of the residuals by the logarithm of the speed of all trials, with the lags kept."""
+        values, lags, found = self.values(scaled), self.residuals(scaled).lags, list[Array]()
+        for trial, lag in zip(self.trials, lags, strict=True):
+            source, sides = trial.source, []
+            for one, place in zip(self.nuisances, scaled[len(self.free) :], strict=True):
+                source = one.applied(source, one.free.value(place))
+            for factor in (1.0 + _ASIDE, 1.0 - _ASIDE):
+                moved = replace(trial, source=replace(source, trial=source.trial.at_speed(factor)))
+                solution = moved.solve(values, self.tolerance)
+                tables = [moved.table(channel, solution)[:, :1] for channel in trial.channels]
+                sides.append([shift_signals(table, trial.rate, lag)[:, 0] for table in tables])
+            for channel, above, below in zip(trial.channels, *sides, strict=True):
+                slope = (above - below) / (2.0 * _ASIDE)
+                found.append(-channel.weight * (slope - (slope.mean() if channel.datum == "free offset" else 0.0)))
+        return np.concatenate(found)
+
+    def _tables(self, trial: Prepared, values: Array, scaled: Array) -> list[Array]:
+        """Readings of the channels, and their derivatives by the parameters and, scaled, by the nuisances."""
+        solutions: dict[float | None, Solution] = {}
+
+        def tables(at: Array) -> list[Array]:
+            source = trial.source
+            for one, place in zip(self.nuisances, at, strict=True):
+                source = one.applied(source, one.free.value(place))
+            channels = [replace(channel, sensor=source.sensors.get(channel.name)) for channel in trial.channels]
+            moved = replace(trial, source=source) if self.nuisances else trial
+            if source.trial.speed not in solutions:
+                solutions[source.trial.speed] = moved.solve(values, self.tolerance)
+            return [moved.table(channel, solutions[source.trial.speed]) for channel in channels]
+
+        found = tables(scaled)
+        for i in range(len(self.nuisances)):
+            aside = _ASIDE * np.eye(len(self.nuisances))[i]
+            above, below = tables(scaled + aside), tables(scaled - aside)
+            slopes = [(one[:, :1] - other[:, :1]) / (2.0 * _ASIDE) for one, other in zip(above, below, strict=True)]
+            found = [np.hstack([table, slope]) for table, slope in zip(found, slopes, strict=True)]
+        return found
 
     def _aligned(self, trial: Prepared, tables: list[Array]) -> tuple[float, list[tuple[Array, Array]]]:
         """Lag of a trial's recording, and each channel's table there with the slope by the lag (0 where held)."""

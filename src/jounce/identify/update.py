@@ -19,6 +19,7 @@ from jounce.identify.doubt import Doubt, doubts_of
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
+from jounce.identify.nuisances import ALIKE, SPEED, Nuisance, Rest, late_share, low_pass_in, nuisances_of, speed_in
 from jounce.parts import Rig
 from jounce.parts.rig import shown_unit_of, unit_of
 from jounce.simulation.settings import RunSettings
@@ -341,7 +342,7 @@ class UpdateResult(Shown):
     parameters : dict
         Path to ``UpdatedParameter``.
     correlation : tuple
-        Correlation matrix (1) of the estimates, in the order of ``parameters`` (then lags).
+        Correlation matrix (1) of the estimates, in the order of ``parameters`` (then nuisances, then lags).
     lags : dict
         Trial to lag of its recording behind the simulation, s; empty when not aligned.
     identifiability : Identifiability
@@ -351,6 +352,8 @@ class UpdateResult(Shown):
     discrepancy : Discrepancy or None
         The parameters again with intervals that count what the model lacks; None where that was not asked for or fewer
         than three trials were fitted.
+    nuisances : dict
+        What was found beside the rig's parameters (speed in m/s, corners of low passes in Hz) to ``UpdatedParameter``.
     """
 
     name: str
@@ -366,6 +369,7 @@ class UpdateResult(Shown):
     identifiability: Identifiability
     findings: tuple[Finding, ...] = field(default_factory=tuple)
     discrepancy: Discrepancy | None = None
+    nuisances: dict[str, UpdatedParameter] = field(default_factory=dict)
 
     def values(self) -> dict[str, float]:
         """Fitted values by path, SI."""
@@ -386,6 +390,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     seed: int = 1,
     tolerance: float = 1e-8,
     doubt: Doubt | Mapping[str, Any] | None = None,
+    nuisances: Mapping[str, Any] | None = None,
     bench: Mapping[str, Estimate] | None = None,
 ) -> UpdateResult:
     """Fit parameters of a rig to the recordings of one or several trials.
@@ -423,6 +428,10 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     doubt : Doubt or dict, optional
         How far model and measurements may be off; then the result has intervals that count it (``discrepancy``), from
         three trials on. ``jn.Doubt()`` has the defaults.
+    nuisances : dict, optional
+        What is found with the parameters and is none of the rig: ``{"speed": "5 %"}`` (one common factor on the stated
+        speeds), ``{"sprung.az.low_pass": ["20 Hz", "400 Hz"]}`` (corner of an undeclared second-order low pass of a
+        channel, in all trials). Intervals of ``doubt`` take them as found.
     bench : dict, optional
         Path to what a component test gave (SI): where the update contradicts it, a finding says so.
 
@@ -453,7 +462,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     """
     return updated(
         trials, free, name=name, method=method, weights=weights, channels=channels, align=align, lag_bound=lag_bound,
-        starts=starts, seed=seed, tolerance=tolerance, doubt=doubt, bench=bench,
+        starts=starts, seed=seed, tolerance=tolerance, doubt=doubt, bench=bench, nuisances=nuisances,
     )[0]  # fmt: skip
 
 
@@ -461,7 +470,7 @@ def updated(  # noqa: PLR0913 - as update_model
     trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str,
     weights: str | Mapping[str, float], channels: Sequence[str] | None, align: str | None, starts: int,
     doubt: Doubt | Mapping[str, Any] | None, bench: Mapping[str, Estimate] | None, lag_bound: float = 0.02,
-    seed: int = 1, tolerance: float = 1e-8,
+    seed: int = 1, tolerance: float = 1e-8, nuisances: Mapping[str, Any] | None = None,
 ) -> tuple[UpdateResult, Calibrated | None]:  # fmt: skip
     """Update as :func:`update_model` does; gives also where the richer model ended, where model error is counted."""
     check_method(method)
@@ -482,6 +491,7 @@ def updated(  # noqa: PLR0913 - as update_model
         )
     bounds = free_parameters(trials[0].rig, ranges, where=name)
     trials, datums = with_datums(trials, channels)
+    unknowns = nuisances_of(nuisances or {}, trials, f"{name}: nuisances")
     problem = UpdateProblem(
         trials,
         bounds,
@@ -490,9 +500,14 @@ def updated(  # noqa: PLR0913 - as update_model
         align=align == "lag",
         lag_bound=lag_bound,
         tolerance=RunSettings(tolerance=tolerance).tolerance,
+        nuisances=unknowns,
     )
-    start = np.array([item.scaled(item.initial) for item in bounds])
-    names = (*(item.path for item in bounds), *(f"lag of {t.name}" for t in trials if align))
+    start = np.array([item.scaled(item.initial) for item in (*bounds, *(one.free for one in unknowns))])
+    names = (
+        *(item.path for item in bounds),
+        *(one.name for one in unknowns),
+        *(f"lag of {t.name}" for t in trials if align),
+    )
     known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
     optima = minimise_from_many(problem, start, method, starts, seed)
@@ -502,10 +517,15 @@ def updated(  # noqa: PLR0913 - as update_model
     residuals = problem.residuals(best.scaled)
     left = _left_over(problem, residuals)
     findings += [*_unexplained(problem, residuals), *_copies(problem)]
-    for channel, parts in left.items():
-        findings += faults(channel, parts, lag_bound, is_aligned=problem.align)
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     whole = _whole(problem, best.scaled)
+    inside = ~np.pad(at_bound, (0, whole.shape[1] - len(at_bound)))
+    loud = [channel for channel, parts in left.items() if beyond_noise(parts) is not None]
+    suspects = _suspects(problem, residuals, best.scaled, whole[:, inside], loud)
+    findings += [finding for _, finding in suspects]
+    for channel, parts in left.items():
+        if not any(finding.place in (channel, SPEED) or share > _CLEARLY for share, finding in suspects):
+            findings += faults(channel, parts, lag_bound, is_aligned=problem.align)
     inner = np.atleast_1d(whole.any(axis=0))
     inner[: len(at_bound)] &= ~at_bound
     covariance = np.zeros((len(inner), len(inner)))
@@ -529,9 +549,20 @@ def updated(  # noqa: PLR0913 - as update_model
         if at_bound[i]:
             text = "ends on its bound: the data call for a value beyond it, or the model lacks something"
             findings.append(Finding(item.path, "warning", text, value))
+    found_beside = {
+        one.name: _beside(one, scaled, variance, is_bound)
+        for one, scaled, variance, is_bound in zip(
+            unknowns,
+            best.scaled[len(bounds) :],
+            np.diag(covariance)[len(bounds) : problem.size],
+            at_bound[len(bounds) :],
+            strict=True,
+        )
+    }
+    findings += _of_nuisances(found_beside)
     lags = dict(zip((t.source.name for t in problem.trials), residuals.lags.tolist(), strict=True)) if align else {}
     correlations = correlation_of(covariance)
-    alike = _correlated(names[: len(bounds)], correlations)
+    alike = _correlated(names[: problem.size], correlations)
     at_start = [one for one in known.findings if any(one.place == pair.place for pair in alike)]
     findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
     discrepancy = calibration = None
@@ -539,6 +570,8 @@ def updated(  # noqa: PLR0913 - as update_model
         counted = doubts_of(doubt)
         values = {path: parameter.value for path, parameter in parameters.items()}
         settings = {"channels": channels, "weights": weights, "tolerance": problem.tolerance}
+        for one, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
+            trials = [one.applied(trial, one.free.value(scaled)) for trial in trials]
         calibration, more = _with_doubt(
             trials, bounds, values, counted, priors, lags=lags, align=align == "lag", **settings
         )
@@ -562,8 +595,75 @@ def updated(  # noqa: PLR0913 - as update_model
         known,
         tuple(findings),
         discrepancy,
+        found_beside,
     )
     return result, calibration
+
+
+def _beside(one: Nuisance, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
+    """A nuisance as it is told: its value, and the interval of what was searched in its unit."""
+    free, found = one.free, float(one.free.value(scaled))
+    error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
+    ends = None if error is None else tuple(sorted(one.told(max(found + s * 1.96 * error, 1e-12)) for s in (-1.0, 1.0)))
+    interval = None if ends is None else (ends[0], ends[1])
+    slope = 1.0 if one.name == SPEED else one.told(found) ** 2
+    lower, upper = sorted((one.told(free.lower), one.told(free.upper)))
+    scatter = None if error is None else error * slope
+    initial = one.told(free.initial)
+    return UpdatedParameter(initial, one.told(found), scatter, interval, lower, upper, is_bound, one.unit)
+
+
+def _of_nuisances(found: Mapping[str, UpdatedParameter]) -> list[Finding]:
+    """What was found beside the rig's values, and that it belongs into the description of trials and sensors."""
+    findings = []
+    for name, one in found.items():
+        within = "" if one.interval is None else f" ({one.interval[0]:.4g} to {one.interval[1]:.4g} {one.unit})"
+        if one.at_bound:
+            text = f"ends on its bound at {one.value:.4g} {one.unit}: move the bound, or leave it out"
+        elif name == SPEED:
+            text = (
+                f"{one.value:.4g} m/s{within} in the first trial, {100.0 * (one.value / one.initial - 1.0):+.2g} % "
+                "from the stated speeds in all of them: state the speed that was measured, where there is one"
+            )
+        else:
+            text = f"a low pass of {one.value:.4g} Hz{within}: state it as low_pass of the sensor, if the chain has one"
+        findings.append(Finding(name, "warning" if one.at_bound else "note", text, one.value))
+    return findings
+
+
+def _suspects(
+    problem: UpdateProblem, residuals: Residuals, scaled: Array, whole: Array, loud: Sequence[str]
+) -> list[tuple[float, Finding]]:
+    """Faults of sensors and trials that explain most of what is left, with their share of it.
+
+    ``loud`` are the channels of which more is left than noise: without one there is nothing to explain.
+    """
+    if not loud:
+        return []
+    readings = dict[str, list[tuple[slice, float, Array, float, bool]]]()
+    both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
+    for (trial, channel), block in zip(both, residuals.blocks, strict=True):
+        if channel.weight > 0.0:
+            read = channel.measured - residuals.vector[block] / channel.weight
+            one = (block, channel.weight, read, trial.rate, channel.datum == "free offset")
+            readings.setdefault(channel.name, []).append(one)
+    rest = Rest(residuals.vector, whole, readings, problem.data_energy)
+    freed = {one.name for one in problem.nuisances}
+    declared = {
+        channel.name for _, channel in both if channel.sensor is not None and channel.sensor.low_pass is not None
+    }
+    found = [low_pass_in(rest, name) for name in loud if name not in declared and f"{name}.low_pass" not in freed]
+    if SPEED not in freed and all(trial.source.trial.speed is not None for trial in problem.trials):
+        found.append(speed_in(rest, problem.speed_slope(scaled)))
+    likely = sorted((one for one in found if one is not None), key=lambda one: -one[0])
+    if likely and not problem.align:
+        late = late_share(rest)
+        likely = [one for one in likely if 1.0 - one[0] < ALIKE * (1.0 - late)]
+    return [one for one in likely if one[0] > likely[0][0] - _AS_LIKELY]
+
+
+_AS_LIKELY = 0.1  # of what is left: a fault that explains less than the best by more is not told
+_CLEARLY = 0.6  # of what is left: a fault that explains so much leaves no question for the other channels
 
 
 _CORRELATED = 0.9

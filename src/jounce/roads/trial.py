@@ -333,6 +333,13 @@ class Trial(Description):
             object.__setattr__(self, "duration", self._default_duration())
         return self
 
+    def at_speed(self, factor: float) -> Trial:
+        """The same trial driven at a multiple of its speed; one without a speed stays as it is."""
+        if self.speed is None:
+            return self
+        given = {name: getattr(self, name) for name in self.model_fields_set}
+        return Trial.model_validate({**given, "speed": factor * self.speed})
+
     def _default_duration(self) -> float:
         if self.excitation is None:
             raise ValueError("the duration is missing, e.g. duration = '3 s'")
