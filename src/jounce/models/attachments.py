@@ -212,13 +212,16 @@ def stop_law(linkage: Described, line: Stretch) -> ca.SX:
 
 
 def damper_law(linkage: Described, line: Stretch) -> ca.SX:
-    """Damper and friction force (N, compression positive)."""
-    mechanism, strut = linkage.mechanism, linkage.rig.strut
-    if isinstance(strut.damper, MapDamper):
-        force = damper_map_force(mechanism, strut.damper, "strut.damper", line.length, -line.rate)
-    else:
-        force = damper_force(mechanism, strut.damper, "strut.damper", line.deflection, -line.rate)
-    return force + friction_force(mechanism, strut.friction, "strut.friction", -line.rate)
+    """Damper force (N, compression positive)."""
+    mechanism, damper = linkage.mechanism, linkage.rig.strut.damper
+    if isinstance(damper, MapDamper):
+        return damper_map_force(mechanism, damper, "strut.damper", line.length, -line.rate)
+    return damper_force(mechanism, damper, "strut.damper", line.deflection, -line.rate)
+
+
+def friction_law(linkage: Described, line: Stretch) -> ca.SX:
+    """Dry friction of the strut (N, compression positive), which stays where an actuator takes the damper's place."""
+    return friction_force(linkage.mechanism, linkage.rig.strut.friction, "strut.friction", -line.rate)
 
 
 def undeformed_radius(linkage: Described) -> ca.SX:

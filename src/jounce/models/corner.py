@@ -22,6 +22,7 @@ from jounce.models.attachments import (
     bar_angle,
     bar_stiffness,
     damper_law,
+    friction_law,
     spring_law,
     stop_law,
     third_damper_law,
@@ -128,7 +129,7 @@ def add_strut(linkage: Suspension, actuator: AnyActuator | None = None) -> dict[
 def strut_forces(
     linkage: Described, spring: Stretch, damper: Stretch, actuator: AnyActuator | None = None
 ) -> tuple[ca.SX, ca.SX]:
-    """Forces (N, compression positive) of spring and stops, and of the damper (or actuator); let the strut be seen."""
+    """Forces (N, compression positive) of spring and stops, and of damper (or actuator) and friction; show them."""
     mechanism = linkage.mechanism
     elastic, stops = spring_law(linkage, spring), stop_law(linkage, spring)
     if "spring" not in linkage.rig.without:
@@ -137,6 +138,7 @@ def strut_forces(
     viscous = controlled_force(
         mechanism, actuator, damper.deflection, -damper.rate, lambda: damper_law(linkage, damper)
     )
+    viscous += friction_law(linkage, damper)
     what = "spring, stops, damper and friction"
     show_strut(mechanism, spring.deflection, -damper.rate, elastic + stops + viscous, what, " from design")
     return elastic + stops, viscous
