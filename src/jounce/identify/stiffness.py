@@ -260,7 +260,8 @@ class StiffnessResult(Shown):
         Force law that was fitted.
     stiffness : Estimate
         Linear law: the slope. Other laws: the tangent at ``operating_force``, or at the middle of the fitted range when
-        no operating force was given [N/m]. The interval treats the trials as the replicates.
+        no operating force was given [N/m]. The interval treats the trials as the replicates; of a polynomial or power
+        law it also counts how far polynomials of one and two more degrees lie from it there.
     intercept : Estimate or None
         Force of the fitted line at zero deflection [N]; None for laws that pass through the origin.
     intercept_choice : {"drop", "shift", "keep"}
@@ -412,12 +413,16 @@ def fit_stiffness(
     several = len(rows) > 1
     values = [row.stiffness.value for row in rows]
     own = _stiffness(pooled, at)
+    stiffness = mean_of_replicates(values, value=own.value) if several else own
+    if law in _DEGREES:
+        stiffness, lack = _with_law(stiffness, x, force, at, degree if law == "polynomial" else _DEGREES[law])
+        findings += lack
     if line is not None and several:
         line = mean_of_replicates([float(fit.parameters[-1]) for fit in alone], value=line.value)
     losses = [(row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None]
     return StiffnessResult(
         law=law,
-        stiffness=mean_of_replicates(values, value=own.value) if several else own,
+        stiffness=stiffness,
         intercept=line,
         intercept_choice=intercept,
         zero=zero,
@@ -510,6 +515,41 @@ def _stiffness(fit: CurveFit, at: float) -> Estimate:
     if fit.uncertainty is None:
         return Estimate(value)
     return fit.uncertainty.derived(value, _tangent_gradient(fit, at))
+
+
+_DEGREES: dict[Law, int] = {"polynomial": 0, "power": 2}
+"""Laws whose shape is a choice, with the degree of the polynomial that is as free (0: its own)."""
+
+
+def _with_law(stiffness: Estimate, x: Array, force: Array, at: float, degree: int) -> tuple[Estimate, list[Finding]]:
+    """The tangent at ``at`` [m] with an interval that counts the choice of the law, and what is told of it.
+
+    All trials share what the law lacks, so that their scatter knows nothing of it. Polynomials of one and two more
+    degrees have it, or half of it: the larger distance of their tangents is added to the half width by squares.
+    """
+    others = []
+    for more in (1, 2):
+        if len(np.unique(x)) <= degree + more:
+            break
+        reach = float(x.max())  # of order 1, so that high powers are told apart
+        powers = np.arange(1, degree + more + 1)
+        found = np.linalg.lstsq((x[:, None] / reach) ** powers, force, rcond=None)[0]
+        others.append(float(found @ (powers * (at / reach) ** (powers - 1.0))) / reach)
+    if not others or stiffness.standard_error is None or stiffness.interval is None:
+        return stiffness, []
+    apart = max(abs(other - stiffness.value) for other in others)
+    half = 0.5 * (stiffness.interval[1] - stiffness.interval[0])
+    whole = math.hypot(half, apart)
+    error = math.hypot(stiffness.standard_error, 0.5 * apart)
+    counted = Estimate(stiffness.value, error, (stiffness.value - whole, stiffness.value + whole))
+    if apart <= half:
+        return counted, []
+    text = (
+        f"polynomials of degree {degree + 1} and more have a slope of {min(others):.4g} to {max(others):.4g} N/m at "
+        f"{1e3 * at:.3g} mm, this law {stiffness.value:.4g} N/m: the trials agree better with each other than with the "
+        "law, and the interval counts it. Fit more degrees or 'monotone-spline', or only the range around the load."
+    )
+    return counted, [Finding("law", "warning" if apart > _ODD * abs(stiffness.value) else "note", text, apart)]
 
 
 def _tangent_gradient(fit: CurveFit, at: float) -> Array:
