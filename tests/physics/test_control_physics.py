@@ -384,9 +384,9 @@ def test_corners_of_vehicles_carry_the_whole_car() -> None:
 def test_corner_of_an_inclined_strut_is_that_of_the_wheel() -> None:
     rig = jn.QuarterCar(
         sprung={"mass": 400.0}, unsprung={"mass": 40.0}, tyre={"stiffness": 200e3, "lift_off": False},
-        strut={"angle": "30 deg", "spring": {"rate": 25e3}, "damper": {"coefficient": 1500.0}},
+        strut={"angle": "30 deg", "spring": {"rate": 25e3}, "damper": {"coefficient": 1500}, "friction": {"force": 9}},
     )  # fmt: skip
-    model = corner_models(rig)[""]
+    model = corner_models(rig)[""]  # dry friction is no part of its damper
     assert model.motion_ratio == pytest.approx(np.cos(np.pi / 6.0), rel=1e-12)
     assert model.spring_rate == pytest.approx(25e3 * 0.75, rel=1e-9)
     assert model.damping_coefficient == pytest.approx(1500.0 * 0.75, rel=1e-9)

@@ -27,6 +27,7 @@ from jounce.parts import Rig
 from jounce.simulation.balance import balanced_commands
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.corner_models import corner_models
+from jounce.simulation.linear_model import numbers_without_friction
 from jounce.simulation.prepare import Prepared
 from jounce.simulation.settings import MAX_STEPS
 from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
@@ -340,7 +341,7 @@ def command_names(corners: Sequence[str]) -> tuple[str, ...]:
 def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
     """Poles of a rig with a linear law, at the control instants, about static equilibrium.
 
-    Limits of the actuator are left out. What the law samples and holds is in them exactly.
+    Limits of the actuator and dry friction are left out. What the law samples and holds is in them exactly.
 
     Parameters
     ----------
@@ -374,7 +375,7 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
             allowed="active-skyhook, pid, lqr, lqg, h-infinity with an active actuator",
         )
     compiled = compile_rig(rig, actuator=loop.actuator)
-    p = compiled.parameter_values({**rig.parameters(), **loop.parameters(compiled)})
+    p = compiled.parameter_values({**numbers_without_friction(rig), **loop.parameters(compiled)})
     still = compiled.inputs(0.0)
     return poles(loop, compiled, p, find_equilibrium(compiled, p, still), still)
 

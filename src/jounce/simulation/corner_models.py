@@ -10,6 +10,7 @@ from jounce.core.types import Array
 from jounce.parts import Rig
 from jounce.parts.vehicles import Vehicle
 from jounce.simulation.compiled import Compiled, compile_rig
+from jounce.simulation.linear_model import numbers_without_friction
 from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 _TYPICAL_VELOCITY = 0.3  # m/s at which a damper is taken for a constant coefficient
@@ -24,7 +25,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
     """Quarter-car equivalents of all corners.
 
     The sprung mass is the static share of the body's load; spring, tyre and unsprung mass come from the linearised
-    model, anti-roll bars are left out; the damper counts with its mean coefficient at 0.3 m/s.
+    model, anti-roll bars and dry friction are left out; the damper counts with its mean coefficient at 0.3 m/s.
 
     Parameters
     ----------
@@ -47,7 +48,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
     >>> round(corner_models(load("kart-quarter-car"))[""].sprung_mass, 6)   # kg
     16.0
     """
-    values = rig.parameters()
+    values = numbers_without_friction(rig)
     gravity = values.get("gravity", 0.0)
     if gravity <= 0.0:
         raise SimulationError(

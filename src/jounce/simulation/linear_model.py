@@ -133,8 +133,8 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     return _linearised(rig, road_height, rig.parameters())
 
 
-def _sliding(rig: Rig) -> dict[str, float]:
-    """Numbers of a rig without dry friction."""
+def numbers_without_friction(rig: Rig) -> dict[str, float]:
+    """Give the numbers of a rig, SI by path, with no dry friction."""
     return {path: 0.0 if path.endswith("friction.force") else value for path, value in rig.parameters().items()}
 
 
@@ -176,7 +176,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
     (5.1, 28.2)
     """
-    model = _linearised(rig, road_height, _sliding(rig))
+    model = _linearised(rig, road_height, numbers_without_friction(rig))
     values, vectors = np.linalg.eig(model.A)
     heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
     names = [model.outputs[i] for i in heights]
