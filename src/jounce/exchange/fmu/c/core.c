@@ -352,6 +352,32 @@ static void least_squares(double a[ROWS][COLUMNS], double *b, double *d) {
     }
 }
 
+/* Leave out of the accelerations (rows of a and b) what crosses the loops: it follows from what runs along them, but
+   for products of two small numbers, and those, with light parts, would outweigh the balance. Twice, for rounding. */
+static void along_loops(double a[ROWS][COLUMNS], double *b) {
+    double across[JN_ROOM(JN_NC)][JN_ROOM(JN_NV)];
+    for (int i = 0; i < JN_NC; i++) {
+        double *row = across[i], *given = a[JN_NV + JN_NI + i], size = 0.0, left = 0.0;
+        memcpy(row, given, JN_NV * sizeof(double));
+        for (int k = 0; k < JN_NV; k++) size += row[k] * row[k];
+        for (int h = 0; h < 2 * i; h++) {
+            double dot = 0.0, *known = across[h % i];
+            for (int k = 0; k < JN_NV; k++) dot += known[k] * row[k];
+            for (int k = 0; k < JN_NV; k++) row[k] -= dot * known[k];
+        }
+        for (int k = 0; k < JN_NV; k++) left += row[k] * row[k];
+        for (int k = 0; k < JN_NV; k++) row[k] = left > 1e-18 * size ? row[k] / sqrt(left) : 0.0;
+        for (int j = 0; j <= COLUMNS; j++) {
+            double dot = 0.0;
+            for (int k = 0; k < JN_NV; k++) dot += row[k] * (j < COLUMNS ? a[k][j] : b[k]);
+            for (int k = 0; k < JN_NV; k++) {
+                if (j < COLUMNS) a[k][j] -= dot * row[k];
+                else b[k] -= dot * row[k];
+            }
+        }
+    }
+}
+
 /* Inputs whose rates vanish: equilibrium is that of their values. */
 static const double *still(const JnState *s, double *u) {
     for (int i = 0; i < JN_NU; i++) u[i] = i % JN_ORDER ? 0.0 : s->u[i];
@@ -391,6 +417,7 @@ static double towards_rest(JnInstance *c) {
         jn_slopes(s->x, u, s->e, s->m, seed, none_u, none_p, dx, y, z, on);
         for (int i = 0; i < JN_NV + JN_NI; i++) a[i][j] = dx[JN_NQ + i];
     }
+    along_loops(a, b);
     least_squares(a, b, d);
     for (int j = 0; j < JN_NV; j++) largest = fmax(largest, fabs(d[j]));
     if (JN_PROJECTS && largest > STRIDE)
