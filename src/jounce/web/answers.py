@@ -83,6 +83,7 @@ def rig_in(project: Project, name: str, text: str) -> Rig:
 def described(rig: Rig, name: str) -> dict[str, Any]:
     """Numbers of a rig by path: value (SI), unit, and the unit and factor that it is shown in."""
     from jounce.core.display import display_unit
+    from jounce.core.serialise import to_plain
     from jounce.parts import rig_findings
     from jounce.parts.rig import unit_of
 
@@ -96,7 +97,7 @@ def described(rig: Rig, name: str) -> dict[str, Any]:
         "model": getattr(rig, "model", type(rig).__name__),
         "spatial": _is_spatial(rig),
         "numbers": numbers,
-        "findings": [finding.message for finding in rig_findings(rig)],
+        "findings": to_plain(rig_findings(rig)),
     }
 
 

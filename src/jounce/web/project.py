@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import time
@@ -9,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+from stat import S_ISREG
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import content_of
@@ -98,19 +100,27 @@ class Project:
         return found
 
     def _swept(self, manifest: Path) -> Entry | None:
-        """Give the folder of a sweep, with how far it is; none where that is the project itself, or says nothing."""
+        """Give the folder of a sweep, with how far it is where that can be read; none for the project itself."""
         folder = manifest.parent
         if folder == self.root:
             return None
         from jounce.variants.shards import read_kept
 
+        files = []
+        for one in folder.rglob("*"):
+            with contextlib.suppress(OSError):  # a sweep that runs renames what it has written
+                files.append(one.stat())
+        finished: int | None = None
+        count: int | None = None
         try:
             kept = read_kept(folder)
-            files = [one.stat() for one in folder.rglob("*") if one.is_file()]
             finished, count = len(kept.names()), len(kept.spans)
         except (OSError, ValueError, JounceError):
-            return None
-        size, modified = sum(one.st_size for one in files), max(one.st_mtime for one in files)
+            pass  # opened, it says why
+        size, modified = (
+            sum(one.st_size for one in files if S_ISREG(one.st_mode)),
+            max((one.st_mtime for one in files), default=0.0),
+        )
         return Entry(folder.relative_to(self.root).as_posix(), "swept", size, modified, finished, count)
 
     def read(self, path: str) -> Text:

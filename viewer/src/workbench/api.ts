@@ -8,7 +8,7 @@ export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
 export interface Checked { kind: string; what: string; problems: string[]; notes: string[] }
 export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
-export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: string[] }
+export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: { place: string; severity: string; message: string }[] }
 export interface Problem { path: string; line: number; text: string }
 /** What a file was before it was written anew: its name, and when that was (s since 1970). */
 export interface Version { name: string; replaced: number }

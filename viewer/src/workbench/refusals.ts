@@ -2,6 +2,7 @@
 
 import { make } from "../page";
 import { heard, isGerman, tr } from "../words";
+import { found } from "./findings";
 
 const PHRASES: Record<string, string> = {
   "out of range": "außerhalb des Bereichs", "not a number": "keine Zahl", "not a finite number": "keine endliche Zahl", "not finite numbers": "keine endlichen Zahlen",
@@ -81,14 +82,16 @@ function hints(given: string): string {
 
 /** A sentence of the library: in the language of the page where it is known by its words, else as it is, and said to be English. */
 export function asSaid(message: string): Node | string {
-  const given = raised(message), text = told(given);
+  const given = raised(message), known = found(given);
+  if (known) return known;
+  const text = told(given);
   return isGerman && text === given && heard(given) === given && /[a-z] [a-z]/.test(given) ? make("span", { lang: "en" }, given) : heard(text);
 }
 
 /** Findings, each with how grave it is and what it is about. */
 export function advised(findings: { severity?: string; place?: string; message: string }[], tag: "p" | "li"): HTMLElement[] {
-  const found = new Map<string, HTMLElement>();
+  const shown = new Map<string, HTMLElement>();
   for (const { severity, place, message } of findings)
-    found.set(`${severity} ${place} ${message}`, make(tag, { class: severity === "problem" ? "problem" : tag === "p" ? "muted" : "" }, ...(severity ? [`${tr(severity)}: `] : []), ...(place ? [`${place}: `] : []), asSaid(message)));
-  return [...found.values()];
+    shown.set(`${severity} ${place} ${message}`, make(tag, { class: severity === "problem" ? "problem" : tag === "p" ? "muted" : "" }, ...(severity ? [`${tr(severity)}: `] : []), ...(place ? [`${place}: `] : []), asSaid(message)));
+  return [...shown.values()];
 }

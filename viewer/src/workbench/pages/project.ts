@@ -57,7 +57,7 @@ async function show(place: HTMLElement): Promise<void> {
 }
 
 /** A sweep, and how far it is: what is not finished can go on. */
-const how = ({ finished, count }: api.Entry): string => `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written(100 * (finished ?? 0) / (count || 1), 3)} %`)}`;
+const how = ({ finished, count }: api.Entry): string => count === null ? tr("sweep's results") : `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written(100 * (finished ?? 0) / (count || 1), 3)} %`)}`;
 
 /** What was entered on other pages and not saved. */
 function unsaved(drafts: Lying[]): HTMLElement {

@@ -10,7 +10,7 @@ import { Form, type Key, type Value } from "../form";
 import { copied, InTurn, Newest, problem } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, type Values, VEHICLES } from "../shell";
-import { asSaid } from "../refusals";
+import { advised } from "../refusals";
 
 export const rig: Page = { label: "Rig", show };
 
@@ -85,7 +85,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       try { form.show(await api.schema(found.model), found.values as { [key: string]: Value }, found.problems); } catch { form.element.replaceChildren(); }
     }
     const all = found.problems.map((one) => problem(new Error(`${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
-    told.replaceChildren(...(said ? [said] : []), ...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...(found.rig?.findings ?? []).map((one) => make("p", {}, asSaid(one))));
+    told.replaceChildren(...(said ? [said] : []), ...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...advised(found.rig?.findings ?? [], "p"));
     if (found.rig) { points.set(found.rig.numbers); drawing = draw(); }
     if (found.rig && !found.rig.spatial) picture.hidden = true;
   };

@@ -1,0 +1,41 @@
+"""The German workbench says in German what is found, and says of what is not German that it is English."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import jounce as jn
+
+pytestmark = pytest.mark.pages
+TOKEN = "a-token-of-german"
+LIBRARY = Path(jn.__file__).parent / "parts" / "library"
+
+
+def test_findings_of_a_rig_and_of_a_recording_are_german(browser: Any, workbench: tuple[Path, int]) -> None:
+    folder, port = workbench
+    rig = (LIBRARY / "kart-double-wishbone.toml").read_text()
+    (folder / "steep.toml").write_text(rig.replace('camber = "0 deg"', 'camber = "20 deg"', 1))
+    shutil.copy(LIBRARY / "kart-quarter-car.toml", folder)
+    rows = "".join(f"{0.01 * i:.2f},1,{i % 7}\n" for i in range(60))
+    (folder / "odd.csv").write_text(f"time [s],sprung.z [mm],temperature [K]\n{rows}")
+    context = browser.new_context(viewport={"width": 1280, "height": 720}, locale="de-DE")
+    context.set_default_timeout(60_000)
+    page = context.new_page()
+    page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}")
+    page.goto(f"http://127.0.0.1:{port}/#/rig?name=steep.toml")
+    page.wait_for_selector("html[data-ready=rig]")
+    told = page.locator(".told")
+    told.get_by_text("wheel.camber: 20 ° ist viel; wurden Grad als rad angegeben?").wait_for()
+    assert told.locator("[lang=en]").count() == 0
+    page.goto(f"http://127.0.0.1:{port}/#/inspection?record=odd.csv")
+    page.wait_for_selector("html[data-ready=inspection]")
+    page.get_by_role("button", name="Messung ansehen").click()
+    reading = page.locator(".reading")
+    reading.get_by_text("Der Kanal ist konstant (0.001); war der Aufnehmer angeschlossen?").wait_for()
+    reading.get_by_text("Spalten, die kein bekannter Kanal sind, wurden weggelassen: temperature").wait_for()
+    assert reading.locator("[lang=en]").count() == 0
+    context.close()
