@@ -47,12 +47,12 @@ class Segments:
     @cached_property
     def extent(self) -> float:
         """Difference of the highest and the lowest value, at the ends and in the middle of the pieces, m."""
+        if self.is_made_of_lines:
+            begin = self.coefficients[:, 0]
+            end = begin + self.rate * np.diff(self.edges) * self.coefficients[:, 1]
+            return float(max(begin.max(), end.max()) - min(begin.min(), end.min()))
         first, last = self.edges[:-1], self.edges[1:]
         ends = np.nextafter(last, first)
-        if self.is_made_of_lines:
-            begin, rise = self.coefficients[:, 0], self.coefficients[:, 1]
-            end = begin + self.rate * (ends - first) * rise
-            return float(max(begin.max(), end.max()) - min(begin.min(), end.min()))
         return float(np.ptp(self.evaluate(np.concatenate([first, 0.5 * (first + last), ends]))[0]))
 
     @cached_property

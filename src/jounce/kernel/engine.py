@@ -100,7 +100,7 @@ def flatten(signals: list[Segments]) -> Tracks:
         first=np.concatenate([[0], np.cumsum(counts)]).astype(np.int64),
         start=np.concatenate([signal.edges[:-1] for signal in signals]),
         stop=np.concatenate([signal.edges[1:] for signal in signals]),
-        kind=np.concatenate([signal.kind for signal in signals]).astype(np.int64),
+        kind=np.concatenate([signal.kind for signal in signals], dtype=np.int64),
         coefficients=np.ascontiguousarray(np.concatenate([signal.coefficients for signal in signals])),
         rate=np.array([signal.rate for signal in signals]),
     )

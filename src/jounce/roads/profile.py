@@ -150,10 +150,11 @@ def _windowed(starts: Array, kind: NDArray[np.int64], coefficients: Array, low: 
     """Cut the pieces to [low, high]; a piece cut at its front keeps its heights."""
     first = max(int(np.searchsorted(starts, low + _rounding(low), side="right")) - 1, 0)
     last = max(int(np.searchsorted(starts, high - _rounding(high), side="left")), first + 1)
-    starts, kind, coefficients = starts[first:last].copy(), kind[first:last], coefficients[first:last].copy()
-    coefficients[0] = _advanced(int(kind[0]), coefficients[0], low - float(starts[0]))
-    starts[0] = low
-    return Segments(np.append(starts, high), kind, coefficients)
+    starts, kind, coefficients = starts[first:last], kind[first:last], coefficients[first:last]
+    if starts[0] != low:
+        coefficients = coefficients.copy()
+        coefficients[0] = _advanced(int(kind[0]), coefficients[0], low - float(starts[0]))
+    return Segments(np.concatenate([[low], starts[1:], [high]]), kind, coefficients)
 
 
 def _advanced(kind: int, c: Array, by: float) -> Array:

@@ -76,6 +76,8 @@ class Work:
         results = _Results(self.metrics, self.channels, count, self.study.few_of(self.metrics, self.channels, count))
         groups = list(self.study.groups(columns))
         small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
+        if small:
+            self.study.allows_all(_of_the_rig(columns))  # asked once, not for each of them
         free = self.study.control is None  # a controller may be a function that keeps something
         workers = min(threads or os.cpu_count() or 1, len(small)) if free else 1
         for group, rows in groups:
@@ -326,6 +328,35 @@ class Study:
         )
         return self.rig.with_changes(own), trial, control
 
+    def allows_all(self, own: Mapping[str, Array]) -> bool:
+        """Whether the description allows all values of the rig's numbers; not where it takes as long to ask for each.
+
+        What it asks of several numbers together (that one is below another) holds inside where it holds at all corners
+        of what the variants span, so that each is looked at only where these are more, or one is forbidden.
+        """
+        if not own:  # the rig as it is
+            return True
+        box = [(float(column.min()), float(column.max())) for column in own.values()]
+        known = _allowed_boxes(self.rig)
+        inside = known.get(tuple(own))
+        if inside is not None and all(a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)):
+            return True
+        if 2 ** len(own) < len(next(iter(own.values()))):
+            for reach in (1.0, 0.0):  # beyond the ends, too: the next sweeps may lie there
+                wide = [(low - reach * (high - low), high + reach * (high - low)) for low, high in box]
+                if all(map(partial(self.is_allowed, own), itertools.product(*wide))):
+                    known[tuple(own)] = wide
+                    return True
+        return False
+
+    def is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:
+        """Whether the description allows some numbers (SI)."""
+        try:
+            self.rig.with_changes(dict(zip(paths, row, strict=True)))
+        except DescriptionError:
+            return False
+        return True
+
     def groups(self, columns: Mapping[str, Array]) -> Iterator[tuple[_Group, NDArray[np.int64]]]:
         """Variants that share a trial and a controller, and the numbers of these variants."""
         outer = [path for path in columns if path.startswith((_TRIAL, _CONTROL))]
@@ -359,7 +390,7 @@ class _Group:
     def fill(
         self, results: _Results, columns: Mapping[str, Array], rows: NDArray[np.int64], threads: int | None
     ) -> None:
-        own = {path: column[rows] for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))}
+        own = {path: column[rows] for path, column in _of_the_rig(columns).items()}
         if self.reason:
             for row in rows:
                 results.reasons[row] = self.reason
@@ -393,40 +424,18 @@ class _Group:
 
     def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
         """Values (SI) of all parameters of the model, one row a variant."""
-        found = np.tile(self.study.base, (count, 1))
+        found = np.empty((count, len(self.study.base)))
+        found[:] = self.study.base
         for path, column in own.items():
             found[:, self.study.compiled.facts.parameters.index(path)] = column
         return found
 
     def _forbidden(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_]:
-        """Which variants the description does not allow; they are left to say why.
-
-        What it asks of several numbers together (that one is below another) holds inside where it holds at all corners
-        of what the variants span, so that each is looked at only where these are more, or one is forbidden.
-        """
-        columns = list(own.values())
-        if not columns:  # the rig as it is
+        """Which variants the description does not allow; they are left to say why."""
+        if self.study.allows_all(own):
             return np.zeros(count, dtype=bool)
-        box = [(float(column.min()), float(column.max())) for column in columns]
-        known = _allowed_boxes(self.study.rig)
-        inside = known.get(tuple(own))
-        if inside is not None and all(a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)):
-            return np.zeros(count, dtype=bool)
-        if 2 ** len(own) < count:
-            for reach in (1.0, 0.0):  # beyond the ends, too: the next sweeps may lie there
-                wide = [(low - reach * (high - low), high + reach * (high - low)) for low, high in box]
-                if all(map(partial(self._is_allowed, own), itertools.product(*wide))):
-                    known[tuple(own)] = wide
-                    return np.zeros(count, dtype=bool)
-        rows = zip(*(column.tolist() for column in columns), strict=True)
-        return np.array([not self._is_allowed(own, row) for row in rows], dtype=bool)
-
-    def _is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:
-        try:
-            self.study.rig.with_changes(dict(zip(paths, row, strict=True)))
-        except DescriptionError:
-            return False
-        return True
+        rows = zip(*(column.tolist() for column in own.values()), strict=True)
+        return np.array([not self.study.is_allowed(own, row) for row in rows], dtype=bool)
 
     @cached_property
     def _signals(self) -> list[Segments]:
@@ -451,12 +460,13 @@ class _Group:
                 np.maximum(np.abs(sums.rest[:, j] + sums.least[:, j]), np.abs(sums.rest[:, j] + sums.most[:, j]))
                 <= limit
             )
+        sound = ~careful
         for i, metric in enumerate(results.metrics):
             j = names.index(metric.channel)
             parts = (sums.mean, sums.square, sums.least, sums.most, sums.rest)
             found = of_sums(metric.word, *(part[:, j] for part in parts))
-            results.numbers[rows[~careful], i] = found[~careful]
-        results.tally["side_by_side"] += int(np.sum(~careful))
+            results.numbers[rows[sound], i] = found[sound]
+        results.tally["side_by_side"] += int(np.count_nonzero(sound))
         return careful
 
     def _layout(self, channels: Sequence[int]) -> Layout | None:
@@ -727,6 +737,10 @@ def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
         elif hasattr(type(value), "model_fields"):
             found |= {f"{name}.{path}": number for path, number in _numbers_of(value, whole=whole).items()}
     return found
+
+
+def _of_the_rig(columns: Mapping[str, Array]) -> dict[str, Array]:
+    return {path: column for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))}
 
 
 def _changed(description: Any, changes: Mapping[str, float], prefix: str) -> Any:

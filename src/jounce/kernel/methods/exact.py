@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from jounce.core.remembered import remembered
 from jounce.core.types import Array
 from jounce.kernel.arrays import Integers, Matrix, Vector
 from jounce.kernel.call import Loop
@@ -84,20 +85,17 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     count = len(tracks.rate)
     sizes = (len(control.scale), count, problem.inputs // max(count, 1), signals_of(tracks, problem.inputs))
     props = propagators(calls, sizes, slopes, switches, frequency, control.scale)
-    distances = np.diff(times)
-    typical = typical_step(times, distances)
+    typical, odd = spacing(times)
     z = max(rate_bound_of(problem, props), float(frequency[-1])) * typical
     parts = parts_for(z, switches > 0)
     along_edges = z / parts * len(tracks.start) if z > parts else 0.0
     if not parts * len(times) + along_edges < _MAX_STEPS:
         return None
     nodes, rows = BLOCK + 1, count * props.layout.signals
-    slack = 1e-12 * max(1.0, abs(times[-1]))
-    odd = np.flatnonzero(np.abs(distances - typical) > slack)
     blocks = Blocks(
         parts,
-        slack,
-        np.append(odd, len(times) - 1),
+        _slack(times),
+        odd,
         wave,
         np.zeros(count, dtype=np.int64),
         clock=np.zeros(nodes),
@@ -116,9 +114,33 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
 
 def signals_of(tracks: Tracks, inputs: int) -> int:
     """Number of signals that each track needs: its inputs, and derivatives up to the last that does not vanish."""
-    bent = (tracks.kind == 1).any() or tracks.coefficients[:, 2].any()
-    cubic = ((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0)).any()
+    bent = cubic = False
+    if tracks.kind.any() or tracks.coefficients[:, 2:].any():
+        bent = bool((tracks.kind == 1).any() or tracks.coefficients[:, 2].any())
+        cubic = bool(((tracks.kind == 0) & (tracks.coefficients[:, 3] != 0.0)).any())
     return max(4 if cubic else 3 if bent else 2, inputs // max(len(tracks.rate), 1))
+
+
+def spacing(times: Array) -> tuple[float, Integers]:
+    """Typical distance of samples (s), and from which ones the next is another way off, the last one among them.
+
+    What many runs share, such as times that nobody can change, is looked at once.
+    """
+    return (_looked_at if times.flags.writeable else _spacing)(times)
+
+
+def _looked_at(times: Array) -> tuple[float, Integers]:
+    distances = np.diff(times)
+    typical = typical_step(times, distances)
+    return typical, np.append(np.flatnonzero(np.abs(distances - typical) > _slack(times)), len(times) - 1)
+
+
+_spacing = remembered(_looked_at)
+
+
+def _slack(times: Array) -> float:
+    """How far times are rounded, s."""
+    return 1e-12 * max(1.0, abs(float(times[-1])))
 
 
 def typical_step(times: Array, distances: Array) -> float:
