@@ -224,8 +224,29 @@ def parse_header(header: str) -> list[tuple[str, str]]:
     return [name_and_unit(cell) for cell in header.split(_separator(header))]
 
 
+_MEMORY_A_BYTE = 25  # bytes that a text file takes while it is read, for each of its own
+
+
+def _check_memory(size: int, file: Path) -> None:
+    """Refuse a text for which there is no memory, where the system tells: it would end the process, or the machine."""
+    try:
+        told = Path("/proc/meminfo").read_text(encoding="ascii")
+        free = 1024 * int(told.partition("MemAvailable:")[2].split()[0])
+    except (OSError, ValueError, IndexError):
+        return
+    if size * _MEMORY_A_BYTE > free:
+        raise RecordingError(
+            "the file takes more memory than there is",
+            where=str(file),
+            found=f"{size / 1e9:.3g} GB of text, {size * _MEMORY_A_BYTE / 1e9:.3g} GB while it is read",
+            allowed=f"{free / 1e9:.3g} GB",
+            hint="Export fewer channels or a part of the record, or a binary format (.mf4, .tdms, .parquet, .mat).",
+        )
+
+
 def _text_of(file: Path) -> str:
-    content = existing_file(file, RecordingError).read_bytes()
+    _check_memory(existing_file(file, RecordingError).stat().st_size, file)
+    content = file.read_bytes()
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
     text = content.decode("utf-16", errors="replace") if wide else ""
     if "\0" in text if wide else b"\0" in content:
@@ -474,6 +495,14 @@ def _columns(
             cells = [_cells(line, separator)[position] for line in rows]
             fault = _thousands(cells, lines, f"{file}: column {heads[position]!r}")
             found[position] = numbers if fault is None else fault
+    cells = [cell for line in rows[:_FEW] for cell in _cells(line, separator) if "," in cell] if comma else []
+    are_grouped = len(cells) >= _FEWEST_THOUSANDS and all(_GROUPED.fullmatch(cell) for cell in cells)
+    if are_grouped and separator == ",":  # in quotes: those who separate by commas seldom write decimals with them
+        some = [_cells(line, separator) for line in rows[:_FEW]]
+        marked = {i for i in range(len(heads)) if any("," in row[i] for row in some)}
+        fault = _either(repr(cells[0]), str(file))
+        found = [fault if i in marked else one for i, one in enumerate(found)]
+        comma = False
     columns = []
     for position, (head, numbers) in enumerate(zip(heads, found, strict=True), 1):
         name, unit = (head, units[position - 1]) if units else name_and_unit(head)
@@ -493,7 +522,7 @@ def _columns(
             written = head if head != f"{name} [s]" else ""
         unit = "" if unit == "-" else unit
         columns.append(Column(name, unit, samples, str(file), fault, written, parts.get(position - 1)))
-    remarks = (["decimal commas were read as decimal points"] if comma else []) + (
+    remarks = ([_COMMAS + (_OR_THOUSANDS if are_grouped else "")] if comma else []) + (
         ["the units were read from the line below the names"] if units else []
     )
     remarks += [f"{heads[position]!r} is a clock: {told}" for position, told in clocks.items()]
@@ -546,6 +575,9 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
 
 
 _FEWEST_THOUSANDS = 10
+_FEW = 1000  # rows that are looked at for the kind of their marks
+_COMMAS = "decimal commas were read as decimal points"
+_OR_THOUSANDS = "; all have three digits behind them: do they separate thousands? Then export the file without them"
 _GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 
 
@@ -567,10 +599,14 @@ def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> Record
     if not marked or not all(_GROUPED.fullmatch(cell) for cell, _ in marked):
         return None
     cell, line = marked[0]
+    return _either(f"{cell!r} (line {line})", where, ", and whole numbers stand beside them")
+
+
+def _either(cell: str, where: str, more: str = "") -> RecordingError:
     return RecordingError(
         "thousands separators, or decimals?",
         where=where,
-        found=f"{cell!r} (line {line}): all marks have three digits behind them, and whole numbers stand beside them",
+        found=f"{cell}: all marks have three digits behind them{more}",
         allowed="numbers without thousands separators",
         hint="Export the file without them, or with decimals in all numbers.",
     )

@@ -6,6 +6,7 @@ column of its own. Both become what formats with groups (MDF, TDMS) have already
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -121,15 +122,14 @@ def _clocks(table: ColumnTable, time: str, count: int) -> Iterator[tuple[int, _C
             clock = _clock(column, place, count, unit=name_and_unit(time)[1] if is_named else "")
             if clock is not None:
                 found.append((place, clock))
-    named = [place for place, _ in found if _is_called(table.columns[place], wanted)]
-    if len(found) > 1 and len(named) == 1 and len({clock.rows.size for _, clock in found}) == 1:
-        kept = [one for one in found if one[0] == named[0] or _is_other(one[1], dict(found)[named[0]])]
-    else:
-        kept = found[:1] + [
-            one
-            for place, one in enumerate(found[1:], 1)
-            if all(_is_other(one[1], before) for _, before in found[:place])
-        ]
+    named = [one for one in found if _is_called(table.columns[one[0]], wanted)]
+    first = (named if len(named) == 1 else found)[:1]
+    kept = list(first)
+    for place, clock in found:
+        alike = [_is_named_alike(table, place, before) for before, _ in kept]
+        if all(_is_other(clock, before, is_named=alike[i]) for i, (_, before) in enumerate(kept)):
+            kept.append((place, clock))
+    kept.sort(key=lambda one: one[0])
     ends = [place for place, _ in [*kept, (len(table), None)]][1:]
     for (place, clock), end in zip(kept, ends, strict=True):
         if end - place > 1 or len(kept) == 1:
@@ -157,10 +157,25 @@ def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
     return _Clock(rows, np.asarray(stamps * factor, dtype=float), place)
 
 
-def _is_other(clock: _Clock, first: _Clock) -> bool:
-    """Whether a clock has instants of its own: not the same ones, nor the same with another zero (a time of day)."""
+def _is_named_alike(table: ColumnTable, place: int, first: int) -> bool:
+    """Whether two columns of time are called alike (``Time 1``, ``Time 2``), or the second after the one behind it."""
+    stems = [_NUMBERED.sub("", table.columns[at].name).casefold() for at in (place, first)]
+    behind = table.columns[place + 1].name if place + 1 < len(table) else ""
+    return stems[0] == stems[1] or (behind != "" and table.columns[place].name.endswith(behind))
+
+
+_NUMBERED = re.compile(r"[\s_.:-]*\d.*$")
+
+
+def _is_other(clock: _Clock, first: _Clock, *, is_named: bool) -> bool:
+    """Whether a clock has instants of its own: not the same ones, nor the same with another zero (a time of day).
+
+    One of as many samples must also be named as a clock beside the other (``is_named``): a time of a lap is none.
+    """
     if clock.rows.size != first.rows.size:
         return True
+    if not is_named:
+        return False
     apart = clock.instants - first.instants
     step = float(np.median(np.diff(first.instants)))
     if np.ptp(apart) > 0.01 * step:

@@ -461,7 +461,8 @@ def _locate_channels(
             )
         located[name] = locate(home, spec), home
     used = {(column.name, id(table)) for column, table in located.values()}
-    ignored, empty, again = [], [], []
+    ignored, again = list[str](), list[str]()
+    empty: list[Column] = []
     for table in tables:
         for column in table:
             if (column.name, id(table)) in used or column.name in located:
@@ -473,7 +474,7 @@ def _locate_channels(
             if not quantity_of(column.name):
                 ignored.append(column.label)
             elif column.fault is not None and column.is_empty:
-                empty.append(column.label)
+                empty.append(column)
             else:
                 located[column.name] = table[column.name], table
     others = [
@@ -490,6 +491,8 @@ def _locate_channels(
             hint=nearest("time", main.names) or "Map it with columns, or give the sample time.",
         )
     if not set(located) - {"time"}:
+        for column in empty:
+            column.readable()  # why none of its cells is a number
         raise RecordingError(
             "no channel was found",
             where=main.file,
@@ -502,7 +505,13 @@ def _locate_channels(
         text = f"columns that are no known channel were left out: {', '.join(ignored)}; map them with columns if needed"
         findings.append(Finding(main.file, "note", text))
     if empty:
-        text = f"channels without a single number were left out: {', '.join(empty)}; were they connected?"
+        labels = ", ".join(one.label for one in empty)
+        text = f"channels without a single number were left out: {labels}; were they connected?"
+        findings.append(Finding(main.file, "warning", text))
+    written = {name.casefold() for name in located}
+    if len(written) < len(located):
+        same = [name for name in located if sum(name.casefold() == other.casefold() for other in located) > 1]
+        text = f"channels whose names differ by case only: {', '.join(same)}; only the one that a model has is compared"
         findings.append(Finding(main.file, "warning", text))
     if again:
         text = f"channels that are there once more, at other instants, were left out: {', '.join(again)}"

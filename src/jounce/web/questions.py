@@ -51,7 +51,7 @@ def preview(asked: Mapping[str, Any]) -> dict[str, Any]:
     file = Path(asked["files"][0])
     table = read_signals(file, ReaderOptions(asked["variable"]))
     columns = [
-        {"name": one.written or one.name, "unit": one.unit, **_ends(one.values)}
+        {"name": one.written or one.name, "unit": one.unit, **_ends(one.values if one.part is None else one.part[1])}
         for part in table.tables
         for one in part
     ]

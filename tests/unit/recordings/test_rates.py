@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from jounce.core import columns
 from jounce.core.errors import RecordingError
 from jounce.core.types import Array
 from jounce.recordings import read_columns, read_recording, write_recording
@@ -74,16 +75,16 @@ def test_blank_cells_between_the_samples_of_a_slower_channel(tmp_path: Path, mis
 
 
 def test_a_time_column_for_each_rate(tmp_path: Path) -> None:
-    columns = {name: at for name, at in BOTH.items() if name != "time"}
+    plain = {name: at for name, at in BOTH.items() if name != "time"}
     for first, second in (
         ("Zeit 1 [s]", "Zeit 2 [s]"),
         ("time [s]", "time [s]"),
         ("Time - acc (s)", "Time - travel (s)"),
     ):
         for delay in (0.0, 0.0004):
-            held_to_truth(tmp_path / "a.csv", with_two_times(first, second, delay), columns=columns)
-    held_to_truth(tmp_path / "a.csv", with_two_times(), columns=columns | {"time": "Zeit 1"})
-    held_to_truth(tmp_path / "a.csv", with_two_times(), columns=columns | {"time": "Zeit 2"})
+            held_to_truth(tmp_path / "a.csv", with_two_times(first, second, delay), columns=plain)
+    held_to_truth(tmp_path / "a.csv", with_two_times(), columns=plain | {"time": "Zeit 1"})
+    held_to_truth(tmp_path / "a.csv", with_two_times(), columns=plain | {"time": "Zeit 2"})
 
 
 def test_rows_of_two_clocks_put_together(tmp_path: Path) -> None:
@@ -101,8 +102,8 @@ def test_rows_of_two_clocks_put_together(tmp_path: Path) -> None:
 
 
 def test_a_step_in_place_of_time_is_that_of_the_rows(tmp_path: Path) -> None:
-    columns = {name: at for name, at in BOTH.items() if name != "time"}
-    held_to_truth(tmp_path / "a.csv", with_blanks(), columns=columns, sample_time="1 ms")
+    plain = {name: at for name, at in BOTH.items() if name != "time"}
+    held_to_truth(tmp_path / "a.csv", with_blanks(), columns=plain, sample_time="1 ms")
     held_to_truth(tmp_path / "a.csv", with_blanks(clock="Zeit"), sample_time="1 ms")
 
 
@@ -181,6 +182,62 @@ def test_clocks_of_day_and_of_the_calendar(tmp_path: Path, stamp: Callable[[floa
             read_recording(tmp_path / "a.csv")
 
 
+@pytest.mark.parametrize("name", ["time of day [s]", "Time lap [s]", "t_oil [s]", "time 2 [s]"])
+def test_other_times_of_the_same_rows_are_no_clocks(tmp_path: Path, name: str) -> None:
+    """A lap's time or one of day beside the clock; one that is called as the clock is and goes otherwise is one."""
+    scale, zero = (1.0, 4e4) if "day" in name else (2.0, 0.0)
+    rows = [f"{t:.3f};{acceleration(t):.6f};{scale * t + zero:.3f};{1e3 * travel(t):.6f}" for t in FAST]
+    (tmp_path / "a.csv").write_text(f"time [s];sprung.az [m/s^2];{name};strut.deflection [mm]\n" + "\n".join(rows))
+    run, _ = read_recording(tmp_path / "a.csv")
+    if name == "time 2 [s]":
+        assert run["strut.deflection"].attrs["recorded_rate"] == 500.0
+        np.testing.assert_allclose(run["strut.deflection"], travel(0.5 * run["time"].to_numpy()), atol=1e-6)
+    else:
+        np.testing.assert_allclose(run["time"], FAST, atol=1e-12)
+        np.testing.assert_allclose(run["strut.deflection"], travel(FAST), atol=1e-6)
+
+
+def test_cells_that_are_no_numbers_are_shown(tmp_path: Path) -> None:
+    for cells in ("50 %", "0x1f", "True", "20\u00a0000"):
+        rows = "\n".join(f"{t:.3f};{cells}" for t in FAST[:20])
+        (tmp_path / "a.csv").write_text("time [s];strut.force [N]\n" + rows, encoding="utf-8")
+        with pytest.raises(RecordingError, match=rf"line 2: column 'strut.force \[N\]': text .*; found '{cells[:2]}"):
+            read_recording(tmp_path / "a.csv")
+
+
+def test_names_that_differ_by_case_are_told(tmp_path: Path) -> None:
+    rows = "\n".join(f"{t:.3f};{acceleration(t):.6f};{acceleration(t):.6f}" for t in FAST)
+    (tmp_path / "a.csv").write_text("time [s];sprung.az [m/s^2];Sprung.az [cm/s^2]\n" + rows)
+    _, findings = read_recording(tmp_path / "a.csv")
+    assert "names differ by case only: sprung.az, Sprung.az" in findings[0].message
+
+
+def test_a_text_that_no_memory_holds_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a.csv").write_text(with_blanks())
+    read_recording(tmp_path / "a.csv", columns=BOTH)
+    monkeypatch.setattr(columns, "_MEMORY_A_BYTE", 1_000_000_000_000)
+    if Path("/proc/meminfo").exists():
+        with pytest.raises(RecordingError, match=r"the file takes more memory than there is.*GB of text"):
+            read_recording(tmp_path / "a.csv", columns=BOTH)
+
+
+def test_faces_show_the_rates(tmp_path: Path) -> None:
+    """The workbench's page of imports and ``jounce check`` say what the reader says."""
+    from jounce.cli.files import check_file
+    from jounce.web.questions import preview
+
+    file = tmp_path / "a.csv"
+    file.write_text(
+        with_blanks(clock="time [s]").replace("acc [", "sprung.az [").replace("travel [", "strut.deflection [")
+    )
+    asked = dict.fromkeys(("variable", "sample_time", "resample", "stroke_positive", "force_positive"), "")
+    shown = preview({"files": [str(file)], "form": "recording", "columns": {}, **asked})
+    assert [column["count"] for column in shown["columns"]] == [1000, 1000, 125]
+    told = [found["message"] for found in shown["findings"]]
+    assert all(text in note for text, note in zip(told, check_file(file).notes, strict=True))
+    assert "recorded at 125 Hz" in told[1]
+
+
 def test_marks_that_may_separate_thousands_are_refused(tmp_path: Path) -> None:
     newtons = (1000.0 + 400.0 * np.sin(20.0 * FAST)).round().astype(int)
     for mark in ".,":
@@ -192,3 +249,11 @@ def test_marks_that_may_separate_thousands_are_refused(tmp_path: Path) -> None:
         decimals = text.replace(f"1{mark}000\n", f"1{mark}5\n")  # with that, they can only be decimals
         (tmp_path / "a.csv").write_text(decimals)
         assert read_recording(tmp_path / "a.csv")[0]["strut.force"].max() < 1000.0
+    for between in ",;":  # whether a comma separates the columns, too, or not
+        big = "\n".join(f'{i}{between}"{20 + i // 500},{i % 500:03}"' for i in range(1000))
+        (tmp_path / "a.csv").write_text(f"time [ms]{between}strut.force [N]\n{big}\n")
+        if between == ";":
+            assert "do they separate thousands?" in read_recording(tmp_path / "a.csv")[1][0].message
+        else:
+            with pytest.raises(RecordingError, match="thousands separators, or decimals"):
+                read_recording(tmp_path / "a.csv")
