@@ -21,7 +21,12 @@ from jounce.simulation.settings import RunSettings
 from jounce.variants.stepped import code_of_outputs
 
 LEAST = 16
-"""Runs below which code for a few channels is not worth its making: a tenth of a second."""
+"""Runs below which code for a few channels is not worth its making: hundredths of a second."""
+
+
+def are_worth_it(compiled: Compiled) -> bool:
+    """Whether channels are much of a run. Of mechanisms with loops they are little, and their code takes seconds."""
+    return bool(compiled.identity) and not compiled.facts.projects
 
 
 @dataclass(frozen=True)

@@ -252,7 +252,7 @@ class Study:
 
     def few_of(self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int) -> FewChannels | None:
         """How so many runs one by one may make no more channels than are wanted; None where that is not worth it."""
-        if self.control is not None or runs < few_channels.LEAST or not self.compiled.identity:
+        if self.control is not None or runs < few_channels.LEAST or not few_channels.are_worth_it(self.compiled):
             return None
         wanted = dict.fromkeys([*(metric.channel for metric in metrics), *channels])
         return FewChannels(self.compiled, tuple(wanted)) if len(wanted) < len(self.units) else None
