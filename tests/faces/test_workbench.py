@@ -188,6 +188,14 @@ def test_descriptions_lead_to_no_file_outside_either(ask):
     assert "a secret" not in str(answer)
 
 
+def test_what_is_shipped_says_whose_kinematics_can_be_swept(ask):
+    status, shipped = ask("GET", "/api/library")
+    has_hardpoints = {one["name"]: one["has_hardpoints"] for one in shipped}
+    assert status == 200
+    assert has_hardpoints["kart-double-wishbone"]
+    assert not has_hardpoints["kart-quarter-car"]
+
+
 def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     status, made = ask("POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"})
     assert status == 200

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tomllib
 from collections.abc import Callable
 from importlib import metadata, resources
 from pathlib import Path
@@ -167,11 +168,12 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         return {"name": project.root.name, "folder": str(project.root), "entries": project.entries()}
 
     @app.get("/api/library")
-    def library() -> list[dict[str, str]]:
-        """Rigs and vehicles that come with jounce."""
+    def library() -> list[dict[str, str | bool]]:
+        """Rigs and vehicles that come with jounce, and which of them are corners whose kinematics can be swept."""
         from jounce.parts.files import library as shipped
 
-        return [{"name": name} for name in shipped()]
+        texts = {name: file.read_text(encoding="utf-8") for name, file in shipped().items()}
+        return [{"name": name, "has_hardpoints": "hardpoints" in tomllib.loads(text)} for name, text in texts.items()]
 
     @app.post("/api/library")
     def start(asked: Started) -> Text:

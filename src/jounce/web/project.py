@@ -86,12 +86,14 @@ class Project:
     def entries(self) -> list[Entry]:
         """List what is here, folder by folder; what a sweep wrote is one entry, its pages beside it."""
         found: list[Entry] = []
-        for file in self._files():
-            if file.name == _SWEPT and (sweep := self._swept(file)):
-                found.append(sweep)
+        files = list(self._files())
+        swept = {file.parent: sweep for file in files if file.name == _SWEPT and (sweep := self._swept(file))}
+        for file in files:
+            if file.name == _SWEPT and file.parent in swept:
+                found.append(swept[file.parent])
                 continue
             kind = _kind(file)
-            if kind and not (kind == "results" and file.parent != self.root and (file.parent / _SWEPT).is_file()):
+            if kind and not (kind == "results" and file.parent in swept):
                 state = file.stat()
                 path = file.relative_to(self.root).as_posix()
                 found.append(Entry(path, kind, state.st_size, state.st_mtime))

@@ -40,7 +40,7 @@ export const project = () => get<Project>("/api/project");
 let place: Promise<string> | null = null;
 /** The folder that the workbench is opened on, asked for once. */
 export function folder(): Promise<string> { place ??= project().then((found) => found.folder); place.catch(() => { place = null; }); return place; }
-export const library = () => get<{ name: string }[]>("/api/library");
+export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/api/library");
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {

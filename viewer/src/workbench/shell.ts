@@ -21,8 +21,10 @@ export function setLive(curves: { times: number[] } | null): void { live = curve
 /** Rigs to choose from, where none was. */
 export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false, kinds = RIGS, more: Record<string, string> = {}): Promise<void> {
   const { entries } = await api.project();
-  const names = [...entries.filter((entry) => kinds.includes(entry.kind)).map((entry) => entry.path), ...(shipped ? (await api.library()).map((one) => one.name) : [])];
-  place.replaceChildren(make("h1", {}, label), names.length
-    ? make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name))))
-    : make("p", { class: "empty" }, kinds.includes("rig") ? tr("No rig lies here yet: ") : tr("Nothing of that kind lies here yet: "), make("a", { href: address("project") }, tr("to the project")), "."));
+  const list = (names: string[]) => make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name))));
+  const own = entries.filter((entry) => kinds.includes(entry.kind)).map((entry) => entry.path);
+  const others = shipped ? (await api.library()).filter((one) => page !== "kinematics" || one.has_hardpoints).map((one) => one.name) : [];
+  place.replaceChildren(make("h1", {}, label), ...(own.length || others.length ? [make("p", { class: "muted" }, page === "kinematics" ? tr("Choose a corner with hardpoints.") : tr("Choose what is looked at."))] : []),
+    ...(own.length ? [make("h2", {}, tr("In this project")), list(own)] : []), ...(others.length ? [make("h2", {}, tr("Shipped with jounce")), list(others)] : []),
+    ...(own.length || others.length ? [] : [make("p", { class: "empty" }, kinds.includes("rig") ? tr("No rig lies here yet: ") : tr("Nothing of that kind lies here yet: "), make("a", { href: address("project") }, tr("to the project")), ".")]));
 }

@@ -104,7 +104,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
       const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter((path) => numbers.some((one) => one.path === path));
-      for (const path of usual.length ? usual : numbers.slice(0, 2).map((one) => one.path)) add(path);
+      for (const path of usual.length ? usual : numbers.filter((one) => one.path !== "gravity").slice(0, 2).map((one) => one.path)) add(path);
       isLoaded = true;
       buttons();
     } catch (error) { if (rig.value === name) told.replaceChildren(problem(error)); }
