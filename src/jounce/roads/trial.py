@@ -334,7 +334,18 @@ class Trial(Description):
         return self
 
     def at_speed(self, factor: float) -> Trial:
-        """The same trial driven at a multiple of its speed; one without a speed stays as it is."""
+        """Give the same trial driven at a multiple of its speed; one without a speed stays as it is.
+
+        Parameters
+        ----------
+        factor : float
+            The new speed as a multiple of the old one (1), above 0.
+
+        Returns
+        -------
+        Trial
+            The trial at the new speed.
+        """
         if self.speed is None:
             return self
         given = {name: getattr(self, name) for name in self.model_fields_set}
