@@ -23,7 +23,7 @@ from jounce.ride.closed_forms import (
     road_holding_rate,
     white_noise_variances,
 )
-from jounce.ride.stationary import stationary
+from jounce.ride.stationary import linear_findings, stationary
 from jounce.roughness.spectra import white_noise_intensity
 
 SPEED = 20.0
@@ -188,3 +188,5 @@ def test_dampers_whose_curve_bends_are_told_with_the_coefficient_they_damp_as(ki
     else:
         expected = 500.0 + velocity.expect(lambda v: 300.0 * 20.0 * (1.0 - np.tanh(20.0 * v) ** 2))
     assert told == [pytest.approx(expected, rel=1e-4)]
+    unknown = linear_findings(car().with_changes({"strut.damper": laws[kind]}), {}, {})  # as of modes
+    assert ["0.3 m/s (assumed)" in one.message for one in unknown] == [True]

@@ -31,6 +31,7 @@ _ABSENT = {
 _LIFTS = 3.0  # standard deviations
 _TINY = 1e-12
 _FARTHEST = 6.0  # standard deviations
+_USUAL_SPEED = 0.3  # m/s, of a damper where nothing says how fast it moves
 _BENDS = 0.1  # share of its coefficient by which a damper's slope at rest may be off unsaid
 
 
@@ -332,8 +333,8 @@ def _of_table(knots: Array, slopes: Array, forces: Array, velocity: Array) -> Ar
 
 def _bent(damper: str, sigma: Mapping[str, float], law: Callable[[Array], Array], at_rest: float) -> Iterator[Finding]:
     place = damper.partition(".")[0]  # "strut", or the axle
-    own = (sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place))
-    speed = max(own, default=0.0)
+    own = [sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place)]
+    speed, whence = max(own, default=_USUAL_SPEED), "standard deviation" if own else "assumed"
     if "third_spring" in damper or speed <= 0.0:
         return
     z = np.linspace(-_FARTHEST, _FARTHEST, 4001)
@@ -341,7 +342,7 @@ def _bent(damper: str, sigma: Mapping[str, float], law: Callable[[Array], Array]
     felt = float(weight @ (law(speed * z) * z) / (weight @ z**2) / speed)
     if abs(felt - at_rest) > _BENDS * abs(felt):
         text = (
-            f"the curve bends: at {speed:.2g} m/s (standard deviation) it damps like {felt:.4g} N*s/m, but its slope "
+            f"the curve bends: at {speed:.2g} m/s ({whence}) it damps like {felt:.4g} N*s/m, but its slope "
             f"at rest, {at_rest:.4g} N*s/m, is used; give {felt:.4g} N*s/m as coefficient and look again, or simulate."
         )
         yield Finding(damper, "warning", text, felt)
