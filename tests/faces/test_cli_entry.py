@@ -109,8 +109,8 @@ def test_bad_input_as_a_process(tmp_path: Path) -> None:
         (("simulatte",), "Did you mean 'simulate'"),
         (("fit", "stifness"), "Did you mean 'stiffness'?"),
         (("fit", "decay", "x.csv", "--chanel", "z"), "Did you mean '--channel'?"),
-        (("simulate",), "Missing argument"),
-        (("campaign", "run", "campaign.toml"), "Missing option '--out'"),
+        (("simulate",), "Missing argument 'RIG': a rig file, or a name of `jounce library`."),
+        (("campaign", "run", "campaign.toml"), "Missing option '--out': folder for report"),
         (("fit", "stiffness", "a.csv", "--degree", "two"), "--degree"),
     ],
 )

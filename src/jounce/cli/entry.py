@@ -308,6 +308,8 @@ def _misused(error: Any, *, as_json: bool) -> int:
     option = getattr(error, "option_name", None)
     if type(error).__name__ == "NoSuchOption" and option and context is not None:
         message = f"no such option: {option}. {_instead(option, context.command.params)}".rstrip()
+    if type(error).__name__ == "MissingParameter" and (told := getattr(error.param, "help", None)):
+        message = f"{message.rstrip('.')}: {told[:1].lower()}{told[1:]}"
     hint = f"See `{path} --help`."
     message = message if message.endswith((".", "?")) else f"{message}."
     plain = {"kind": "UsageError", "message": f"{message} {hint}", "where": path, "what": message, "hint": hint}

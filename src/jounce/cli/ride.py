@@ -104,12 +104,22 @@ def ride(
 
         return ride_spectra(study.rides, study.stationary, title)
 
-    driven = f"{vehicle}, {names[0]}," if len(names) == 1 else vehicle  # several have a legend
-    title = f"{driven} on {road} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
+    name = _stem(vehicle)
+    driven = f"{name}, {_stem(names[0])}," if len(names) == 1 else name  # several have a legend
+    title = f"{driven} on {_stem(road)} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
     drawn, missing = write_picture(spectra, figure, force=force)
     document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
     plain = {**plain, "out": out and str(out), "figure": drawn, "report": document}
     return Reply(plain, lambda console: _draw_ride(console, plain, study), as_json, missing=[*missing, *undrawn])
+
+
+def _stem(name: str) -> str:
+    """What a title calls a file; other names, such as ``iso:C``, stay as they are.
+
+    >>> _stem("cars/mine.toml"), _stem("iso:C"), _stem("audi-a6-full-car")
+    ('mine', 'iso:C', 'audi-a6-full-car')
+    """
+    return Path(name).stem
 
 
 def _page(study: RideStudy, title: str, rig: Rig) -> Page:
@@ -161,7 +171,7 @@ def compare(
     names = _names(control or ["all"])
     check_outputs(figure=figure, report=report, force=force)
     study, plain, rig = _study(vehicle, road, speed, length, seed, names, set_, trust=trust)
-    title = f"{vehicle} on {road} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
+    title = f"{_stem(vehicle)} on {_stem(road)} at {size(study.trial.trial.speed or 0.0, 'm/s', 'speed')}"
     drawn, missing = write_picture(study, figure, title, force=force)
     document, undrawn = write_report(lambda: _page(study, title, rig), report, force=force)
     plain = {**plain, "figure": drawn, "report": document}

@@ -100,10 +100,13 @@ def _drawings(
     if record is not None:
         sides = [side for side in _LOOKS if f"{side}.plate.force" in record]
         loads = {wheel.wheel: wheel.static_load for wheel in wheels}
+        legend = any(side not in {wheel.wheel for wheel in wheels if wheel.curves is not None} for side in sides)
         if not rigid and any(f"{side}.plate.z" in record for side in sides):
-            found.append(lambda axes: _over_time(axes, record, "plate.z", 1e3, "height", words, {}))
+            found.append(lambda axes: _over_time(axes, record, "plate.z", 1e3, "height", words, {}, legend=legend))
         if sides:
-            found.append(lambda axes: _over_time(axes, record, "plate.force", 1e-3, "force", words, loads))
+            found.append(
+                lambda axes: _over_time(axes, record, "plate.force", 1e-3, "force", words, loads, legend=legend)
+            )
     return found
 
 
@@ -181,19 +184,24 @@ def _over_time(
     kind: str,
     words: dict[str, str],
     loads: dict[str, float | None],
+    *,
+    legend: bool,
 ) -> None:
+    """Draw a channel of each wheel; ``legend``: of wheels that no other panel names, such as one that stood still."""
     time = record["time"].to_numpy()
     ends: list[Array] = []
     for side, (colour, line) in _LOOKS.items():
         if f"{side}.{channel}" not in record:
             continue
         centre, low, high = envelope(time, factor * record[f"{side}.{channel}"].to_numpy())
-        axes.fill_between(centre, low, high, color=colour, linewidth=0.4, alpha=0.75)
+        axes.fill_between(centre, low, high, color=colour, linewidth=0.4, alpha=0.75, label=words[side])
         ends += [low, high]
         load = loads.get(side)
         if load is not None:
             axes.axhline(factor * load, color=colour, linewidth=0.8, linestyle=line)
     axes.set(title=words[kind], xlabel=words["time"])
+    if legend:
+        axes.legend(loc="best", labelspacing=0.2)
     _leave_out_jolts(axes, np.concatenate(ends))
 
 

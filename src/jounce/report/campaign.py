@@ -195,13 +195,14 @@ def answer(result: CampaignResult) -> Section:
 def _where_it_holds(result: CampaignResult) -> str:
     """Say of which trials the verdicts are, fitted and held out."""
     texts = []
-    for use, words in (("fit", "Of the fitted trials"), ("hold-out", "Of the held-out trials")):
+    for use, words in (("fit", "Of those fitted"), ("hold-out", "Of those held out")):
         by_verdict: dict[str, list[str]] = {}
         for trial in result.trials:
             if trial.entry.use == use:
                 by_verdict.setdefault(verdict(trial), []).append(str(trial.entry.number))
         parts = [
-            f"{_listed(numbers)} {'is' if len(numbers) == 1 else 'are'} {_VERDICT_WORDS[word]}"
+            f"{'trial' if len(numbers) == 1 else 'trials'} {_listed(numbers)} "
+            f"{'is' if len(numbers) == 1 else 'are'} {_VERDICT_WORDS[word]}"
             for word, numbers in by_verdict.items()
         ]
         if parts:

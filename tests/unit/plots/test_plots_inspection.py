@@ -68,6 +68,15 @@ def test_rigid_plates_show_force_phase_and_force_over_time(record: xr.Dataset) -
     assert high > 4.99
 
 
+def test_a_wheel_that_only_its_force_shows_is_named_there(record: xr.Dataset) -> None:
+    record["right.plate.force"] = record["left.plate.force"]
+    force = inspection_curves(inspection(), record, phase_limit=35.0).axes[-1]
+    assert force.get_legend() is None  # both are named above their curves
+    still = Inspection((inspection().wheels[0],))
+    legend = inspection_curves(still, record, phase_limit=35.0).axes[-1].get_legend()
+    assert [text.get_text() for text in legend.get_texts()] == ["left", "right"]
+
+
 def test_sprung_plates_show_the_plate(record: xr.Dataset) -> None:
     figure = inspection_curves(inspection(sprung=True), record, language="de")
     titles = [axes.get_title(loc="left") for axes in figure.axes]
