@@ -352,6 +352,7 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
 
 _BITS = 30
 _PLACES = 2 ** np.arange(_BITS - 1, -1, -1)
+_BELOW, _DIAGONAL = np.tri(_BITS, k=-1), np.eye(_BITS)
 
 
 def _sobol(numbers: int, count: int, seed: int) -> Array:
@@ -365,7 +366,7 @@ def _sobol(numbers: int, count: int, seed: int) -> Array:
     doublings = max((count - 1).bit_length(), 1)
     random = np.random.default_rng(seed)
     shift = random.integers(0, 2, (numbers, _BITS), dtype=np.uint32) @ _PLACES[::-1]
-    mix = np.tril(random.integers(0, 2, (numbers, _BITS, _BITS), dtype=np.uint32), -1) + np.eye(_BITS)
+    mix = random.integers(0, 2, (numbers, _BITS, _BITS), dtype=np.uint32) * _BELOW + _DIAGONAL
     mixed = (mix @ _directions(numbers, doublings)).astype(np.int64) & 1
     along = (_PLACES @ mixed).astype(np.uint32)
     found = np.empty((numbers, count), dtype=np.uint32)
