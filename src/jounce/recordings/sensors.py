@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 import zlib
@@ -111,7 +112,9 @@ class Sensor(Description):
 def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") -> Array:
     """The sensor's filters as second-order sections ``b0 b1 b2 a0 a1 a2``, shape (0 to 2, 6), without gain.
 
-    By bilinear transform, exact at the corner frequencies, which must lie below half the ``sample_rate`` (Hz).
+    The high pass by bilinear transform, exact at its corner; the low pass with the poles of the analogue filter, its
+    delay of what is slow, and -3 dB at its corner: by bilinear transform it would come 7 % of its delay early at 0.15
+    of the rate, which a fit makes up for. Corners must lie below half the ``sample_rate`` (Hz).
     """
     sections = []
     if sensor.high_pass is not None:
@@ -120,11 +123,31 @@ def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") ->
         sections.append([1.0 / (1.0 + w), -1.0 / (1.0 + w), 0.0, 1.0, -(1.0 - w) / (1.0 + w), 0.0])
     if sensor.low_pass is not None:
         check_frequency(sensor.low_pass, sample_rate, where=f"{where}: low_pass")
-        w = math.tan(math.pi * sensor.low_pass / sample_rate)
+        sections.append(_low_pass(2.0 * math.pi * sensor.low_pass / sample_rate))
+    return np.array(sections, dtype=float).reshape(-1, 6)
+
+
+def _low_pass(corner: float) -> list[float]:
+    """Second-order Butterworth low pass as a section; the corner in radians a sample."""
+    if corner < _SLOW:
+        w = math.tan(0.5 * corner)
         scale = 1.0 + math.sqrt(2.0) * w + w * w
         b = w * w / scale
-        sections.append([b, 2.0 * b, b, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - math.sqrt(2.0) * w + w * w) / scale])
-    return np.array(sections, dtype=float).reshape(-1, 6)
+        return [b, 2.0 * b, b, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - math.sqrt(2.0) * w + w * w) / scale]
+    pole = math.sqrt(0.5) * corner
+    a1, a2 = -2.0 * math.exp(-pole) * math.cos(pole), math.exp(-2.0 * pole)
+    level = 1.0 + a1 + a2  # sum of b: a gain of 1 at rest
+    late = level * math.sqrt(2.0) / corner + a1 + 2.0 * a2  # b1 + 2 b2: the delay at rest
+    turn = cmath.exp(-1j * corner)
+    line, bend = level - late + late * turn, (1.0 - turn) ** 2  # b = (level - late, late, 0) + more (1, -2, 1)
+    half = (line * bend.conjugate()).real / abs(bend) ** 2
+    wanted = (0.5 * abs(1.0 + a1 * turn + a2 * turn**2) ** 2 - abs(line) ** 2) / abs(bend) ** 2
+    root = math.sqrt(half * half + wanted)
+    more = min(-half - root, -half + root, key=abs)
+    return [level - late + more, late - 2.0 * more, more, 1.0, a1, a2]
+
+
+_SLOW = 0.03  # radians a sample, below which the bilinear transform differs by less than 1e-4 of the delay
 
 
 def filter_signals(
