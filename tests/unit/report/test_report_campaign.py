@@ -291,3 +291,8 @@ def test_same_campaign_same_bytes(result: CampaignResult, written: Path, tmp_pat
     for file in sorted(written.rglob("*")):
         if file.is_file():
             assert (tmp_path / "out" / file.relative_to(written)).read_bytes() == file.read_bytes(), file.name
+
+
+def test_the_answer_says_of_which_trials_a_verdict_is(html: str) -> None:
+    assert re.search(r"Of those fitted, trials? \d", html)
+    assert re.search(r"Of those held out, trials? \d", html)
