@@ -24,7 +24,7 @@ from jounce.parts import library
 
 pytest.importorskip("uvicorn")
 AXE = Path(__file__).parents[2] / "viewer" / "node_modules" / "axe-core" / "axe.min.js"
-RULES = ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]
+RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
 DRAWN = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
 RIG = "kart-double-wishbone.toml"
 PAGES = [
@@ -99,6 +99,40 @@ class Opened:
         self.ready()
         self.page.wait_for_selector(".jobs > p.muted", state="detached")  # until its jobs were told
         self.page.evaluate(DRAWN)
+
+
+FOCUS = """() => {
+  const one = document.activeElement, style = getComputedStyle(one), box = one.getBoundingClientRect();
+  if (one === document.body) return null;
+  const isSeen = box.bottom > 0 && box.top < innerHeight && box.right > 0 && box.left < innerWidth;
+  return [one.outerHTML.slice(0, 120), isSeen && style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) > 0];
+}"""
+
+
+@pytest.mark.pages
+def test_the_keyboard_goes_everywhere_and_is_seen(workbench, browser):
+    opened = Opened(browser, workbench, viewport={"width": 390, "height": 720})
+    page = opened.page
+    for name in ("record?path=run.nc", "studies", "ride"):
+        opened.go(name)
+        page.evaluate("document.activeElement.blur()")
+        stops = []
+        for _ in range(25):
+            page.keyboard.press("Tab")
+            stops.append(page.evaluate(FOCUS))
+        assert [one[0] for one in stops if one and not one[1]] == [], name
+        assert sum(one is not None for one in stops) > 20
+    opened.go("project")
+    page.locator(".skip").focus()
+    page.keyboard.press("Enter")  # goes to the content, and to no page of that name
+    assert page.evaluate("[document.activeElement.id, location.hash]") == ["main", "#/project"]
+    page.get_by_role("main").get_by_role("link", name="run.nc", exact=True).press("Enter")
+    page.wait_for_selector("html[data-ready=record]")
+    until(page, "document.activeElement.id === 'main'")  # the link is gone: on to what it led to
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.textContent") == "Beside a run"
+    page.context.close()
+    assert opened.troubles == []
 
 
 @pytest.mark.pages

@@ -1,12 +1,12 @@
 /** Questions to the server; each answer is plain data, each refusal an error with the server's words. */
 
 import { tr } from "../words";
-import { told as refused } from "./refusals";
+import { Refused, told as refused } from "./refusals";
 
 export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null }
 export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
-export interface Checked { kind: string; what: string; problems: string[]; notes: string[] }
+export interface Checked { kind: string; what: string; problems: Error[]; notes: string[] }
 export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
 export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: { place: string; severity: string; message: string }[] }
 export interface Problem { path: string; line: number; text: string }
@@ -30,7 +30,7 @@ async function sent(path: string, given: RequestInit): Promise<Response> {
   if (answer.ok) return answer;
   if (answer.status === 401) throw new Error(tr("This page is not known here any more: open the address that jounce serve printed."));
   const told = await answer.json().catch(() => null) as { error?: { text: string }; detail?: { msg: string; loc: string[] }[] } | null;
-  throw new Error(refused(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText));
+  throw new Refused(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
 }
 
 export const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
@@ -44,8 +44,8 @@ export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {
-  const found = await get<Checked>(`/api/check?${query({ path })}`);
-  return { ...found, problems: found.problems.map(refused) };
+  const found = await get<{ kind: string; what: string; problems: string[]; notes: string[] }>(`/api/check?${query({ path })}`);
+  return { ...found, problems: found.problems.map((one) => new Refused(one)) };
 };
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
 export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;

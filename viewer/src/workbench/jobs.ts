@@ -4,7 +4,7 @@ import { make, whenLeft, written } from "../page";
 import { asked, get, upload } from "./api";
 import { heard, tr } from "../words";
 import { copied, InTurn, problem } from "./parts";
-import { told as refused } from "./refusals";
+import { Refused } from "./refusals";
 
 export interface Step { evaluation: number; objective: number; parameters: Record<string, { value: number; initial: number; lower: number; upper: number }> }
 export interface Job {
@@ -95,7 +95,7 @@ export class JobCard {
     if (runs) this.timer = window.setInterval(() => { if (this.element.isConnected) this.tick(); else clearInterval(this.timer); }, 1000);
     if (this.shown === job.state) return;
     this.shown = job.state;
-    this.told.replaceChildren(...(job.error ? [problem(refused(job.error))] : []));
+    this.told.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
     const act = (text: string, does: () => Promise<unknown>, main = false) => {
       const button = make("button", { type: "button", ...(main ? { class: "main" } : {}), "aria-label": `${text}: ${job.title}` }, text);
       button.addEventListener("click", () => { button.disabled = true; does().catch((error) => { this.told.replaceChildren(problem(error)); button.disabled = false; }); });
@@ -168,7 +168,7 @@ export function ways(told: { python: string; command: string; files: Record<stri
 /** What a command that did its work could not write or draw. */
 export function undone(result: unknown): HTMLElement[] {
   const findings = (result as { findings?: { severity: string; message: string }[] } | null)?.findings ?? [];
-  return findings.filter((one) => one.severity === "problem").map((one) => problem(refused(one.message)));
+  return findings.filter((one) => one.severity === "problem").map((one) => problem(new Refused(one.message)));
 }
 
 /** A report in a frame of its own: its script can ask nothing here. */

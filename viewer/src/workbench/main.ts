@@ -64,13 +64,15 @@ document.documentElement.classList.add("live");
 document.getElementById("pages")!.append(...Object.entries(PAGES).map(([page, { label }]) => make("a", { href: address(page), "data-page": page }, label)));
 document.querySelector("header")!.append(languageButton(), themeButton());
 document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
-document.querySelector(".skip")!.textContent = tr("To the content");
+const skip = document.querySelector(".skip")!;
+skip.textContent = tr("To the content");
+skip.addEventListener("click", (event) => { event.preventDefault(); document.getElementById("main")!.focus(); }); // an address names a page here
 let shown = location.hash;
 addEventListener("hashchange", () => {
   if (location.hash !== shown && !mayLeave()) { history.replaceState(null, "", shown || address("project")); return; }
   shown = location.hash;
   delete document.documentElement.dataset.ready;
-  void show();
+  void show().then(() => { if (document.activeElement === document.body) document.getElementById("main")!.focus({ preventScroll: true }); }); // the link that led here is gone
 });
 api.project().then(({ name }) => { document.getElementById("project")!.textContent = name; }, () => {});
 void show();

@@ -5,6 +5,7 @@ import { make, written } from "../page";
 import { Player } from "../player";
 import { tr } from "../words";
 import { inWords } from "./quantities";
+import { asSaid, Refused } from "./refusals";
 import { type Answer, type Rig, type RigNumber } from "./api";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
@@ -12,7 +13,7 @@ export function field(label: string, control: HTMLElement, note = ""): HTMLLabel
 }
 
 export function problem(error: unknown): HTMLElement {
-  return make("p", { class: "problem", role: "alert" }, error instanceof Error ? error.message : String(error));
+  return make("p", { class: "problem", role: "alert" }, error instanceof Refused ? asSaid(error.said) : error instanceof Error ? error.message : String(error));
 }
 
 /** What a button begins is not begun again before it has ended, however often it is pressed. */
@@ -27,7 +28,7 @@ export function copied(title: string, text: string): HTMLElement {
   button.addEventListener("click", () => {
     void navigator.clipboard.writeText(place.textContent).then(() => { button.textContent = tr("Copied"); }, () => { button.textContent = tr("Select and copy"); });
   });
-  return make("section", { class: "code" }, make("div", { class: "bar" }, make("h3", {}, title), button), place);
+  return make("section", { class: "code" }, make("div", { class: "bar" }, make("h2", {}, title), button), place);
 }
 
 /** The same by other ways, to copy. */

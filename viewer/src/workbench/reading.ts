@@ -5,7 +5,7 @@ import { make, written } from "../page";
 import { Player } from "../player";
 import { ways, Question } from "./jobs";
 import { field } from "./parts";
-import { told as refused, advised } from "./refusals";
+import { asSaid, advised } from "./refusals";
 import { inWords } from "./quantities";
 
 interface Preview {
@@ -87,7 +87,7 @@ export class Reading {
   private shown(found: Preview, told: { python: string; command: string; files: Record<string, string> }): HTMLElement[] {
     if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) { this.known = found.columns; this.offer(); }
     const shown: HTMLElement[] = [];
-    if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, refused(found.problem)));
+    if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, asSaid(found.problem)));
     shown.push(...advised(found.findings.map((one) => ({ ...one, place: "" })), "p"));
     if (found.more) shown.push(make("p", { class: "muted" }, `and ${found.more} more columns`));
     if (found.points) shown.push(xy(found.points));

@@ -80,6 +80,9 @@ function hints(given: string): string {
     .replace(/All (\d+): /, "Alle $1: ").replace(/Known: /, "Bekannt: ");
 }
 
+/** What the server refuses, as an error in the language of the page that knows what was said. */
+export class Refused extends Error { constructor(readonly said: string) { super(told(said)); } }
+
 /** A sentence of the library: in the language of the page where it is known by its words, else as it is, and said to be English. */
 export function asSaid(message: string): Node | string {
   const given = raised(message), known = found(given);

@@ -150,7 +150,7 @@ export function ranges(brushes: Brushes): HTMLElement {
     return make("tr", {}, make("th", { scope: "row" }, one.name), make("td", {}, inputs[0]!), make("td", {}, inputs[1]!), make("td", {}, one.unit || "–"));
   });
   return make("details", {}, make("summary", {}, "Ranges as numbers"), make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "ranges" }, make("table", {},
-    make("thead", {}, make("tr", {}, ...["", "from", "to", "unit"].map((text) => make("th", { scope: "col" }, text)))), make("tbody", {}, ...cells))));
+    make("thead", {}, make("tr", {}, ...["", "from", "to", "unit"].map((text) => (text ? make("th", { scope: "col" }, text) : make("td", {}))))), make("tbody", {}, ...cells))));
 }
 
 const WIDE = 170, TALL = 130, MARGIN = 8;
@@ -232,6 +232,6 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
   });
   return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": `what ${metric.name} depends on` }, make("table", {},
     make("caption", {}, `${metric.name}: from its mean of ${written(mean * metric.factor, 4)} ${metric.unit}, where a number is low and where it is high`),
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "number"), make("th", { scope: "col", class: "right" }, make("span", { class: "key low" }), ` ${tr("low")} [${metric.unit || "–"}]`), make("th", { scope: "col" }, ""), make("th", { scope: "col", class: "right" }, make("span", { class: "key high" }), ` ${tr("high")} [${metric.unit || "–"}]`), make("th", { scope: "col", class: "right" }, words))),
+    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "number"), make("th", { scope: "col", class: "right" }, make("span", { class: "key low" }), ` ${tr("low")} [${metric.unit || "–"}]`), make("td", {}), make("th", { scope: "col", class: "right" }, make("span", { class: "key high" }), ` ${tr("high")} [${metric.unit || "–"}]`), make("th", { scope: "col", class: "right" }, words))),
     make("tbody", {}, ...rows)));
 }

@@ -137,7 +137,7 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
       });
       return make("tr", {}, make("th", { scope: "row" }, String(one.number)), ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map((cell) => make("td", {}, cell || "–")), make("td", {}, one.verdict ? mark(one.verdict) : "–"), make("td", {}, ...(one.plate ? [button] : [])));
     });
-    return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "records" }, make("table", {}, make("caption", {}, `${records.length} record${records.length === 1 ? "" : "s"}`), make("thead", {}, make("tr", {}, ...["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", ""].map((one) => make("th", { scope: "col" }, one)))), make("tbody", {}, ...rows))), ways(told)];
+    return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "records" }, make("table", {}, make("caption", {}, `${records.length} record${records.length === 1 ? "" : "s"}`), make("thead", {}, make("tr", {}, ...["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", ""].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))))), make("tbody", {}, ...rows))), ways(told)];
   });
   return make("section", {}, make("div", { class: "form" }, field("Store", store), field("Number plate, or a pattern", plate), field("Verdict", verdict), field("Tester", tester), field("First day", since), field("Last day", until), question.button), question.place, history);
 }

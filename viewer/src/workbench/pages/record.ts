@@ -6,7 +6,7 @@ import { LinkedPlots } from "../../plots";
 import { localised, tr } from "../../words";
 import * as api from "../api";
 import { Newest } from "../parts";
-import { told as refused } from "../refusals";
+import { asSaid } from "../refusals";
 import { address, choose, type Page, setLive, type Values } from "../shell";
 
 export const record: Page = { label: "Records", show };
@@ -47,7 +47,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     }
   });
   const buttons = make("div", { class: "group", role: "group", "aria-label": tr("channels") }, ...about.channels.map(({ name, unit }) => toggle(name, shown.has(name), (on) => { if (on) shown.add(name); else shown.delete(name); void ask(); }, unit)));
-  const zooms = make("div", { class: "group" }, ...([["+", tr("zoom in"), () => plots.zoomBy(0.5)], ["−", tr("zoom out"), () => plots.zoomBy(2)], ["‹", tr("to the left"), () => plots.pan(-0.5)], ["›", tr("to the right"), () => plots.pan(0.5)], [tr("All"), tr("everything"), () => plots.reset()]] as [string, string, () => void][]).map(([text, title, click]) => make("button", { type: "button", title, "aria-label": title, click }, text)));
+  const zooms = make("div", { class: "group" }, ...([["+", tr("zoom in"), () => plots.zoomBy(0.5)], ["−", tr("zoom out"), () => plots.zoomBy(2)], ["‹", tr("to the left"), () => plots.pan(-0.5)], ["›", tr("to the right"), () => plots.pan(0.5)], [tr("All"), tr("everything"), () => plots.reset()]] as [string, string, () => void][]).map(([text, title, click]) => make("button", { type: "button", title, ...(text.length > 1 ? {} : { "aria-label": title }), click }, text)));
   const player = make("div", { class: "player", tabindex: "0", role: "region", "aria-label": tr("curves") }, make("div", { class: "bar" }, buttons, make("span", { class: "grow" }), zooms), make("div", { class: "plots-only" }, plots.element));
   player.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -59,7 +59,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   place.replaceChildren(make("h1", {}, path),
     make("p", { class: "muted" }, `${tr("# samples", String(about.count))}, ${about.even ? `${tr("every")} ${localised(String(Number(about.step.toPrecision(6))))} ${about.unit}` : tr("not evenly spaced")}, ${localised(String(Number(about.first.toPrecision(9))))} – ${localised(String(Number(about.last.toPrecision(9))))} ${about.unit}; ${tr("units as they are in the file")}`),
     make("p", { class: "bar" }, make("a", { href: address("trial", { record: path }) }, tr("Beside a run"))),
-    ...(about.left_out ?? []).map((text) => make("p", { class: "problem" }, `${tr("not shown")}: ${refused(text)}`)),
+    ...(about.left_out ?? []).map((text) => make("p", { class: "problem" }, `${tr("not shown")}: `, asSaid(text))),
     about.channels.length ? player : make("p", { class: "empty" }, tr("There is nothing in it but time.")), state,
     make("p", { class: "muted" }, tr("Drag to zoom, Shift + wheel or ← → pans, Ctrl + wheel zooms, double click for everything.")));
   await ask();

@@ -151,7 +151,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   });
   more.addEventListener("click", () => add());
   form.append(make("div", { class: "form" }, field("Rig", rig), field("Road", road), sizes, field("Speed", speed), field("Duration", duration)),
-    make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "what varies" }, make("table", {}, make("thead", {}, make("tr", {}, ...["number", "spread", "", "", ""].map((text) => make("th", { scope: "col" }, text)))), rows)), paths, more,
+    make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "what varies" }, make("table", {}, make("thead", {}, make("tr", {}, ...["number", "spread", "", "", ""].map((text) => (text ? make("th", { scope: "col" }, text) : make("td", {}))))), rows)), paths, more,
     make("div", { class: "form" }, field("Design", design), field("Count", count), field("Seed", seed), field("Metrics, with commas between", metrics)),
     make("div", { class: "form" }, field("File of the study", name), field("Folder of the results", out), save, go), told);
   offerRoad();
@@ -215,7 +215,7 @@ async function showSweep(place: HTMLElement, id: string | null, given: string | 
     make("h2", {}, "Variants"), make("p", { class: "muted" }, "Drag along an axis to keep the variants that pass there; a click on it lets all pass again."), parallel(brushes), make("div", { class: "bar" }, told, clear), ranges(brushes),
     ...(metrics.length ? [matrix(brushes)] : []),
     make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "chosen variants" }, make("table", {}, make("caption", {}, "The first of the chosen variants"),
-      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "variant"), ...sweep.columns.map((one) => make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`)), make("th", { scope: "col" }, ""))), chosen)),
+      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "variant"), ...sweep.columns.map((one) => make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`)), make("td", {}))), chosen)),
     ...(job ? [ways(job)] : []), ...(job?.has_page ? [report(`/api/jobs/${job.id}/report`, "Report")] : []));
 }
 
