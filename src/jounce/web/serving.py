@@ -90,7 +90,7 @@ def _give_memory_back() -> Callable[[], object]:
 _MOST_MODELS = 16  # of each kind: one takes up to 2 MB, and 10 ms to be loaded again
 _PAUSE = 2.0  # s
 _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
-_LATER = ("scipy.signal", "jounce.cli.files", "jounce.variants.study", "jounce.design.kinematic_targets")
+_LATER = ("scipy.signal", "h5netcdf", "jounce.cli.files", "jounce.variants.study", "jounce.design.kinematic_targets")
 
 
 @contextlib.contextmanager
@@ -110,7 +110,7 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
 
 
 def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
-    """Load what the first spectrum, saved file, study and target would wait for; then look for garbage."""
+    """Load what the first spectrum, recording, saved file, study and target would wait for; then look for garbage."""
     later = iter(_LATER)
     before = collected = time.process_time()
     while not ended.wait(_PAUSE):
