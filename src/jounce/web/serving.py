@@ -87,7 +87,7 @@ def _give_memory_back() -> Callable[[], object]:
     return lambda: library.malloc_trim(0)
 
 
-_MOST_MODELS = 16  # of each kind: one takes up to 2 MB, and 10 ms to be loaded again
+_MOST_MODELS = 8  # of each kind, soon all taken: one is up to 2 MB, and 10 ms to be loaded again
 _PAUSE = 2.0  # s
 _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
 _LATER = ("scipy.signal", "h5netcdf", "jounce.cli.files", "jounce.variants.study", "jounce.design.kinematic_targets")
