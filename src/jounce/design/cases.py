@@ -178,14 +178,15 @@ def cases_problem(
             metrics[text] = replace(metric, text=text)
     limits = tuple(read_limit(metrics[text], given) for text, given in (constraints or {}).items())
     rigs, factors = _samples(rig, numbers, spread or {}, samples, seed)
+    families = [LinearFamily(one, tuple(number.path for number in numbers)) for one in rigs]
     parts: dict[str, tuple[_Part, ...]] = {}
     notes: list[Finding] = []
     for case, asked in inner.items():
         if not asked:
             raise DescriptionError("nothing is judged by it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
         made = []
-        for one, factor in zip(rigs, factors, strict=True):
-            evaluator, told = _evaluator(cases[case], one, numbers, tuple(asked.values()), case)
+        for family, factor in zip(families, factors, strict=True):
+            evaluator, told = _evaluator(cases[case], family, numbers, tuple(asked.values()), case)
             notes += [note for note in told if str(note) not in map(str, notes)]
             made.append(_Part(evaluator, factor))
         parts[case] = tuple(made)
@@ -270,12 +271,11 @@ def _samples(
 
 
 def _evaluator(
-    case: Case, rig: Rig, numbers: Sequence[Free], metrics: tuple[Metric, ...], name: str
+    case: Case, family: LinearFamily, numbers: Sequence[Free], metrics: tuple[Metric, ...], name: str
 ) -> tuple[StationaryEvaluator | TrialEvaluator | KinematicEvaluator, tuple[Finding, ...]]:
-    paths = tuple(number.path for number in numbers)
     where = f"cases.{name}"
     if isinstance(case, Trial):
-        return TrialEvaluator(LinearFamily(rig, paths), case, metrics), ()
+        return TrialEvaluator(family, case, metrics), ()
     if not isinstance(case, Mapping):
         raise DescriptionError("not a case", where=where, found=case, allowed="a trial, road and speed, or travel")
     if "travel" not in case:
@@ -285,7 +285,7 @@ def _evaluator(
             if key not in ("band", "sides"):
                 raise unknown(key, ("road", "speed", "band", "sides", "travel"), what="key", where=where)
         try:
-            return stationary_evaluator(LinearFamily(rig, paths), metrics, road, speed, given)
+            return stationary_evaluator(family, metrics, road, speed, given)
         except DescriptionError as error:
             if error.where not in case:
                 raise
@@ -293,7 +293,7 @@ def _evaluator(
             raise DescriptionError(
                 error.what, where=place, found=error.found, allowed=error.allowed, hint=error.hint
             ) from None
-    if set(case) != {"travel"} or not isinstance(rig, Corner):
+    if set(case) != {"travel"} or not isinstance(family.rig, Corner):
         raise DescriptionError("kinematics are those of a 3-D corner over travel", where=where, found=dict(case))
     from jounce.core.units import to_si
 
@@ -303,7 +303,7 @@ def _evaluator(
         raise DescriptionError("not a travel", where=where, found=list(case["travel"]), allowed=allowed)
     grid = np.union1d(np.linspace(travel[0], travel[-1], 13), [0.0]) if len(travel) == 2 else travel
     steps = np.array([_STEP * (number.upper - number.lower) for number in numbers])
-    return KinematicEvaluator(rig, paths, np.maximum(steps, 1e-9), grid, metrics), ()
+    return KinematicEvaluator(family.rig, family.paths, np.maximum(steps, 1e-9), grid, metrics), ()
 
 
 def _words(case: Case) -> str:
