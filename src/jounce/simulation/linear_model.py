@@ -130,7 +130,7 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     >>> bool(abs(model.frequency_response([1e-3], "sprung.z")[0] - 1.0) < 1e-3)   # quasi-static: the body follows
     True
     """
-    return _linearised(rig, road_height, rig.parameters())
+    return _linearised(rig, road_height)
 
 
 def numbers_without_friction(rig: Rig) -> dict[str, float]:
@@ -138,8 +138,8 @@ def numbers_without_friction(rig: Rig) -> dict[str, float]:
     return {path: 0.0 if path.endswith("friction.force") else value for path, value in rig.parameters().items()}
 
 
-def _linearised(rig: Rig, road_height: float, numbers: dict[str, float]) -> LinearModel:
-    compiled, p, rest, u = _at_rest(rig, road_height, numbers)
+def _linearised(rig: Rig, road_height: float, *, slides: bool = False) -> LinearModel:
+    compiled, p, rest, u = _at_rest(rig, road_height, slides=slides)
     facts, where = compiled.facts, (rest.x, u, p, rest.modes)
     c, along = compiled.slopes("x", *where)["output"], compiled.slopes("u", *where)
     orders = ("", " rate", " acceleration")[: facts.track_order]
@@ -176,7 +176,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     >>> round(body_bounce.frequency_hz, 1), round(wheel_hop.frequency_hz, 1)
     (5.1, 28.2)
     """
-    model = _linearised(rig, road_height, numbers_without_friction(rig))
+    model = _linearised(rig, road_height, slides=True)
     values, vectors = np.linalg.eig(model.A)
     heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
     names = [model.outputs[i] for i in heights]
@@ -218,7 +218,7 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     >>> round(jn.equilibrium(jn.load("kart-quarter-car"))["tyre.force"], 2)   # (16 + 5) kg * 9.81 m/s^2
     206.01
     """
-    compiled, p, rest, u = _at_rest(rig, road_height, rig.parameters())
+    compiled, p, rest, u = _at_rest(rig, road_height)
     outputs = compiled.evaluate("output", rest.x, u, p, rest.modes)
     return {
         **dict(zip(compiled.facts.states, map(float, rest.x), strict=True)),
@@ -226,11 +226,11 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     }
 
 
-def _at_rest(rig: Rig, road_height: float, numbers: dict[str, float]) -> tuple[Compiled, Array, Equilibrium, Array]:
+def _at_rest(rig: Rig, road_height: float, *, slides: bool = False) -> tuple[Compiled, Array, Equilibrium, Array]:
     if not np.isfinite(road_height):
         raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
     compiled = compile_rig(rig)
-    p = compiled.parameter_values(numbers)
+    p = compiled.parameter_values(numbers_without_friction(rig) if slides else rig.parameters())
     u = compiled.inputs(road_height)
     rest = for_small_motions(compiled, find_equilibrium(compiled, p, u), p, u)
     outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extended(p), rest.modes)
