@@ -331,11 +331,11 @@ def _sampled(
     x = np.linspace(0.0, length, count + 1)
     height = _over_length(waves, total, count)
     if interpolation == "linear":
-        return x, height * _fade(x, length, fade)[0], None
+        return x, height * _fade(x, length, fade)[0] + 0.0, None  # where the fade is nothing, no "-0.0"
     waves[lines] *= 2j * math.pi * n
     slope = _over_length(waves, total, count)
     share, share_slope = _fade(x, length, fade)
-    return x, height * share, slope * share + height * share_slope
+    return x, height * share + 0.0, slope * share + height * share_slope
 
 
 @lru_cache(maxsize=2)  # as long as profiles
