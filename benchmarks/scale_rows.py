@@ -62,7 +62,7 @@ def _variants() -> list[Row]:
     run(_COUNTS[0])
     rows: list[Row] = []
     for count in _COUNTS:
-        one = median_time(partial(run, count), repeats=25, budget=2.0) / count
+        one = median_time(partial(run, count), repeats=400, budget=2.0) / count
         words = f"of {count:,}".replace(",", " ")
         ratio = one / rows[0].median if rows else 1.0
         target = "≤ 1.1 of the first" if rows else ""

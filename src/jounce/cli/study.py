@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -351,12 +350,13 @@ def equivalence(
         say("loading")
         from jounce.inspection.equivalence import compare_tests, usual_factors
         from jounce.inspection.limits import load_limits
+        from jounce.variants.threads import processors
 
         study = compare_tests(
             chosen_rig(rig, wanted),  # type: ignore[arg-type]
             factors=usual_factors(points),
             limits=load_limits(limits),
-            workers=os.cpu_count() or 1,
+            workers=processors(),
             progress=lambda share: say(f"testing: {100.0 * share:.0f} %"),
         )
         title = f"{Path(rig).stem}, simulated tests"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import os
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -36,7 +35,7 @@ from jounce.variants.few_channels import FewChannels
 from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
-from jounce.variants.threads import Item, share
+from jounce.variants.threads import Item, processors, share
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -79,7 +78,7 @@ class Work:
         if small:
             self.study.allows_all(_of_the_rig(columns))  # asked once, not for each of them
         free = self.study.control is None  # a controller may be a function that keeps something
-        workers = min(threads or os.cpu_count() or 1, len(small)) if free else 1
+        workers = min(threads or processors(), len(small)) if free else 1
         for group, rows in groups:
             if len(rows) >= LEAST or workers <= 1:
                 group.fill(results, columns, rows, threads)
@@ -417,7 +416,7 @@ class _Group:
                 self._alone(results, int(rows[i]), partial(self._solve, parameters[i], self._signals, results.few))
 
         left = np.flatnonzero(careful).tolist()
-        workers = min(threads or os.cpu_count() or 1, len(left))
+        workers = min(threads or processors(), len(left))
         if workers > 1:
             results.make_room()
         _shared(left, alone, workers)

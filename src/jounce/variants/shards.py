@@ -34,6 +34,7 @@ from jounce.core.writing import check_folder, resolved, write_atomically
 from jounce.variants import zarr_shards
 from jounce.variants.findings import Tally
 from jounce.variants.many import Work
+from jounce.variants.threads import processors
 from jounce.variants.workers import Task, here, on_cluster, on_processes, own_locks
 from jounce.variants.zarr_shards import checksum
 
@@ -178,7 +179,7 @@ def keep_in_shards(
     pace = _pace(work, columns) if kept is None or workers is None else _Pace(0.0, is_alone=False)
     if workers is None:
         lasts = pace.seconds * len(next(iter(columns.values())))
-        workers = _processors() if pace.is_alone and lasts > _LONG else 1
+        workers = processors() if pace.is_alone and lasts > _LONG else 1
     begins = kept is None
     if kept is None:
         size = _size(work, columns, workers if client is None else 64, pace)
@@ -488,10 +489,6 @@ def _size(work: Work, columns: Mapping[str, Array], workers: int, pace: _Pace) -
         worth = _TASK / pace.seconds  # below which handing it on takes longer than the work
         most.append(max(count / (workers * _PER_WORKER), 2.0 ** math.ceil(math.log2(max(worth, 1.0)))))
     return int(2 ** math.floor(math.log2(max(min(most), 1.0))))
-
-
-def _processors() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _bytes_of_a_variant(work: Work, columns: Mapping[str, Array]) -> int:

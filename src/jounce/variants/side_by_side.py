@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -20,7 +19,7 @@ from jounce.mechanics.facts import SLOPE_LANES
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
-from jounce.variants.threads import share
+from jounce.variants.threads import processors, share
 
 _SPARE = 1.3  # by which the motions of a variant may be faster than those of the one that the step is chosen for
 LEAST = 4
@@ -84,7 +83,7 @@ def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = N
             lanes.follow(own)
         layout.rooms.append(room)
 
-    workers = min(threads or os.cpu_count() or 1, max(count // _FEW, 1))
+    workers = min(threads or processors(), max(count // _FEW, 1))
     share(_spans(count, layout.work.room.kept.shape[1], workers), take, workers)
     total, square, least, most = (sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
     samples = layout.samples

@@ -9,7 +9,6 @@ fall elsewhere; threads do not. A variant that cannot be followed so is left to 
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -26,7 +25,7 @@ from jounce.kernel.native import Native, Source, kept_code
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.prepare import Prepared, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
-from jounce.variants.threads import share
+from jounce.variants.threads import processors, share
 
 LEAST, LEAST_WITH_LOOPS = 16, 256
 """Variants below which code for blocks is not worth its making: half a second, of a mechanism with loops two."""
@@ -232,7 +231,7 @@ class Blocks:
     def run(self, rest: Rest, take: Take, threads: int | None = None) -> NDArray[np.bool_]:
         """Run all blocks and hand on what each gives; tell which reached their end."""
         ran = np.zeros(len(self.numbers), dtype=bool)
-        workers = min(threads or os.cpu_count() or 1, len(ran))
+        workers = min(threads or processors(), len(ran))
 
         def follow(blocks: Iterator[int]) -> None:
             out = self._room()

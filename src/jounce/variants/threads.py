@@ -19,6 +19,15 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_free.clear)  # threads stay behind
 
 
+def processors() -> int:
+    """How many processors this process may use: those of the machine, or fewer where it is bound to some.
+
+    >>> processors() >= 1
+    True
+    """
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 def share(items: Iterable[Item], take: Callable[[Iterator[Item]], None], workers: int) -> None:
     """Have threads, this one among them, take items from one iterator until there are none left.
 

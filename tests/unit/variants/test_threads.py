@@ -7,7 +7,7 @@ import time
 import pytest
 
 from jounce.variants import threads
-from jounce.variants.threads import share
+from jounce.variants.threads import processors, share
 
 
 @pytest.mark.parametrize("workers", [1, 2, 5])
@@ -113,3 +113,14 @@ def test_who_is_interrupted_while_it_waits_leaves_nothing_to_the_others(monkeypa
     heard.set()
     assert ended.wait(60.0)
     assert taken == []
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_getaffinity"), reason="processes are bound to processors on Linux")
+def test_a_process_that_is_bound_to_a_processor_uses_no_more():
+    before = os.sched_getaffinity(0)
+    try:
+        os.sched_setaffinity(0, {min(before)})
+        assert processors() == 1
+    finally:
+        os.sched_setaffinity(0, before)
+    assert processors() == len(before)
