@@ -70,7 +70,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
         listening.close()
 
 
-_ARENAS, _LARGE, _TRIMMED = (-8, 2), (-3, 1 << 18), (-1, 1 << 20)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
+_ARENAS, _LARGE, _TRIMMED = (-8, 1), (-3, 1 << 16), (-1, 1 << 20)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
 
 
 def _give_memory_back() -> Callable[[], object]:
