@@ -1,4 +1,4 @@
-/** What the library finds in rigs, recordings and records of testers, in German: by the template of each message, `#` being what is filled in. */
+/** What the library finds, in German: by the template of each message, `#` being what is filled in. */
 
 import { isGerman } from "../words";
 import catalogue from "./findings.json";
@@ -6,8 +6,8 @@ import catalogue from "./findings.json";
 const { words, ...messages } = catalogue as Record<string, Record<string, string>>;
 let patterns: [RegExp, string][] | null = null;
 
-/** A message in German; nothing where its words are not known. `#2` is the second thing that the English one is filled with, `#` the next. */
-export function found(message: string): string | undefined {
+/** A message in German; nothing where its words are not known. `#2` is the second thing that the English one is filled with, `#` the next; what is filled in and is no finding itself is said by `told`. */
+export function found(message: string, told = (text: string) => text): string | undefined {
   if (!isGerman) return undefined;
   patterns ??= Object.entries(Object.assign({}, ...Object.values(messages), words) as Record<string, string>)
     .sort(([one], [other]) => other.replaceAll("#", "").length - one.replaceAll("#", "").length) // the one that says most first
@@ -17,7 +17,7 @@ export function found(message: string): string | undefined {
     if (!match) continue;
     const given = match.slice(1);
     let next = 0;
-    return german.replace(/#(\d?)/g, (_, which: string) => { const one = given[which ? Number(which) - 1 : next++] ?? ""; return found(one) ?? one; });
+    return german.replace(/#(\d?)/g, (_, which: string) => { const one = given[which ? Number(which) - 1 : next++] ?? ""; return found(one, told) ?? told(one); });
   }
   return undefined;
 }

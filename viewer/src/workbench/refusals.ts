@@ -85,7 +85,7 @@ export class Refused extends Error { constructor(readonly said: string) { super(
 
 /** A sentence of the library: in the language of the page where it is known by its words, else as it is, and said to be English. */
 export function asSaid(message: string): Node | string {
-  const given = raised(message), known = found(given);
+  const given = raised(message), known = found(given, told);
   if (known) return known;
   const text = told(given);
   return isGerman && text === given && heard(given) === given && /[a-z] [a-z]/.test(given) ? make("span", { lang: "en" }, given) : heard(text);

@@ -8,7 +8,7 @@ import { accompany, ask, begin, dropZone, JobCard, jobList, Question, report, ty
 import { field, once, problem } from "../parts";
 import { type Fields, Reading } from "../reading";
 import { address, goTo, type Page, type Values } from "../shell";
-import { advised } from "../refusals";
+import { advised, asSaid } from "../refusals";
 
 export const campaign: Page = { label: "Campaign", show };
 
@@ -47,7 +47,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   });
   const check = make("button", { type: "button" }, "Check it");
   check.addEventListener("click", () => {
-    once(check, api.check(path)).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, one))), (error) => told.replaceChildren(problem(error)));
+    once(check, api.check(path)).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, asSaid(one)))), (error) => told.replaceChildren(problem(error)));
   });
   const reader = make("div", {}), come = make("p", { class: "bar", hidden: true }, "measured: ");
   const open = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
