@@ -60,7 +60,10 @@ static const double *inputs(const JnInstance *c, double t, double *u) {
         double bend = second != 0.0 ? second : s->bend[i];
         if (!s->rated[i]) {
             rate = s->slope[i];
-            if (!c->cosim && t > s->t_before) rate = (from[0] - s->before[i]) / (t - s->t_before);
+            /* Importers evaluate at other times than those at which they set inputs: a difference of two values belongs
+               to the times of the values. */
+            if (!c->cosim && s->set_at[i] > s->before_at[i])
+                rate = (from[0] - s->before[i]) / (s->set_at[i] - s->before_at[i]);
         }
         to[0] = from[0] + h * (rate + 0.5 * h * bend);
         to[1] = rate + h * bend;
@@ -141,6 +144,7 @@ bool jn_set(JnInstance *c, unsigned vr, double value) {
         /* Importers set inputs that nobody connected to zero: only a rate that is not zero is one that is given. */
         if (input % JN_ORDER && value != 0.0) s->rated[input / JN_ORDER] = true;
         s->u[input] = value;
+        if (input % JN_ORDER == 0) s->set_at[input / JN_ORDER] = s->t;
     } else if (within(vr, VR_P, VR_G)) s->p[vr - VR_P] = value, s->p_changed = true;
     else if (within(vr, VR_G, VR_Y)) s->g[vr - VR_G] = value;
     else if (vr == VR_TOLERANCE && value > 0.0) s->tolerance = value;
@@ -297,7 +301,10 @@ bool jn_event(JnInstance *c) {
     JnState *s = &c->s;
     while (jn_next_instant(c) <= s->t + rounding(s->t))
         if (!control(c)) return false;
-    for (int i = 0; i < JN_NT; i++) s->before[i] = s->u[i * JN_ORDER]; /* inputs may have jumped: that is no rate */
+    for (int i = 0; i < JN_NT; i++) { /* inputs may have jumped: that is no rate */
+        s->before[i] = s->u[i * JN_ORDER];
+        s->before_at[i] = s->set_at[i] = s->t;
+    }
     s->t_before = s->t;
     update_modes(c);
     return true;
@@ -307,8 +314,10 @@ void jn_accept(JnInstance *c) {
     JnState *s = &c->s;
     if (s->t <= s->t_before) return;
     for (int i = 0; i < JN_NT; i++) {
-        s->slope[i] = (s->u[i * JN_ORDER] - s->before[i]) / (s->t - s->t_before);
+        double apart = s->set_at[i] - s->before_at[i];
+        s->slope[i] = apart > 0.0 ? (s->u[i * JN_ORDER] - s->before[i]) / apart : 0.0; /* not set any more: it rests */
         s->before[i] = s->u[i * JN_ORDER];
+        s->before_at[i] = s->set_at[i];
     }
     s->t_before = s->t;
     s->known = 0;
@@ -456,6 +465,7 @@ bool jn_initialise(JnInstance *c) {
 #endif
     for (int i = 0; i < JN_NT; i++) {
         s->before[i] = s->u[i * JN_ORDER];
+        s->before_at[i] = s->set_at[i] = s->t;
         s->slope[i] = s->bend[i] = s->bend_before[i] = 0.0;
         s->rate_before[i] = s->u[i * JN_ORDER + 1];
     }

@@ -56,6 +56,7 @@ typedef struct { /* plain memory: copied as it is to save and to restore a state
     double step;                      /* of the integrator; 0: to be chosen */
     double tolerance;                 /* relative, of displacements */
     double before[JN_ROOM(JN_NT)], t_before; /* values of the tracks at the last communication point or accepted step */
+    double set_at[JN_ROOM(JN_NT)], before_at[JN_ROOM(JN_NT)]; /* when a track got its value, and the one before */
     double dx[JN_NX], y[JN_ROOM(JN_NY)], z[JN_ROOM(JN_NM)];
     int64_t steps, rejected, events, instants;
     double slope[JN_ROOM(JN_NT)];     /* of tracks whose rate nobody gives: from the last two values */
