@@ -230,6 +230,6 @@ def _draw(console: Console, made: FmuExport, plain: dict[str, object]) -> None:
     binaries = f"for {', '.join(made.platforms)}" if made.platforms else "as sources only"
     console.print(f"FMI {made.version}.0, model exchange and co-simulation, {binaries}")
     console.print(f"inputs: {', '.join(made.inputs) or 'none'}")
-    console.print(f"{len(made.outputs)} outputs, {made.states} states, {made.parameters} parameters (rig.*)")
+    console.print(f"outputs: {len(made.outputs)}, states: {made.states}, parameters: {made.parameters}")
     show_findings(console, list(made.findings))
     show_written(console, plain)

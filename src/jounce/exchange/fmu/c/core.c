@@ -179,12 +179,13 @@ bool jn_set_time(JnInstance *c, double t) {
     return true;
 }
 
-/* Change of rates, outputs and indicators by value reference; false: vr is none of them. */
-static bool known(JnInstance *c, unsigned vr, double *dx, double *y, double *z, double **place) {
-    if (within(vr, VR_DX, VR_U)) *place = dx + (vr - VR_DX);
+/* Change of states (some are outputs), rates, outputs and indicators by value reference; false: vr is none of them. */
+static bool known(JnInstance *c, unsigned vr, double *x, double *dx, double *y, double *z, double **place) {
+    if (within(vr, VR_X, VR_DX)) *place = x + (vr - VR_X);
+    else if (within(vr, VR_DX, VR_U)) *place = dx + (vr - VR_DX);
     else if (within(vr, VR_Y, VR_Z)) *place = y + (vr - VR_Y);
     else if (within(vr, VR_Z, VR_TOLERANCE)) *place = z + (vr - VR_Z);
-    else return failed(c, "derivatives are those of rates, outputs and event indicators");
+    else return failed(c, "derivatives are those of states, rates, outputs and event indicators");
     return true;
 }
 
@@ -212,7 +213,7 @@ bool jn_directional(JnInstance *c, const unsigned *of, size_t n_of, const unsign
         for (int i = 0; i < JN_NX; i++) dx[i] += (on[i] - sx[i]) / PULL;
 #endif
     for (size_t i = 0; i < n_of; i++) {
-        if (!known(c, of[i], dx, y, z, &place)) return false;
+        if (!known(c, of[i], sx, dx, y, z, &place)) return false;
         sensitivity[i] = *place;
     }
     return true;
@@ -223,9 +224,9 @@ bool jn_adjoint_of(JnInstance *c, const unsigned *of, size_t n_of, const unsigne
 #if JN_ADJOINT
     JnState *s = &c->s;
     double dx[JN_NX] = {0}, y[JN_ROOM(JN_NY)] = {0}, z[JN_ROOM(JN_NM)] = {0}, on[JN_NX] = {0}, u[JN_ROOM(JN_NU)];
-    double sx[JN_NX], su[JN_ROOM(JN_NU)], sp[JN_ROOM(JN_NP)], *place;
+    double sx[JN_NX], su[JN_ROOM(JN_NU)], sp[JN_ROOM(JN_NP)], x[JN_NX] = {0}, *place;
     for (size_t i = 0; i < n_of; i++) {
-        if (!known(c, of[i], dx, y, z, &place)) return false;
+        if (!known(c, of[i], x, dx, y, z, &place)) return false;
         *place = seed[i];
     }
     if (JN_PROJECTS && !c->cosim)
@@ -234,6 +235,7 @@ bool jn_adjoint_of(JnInstance *c, const unsigned *of, size_t n_of, const unsigne
     jn_adjoint(s->x, inputs(c, s->t, u), s->e, s->m, dx, y, z, on, sx, su, sp);
     if (JN_PROJECTS && !c->cosim)
         for (int i = 0; i < JN_NX; i++) sx[i] -= dx[i] / PULL;
+    for (int i = 0; i < JN_NX; i++) sx[i] += x[i];
     for (size_t i = 0; i < n_by; i++) {
         if (!seeded(c, by[i], sx, su, sp, &place)) return false;
         sensitivity[i] = *place;
