@@ -269,6 +269,22 @@ _EGEA_SENTENCES = {
         "the turns do not cover {low:g} to {high:g} Hz: no least phase angle.",
         "Die Hübe überdecken {low:g} bis {high:g} Hz nicht: kein kleinster Phasenwinkel.",
     ),
+    "force_late": Sentence(
+        "the force comes about {milliseconds:.2g} ms later than the plate's height (a filter, the lag of an amplifier, "
+        "or channels sampled one after the other), which makes phase angles too large: no least phase angle. Give both "
+        "channels the same filter and clock, or shift the force in the record.",
+        "Die Kraft kommt etwa {milliseconds:.2g} ms später als die Höhe der Platte (Filter, Verzug des Verstärkers "
+        "oder nacheinander abgetastete Kanäle), das macht Phasenwinkel zu groß: kein kleinster Phasenwinkel. Beiden "
+        "Kanälen gleichen Filter und Takt geben oder die Kraft in der Aufzeichnung verschieben.",
+    ),
+    "force_early": Sentence(
+        "the force comes about {milliseconds:.2g} ms earlier than the plate's height (a filter, the lag of an "
+        "amplifier, or channels sampled one after the other), which makes phase angles too small: no least phase "
+        "angle. Give both channels the same filter and clock, or shift the height in the record.",
+        "Die Kraft kommt etwa {milliseconds:.2g} ms früher als die Höhe der Platte (Filter, Verzug des Verstärkers "
+        "oder nacheinander abgetastete Kanäle), das macht Phasenwinkel zu klein: kein kleinster Phasenwinkel. Beiden "
+        "Kanälen gleichen Filter und Takt geben oder die Höhe in der Aufzeichnung verschieben.",
+    ),
     "phase_after_lift_off": Sentence(
         "the tyre leaves the plate in this test, and how the wheel swings on afterwards depends on chance: the least "
         "phase angle is unreliable, and a repeated test may give one that differs by ten degrees and more.",
@@ -331,6 +347,10 @@ def _egea(test: WheelTest) -> Found:
         found.findings.append(warning(f"{wheel}.plate.z", "no_height_no_phase"))
         return found
     band = band_of(test.tester)
+    if test.fit is not None and (delay := test.fit.delay) != 0.0:
+        code = "force_late" if delay > 0.0 else "force_early"
+        found.findings.append(warning(f"{wheel}.plate.force", code, delay, milliseconds=1e3 * abs(delay)))
+        return found
     minimum, found.phase_deg = find_phase_minimum(analysis, band)
     if minimum is None:
         found.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))

@@ -214,6 +214,8 @@ class ResponseFit:
     # standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency
     noise: float
     explained: float  # share (1) of the force in these bins that the model explains
+    # time (s) by which the force comes later than the height, where that is sure and not small; else 0
+    delay: float = 0.0
 
     def spread(self, quantity: Callable[[Corner], float]) -> float:
         """Standard error of a number that follows from the corner, in the number's unit."""
@@ -355,6 +357,51 @@ def _surprise(here: Array, mass: float, variance: float) -> float:
 def _corner(parameters: Array) -> Corner:
     *others, sprung_mass = map(float, parameters)
     return Corner(sprung_mass, *others)
+
+
+def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float = 0.0) -> float:
+    """Time (s) by which the measured force comes later than the height, negative where earlier; 0 where not sure.
+
+    ``plate_mass`` (kg) is that whose inertia was taken off the force, by the height. The time is found to first order
+    beside all parameters, and believed where it explains about half of what they leave, or where they need a tyre that
+    drives instead of damping: dry friction and dampers with bends are explained by it to a third at most.
+    """
+    here = _parameters(fit.corner)
+    steps = np.maximum(np.abs(here), _SCALE) * _DELAY_STEP
+    left, slopes, by_delay = [], [], []
+    for one in stretches:
+        scale = 1.0 / math.sqrt(one.samples)
+        height, force = one.height * scale, one.force * scale
+        speed = one.s.imag
+        gap = normal_equations(here, speed, height, force)[3]
+        near = [normal_equations(place, speed, height, force)[3] for place in here + np.diag(steps)]
+        earlier = force + _PER_MILLISECOND * one.s * (force + plate_mass * one.s**2 * height)
+        left.append(gap)
+        slopes.append(np.stack([(other - gap) / step for other, step in zip(near, steps, strict=True)], axis=1))
+        by_delay.append((normal_equations(here, speed, height, earlier)[3] - gap) / _PER_MILLISECOND)
+    rest, of_delay = (_both_parts(np.concatenate(parts)) for parts in (left, by_delay))
+    rows = np.concatenate(slopes)
+    held = np.concatenate([rows.real, rows.imag])
+    held /= np.linalg.norm(held, axis=0)
+    rest, of_delay = (one - held @ np.linalg.lstsq(held, one, rcond=1e-12)[0] for one in (rest, of_delay))
+    power = float(of_delay @ of_delay)
+    delay = -float(of_delay @ rest) / power
+    after = rest + delay * of_delay
+    error = math.sqrt(float(after @ after) / rest.size / power)
+    gain = 1.0 - float(after @ after) / max(float(rest @ rest), 1e-300)
+    loss = fit.corner.tyre_damping_coefficient
+    drives = -loss > _DRIVES * fit.corner.tyre_stiffness and -loss > _SURELY * math.sqrt(float(fit.covariance[4, 4]))
+    sure = abs(delay) > max(_SMALL_DELAY, _SURELY * error) and (gain > _OF_LEFT or (drives and delay > 0.0))
+    return delay if sure else 0.0
+
+
+_DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3
+_SMALL_DELAY, _OF_LEFT, _SURELY = 0.8e-3, 0.45, 3.0  # s, share of what is left (1), standard errors
+_DRIVES = 0.5e-3  # s: negative damping of a tyre over its stiffness
+
+
+def _both_parts(values: Complex) -> Array:
+    return np.concatenate([values.real, values.imag])
 
 
 def _parameters(corner: Corner) -> Array:

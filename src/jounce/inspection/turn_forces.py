@@ -8,7 +8,7 @@ the record itself: a Gaussian process whose size has the greatest likelihood, of
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
 
@@ -24,6 +24,7 @@ from jounce.inspection.quarter_car import (
     Corner,
     ResponseFit,
     Stretch,
+    delay_of,
     fit_response,
     predicted_force,
     road_poles,
@@ -322,6 +323,7 @@ def fit_test(
     if strange or fit.explained < 0.3:
         stiffness = fit.corner.tyre_stiffness
         return None, [problem(place, "no_wheel", stiffness, stiffness=1e-3 * stiffness)]
+    fit = replace(fit, delay=delay_of(fit, stretches, signals.plate_mass))
     from scipy.fft import irfft
 
     predicted = [predicted_force(fit, one) for one in stretches]

@@ -227,3 +227,19 @@ def test_wrong_questions(car_run, load, left_record, eusama):
         evaluate(record, load_tester("boge"), methods=["egea"])
     with pytest.raises(RecordingError, match="no plate force of any wheel"):
         evaluate(record.drop_vars("left.plate.force"), eusama)
+
+
+@pytest.mark.parametrize("delay", [3e-3, 6e-3, -2e-3])
+def test_a_force_that_comes_late_or_early_gives_no_phase_angle(car_run, load, left_record, delay) -> None:
+    """3 ms of an amplifier's filter are ten degrees too many: they would pass a wheel that must fail."""
+    time, height, force, _ = car_run
+    tester = load_tester("egea-specsus2018")
+    facts = {"left.plate_mass": 20.0}
+    right = evaluate(left_record(time, height, force, load, **facts), tester).wheel("left")
+    delayed = np.interp(time - delay, time, force)
+    apart = evaluate(left_record(time, height, delayed, load, **facts), tester).wheel("left")
+    assert right.findings == ()
+    assert right.phase_angle_min_deg is not None
+    assert apart.phase_angle_min_deg is None
+    (said,) = [one for one in apart.findings if one.code in ("force_late", "force_early")]
+    assert said.value == pytest.approx(delay, rel=0.2)
