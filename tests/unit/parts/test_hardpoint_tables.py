@@ -115,6 +115,12 @@ def test_axes_sides_axles_and_names(tmp_path) -> None:
     with pytest.raises(DescriptionError, match=r"two axles.*--axle front or rear"):
         read(tmp_path, axles)
     assert read(tmp_path, axles, axle="rear")[0].hardpoints.strut_top[2] == pytest.approx(0.4)
+    column = ["side,point,x [mm],y [mm],z [mm]", *rows("L,{name},{x},{y},{z}")]
+    column += rows("R,{name},{x},{y},{z}", turn=(1, -1, 1), strut_top=(0.0, 0.02, 0.4))
+    assert read(tmp_path, column)[0].hardpoints.strut_top[2] == pytest.approx(0.428)
+    assert read(tmp_path, column, side="right")[0].hardpoints.strut_top == pytest.approx((0.0, 0.02, 0.4))
+    with pytest.raises(DescriptionError, match=r"given twice.*told apart by a column of left and right"):
+        read(tmp_path, rows() + rows(turn=(1, -1, 1)))
     own = rows(names={"wheel_centre": "Hub"})
     with pytest.raises(DescriptionError, match=r"points of a double-wishbone are missing.*also wheel_centre.*--name"):
         read(tmp_path, own)

@@ -308,7 +308,12 @@ def _row(cells: list[str], columns: list[int], where: str) -> PointRow | None:
     if columns and max(columns) < len(cells) and all(_is_number(cells[i]) for i in columns):
         words = [cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)]
         words = words or [cell for i, cell in enumerate(cells) if i not in columns and cell and not _is_number(cell)]
-        return PointRow(words[0], _numbers([cells[i] for i in columns]), where) if words else None
+        told = [word for word in words if _plain(word) in (*_SIDES, *_CORNERS)]  # a column beside that of names
+        names = [word for word in words if word not in told]
+        if not names:
+            return None
+        name = f"{names[0]} {told[0]}" if told and not _sorted_out(names[0])[2] else names[0]
+        return PointRow(name, _numbers([cells[i] for i in columns]), where)
     numeric = [_is_number(cell) for cell in cells]
     runs = [i for i in range(len(cells) - 2) if all(numeric[i : i + 3]) and not (i and numeric[i - 1])]
     if not runs:
@@ -451,6 +456,7 @@ class PointReading:
                 found=f"{row.name!r} at {row.place.tolist()}, and {before.name!r} at {before.place.tolist()} "
                 f"({before.where})",
                 allowed="every point once",
+                hint="Two sides of a car are told apart by a column of left and right, or by names that end so.",
             )
 
     def _refuse_one_side(self, across: Array) -> None:
