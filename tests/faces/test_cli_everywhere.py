@@ -65,7 +65,18 @@ def test_word_of_leaves_what_a_command_says() -> None:
 
 def test_versions_of_what_it_runs_on(cli) -> None:
     found = cli("--version", "--json").json
-    assert {"jounce", "python", "casadi", "llvmlite", "numba", "numpy", "scipy", "system", "cache"} == set(found)
+    assert {
+        "jounce",
+        "python",
+        "casadi",
+        "llvmlite",
+        "numba",
+        "numpy",
+        "scipy",
+        "system",
+        "cache",
+        "cache_unusable",
+    } == set(found)
     assert found["numpy"]
     text = cli("--version").out
     assert text == cli("version").out
@@ -76,6 +87,14 @@ def test_cache_that_cannot_be_named_is_none(cli, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setenv("JOUNCE_CACHE_DIR", "not/absolute")
     assert cli("version", "--json").json["cache"] is None
     assert "cache none" in cli("version").out
+    assert "not kept, every process makes its own: JOUNCE_CACHE_DIR is no absolute path" in cli("version").out
+
+
+def test_cache_that_cannot_be_written_is_said(cli, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path / "cache"))
+    assert cli("version", "--json").json["cache_unusable"] is None
+    (tmp_path / "cache").touch()  # no folder: as read-only as can be, for root, too
+    assert f"{tmp_path / 'cache'} cannot be written" in " ".join(cli("version").out.split())
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish", "powershell"])

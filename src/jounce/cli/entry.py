@@ -122,15 +122,17 @@ def version(as_json: AsJson = False) -> Reply:
         except metadata.PackageNotFoundError:
             return None
 
-    from jounce.kernel.cache import cache_folder
+    from jounce.kernel.cache import cache_folder, why_not_kept
 
     cache: str | None = None
     with contextlib.suppress(RuntimeError):
         cache = str(cache_folder())
     plain: dict[str, str | None] = {"jounce": metadata.version("jounce"), "python": platform.python_version()}
     plain |= {name: installed(name) for name in ("casadi", "llvmlite", "numba", "numpy", "scipy")}
-    plain |= {"system": platform.platform(), "cache": cache}
-    rows = [f"{name} {value or 'none'}" for name, value in plain.items()]
+    plain |= {"system": platform.platform(), "cache": cache, "cache_unusable": why_not_kept() or None}
+    rows = [f"{name} {value or 'none'}" for name, value in plain.items() if name != "cache_unusable"]
+    if why := plain["cache_unusable"]:
+        rows.append(f"compiled models are not kept, every process makes its own: {why}. Set JOUNCE_CACHE_DIR")
     return Reply(plain, lambda out: out.print(*rows, sep="\n", soft_wrap=True), as_json)
 
 

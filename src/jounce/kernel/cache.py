@@ -59,6 +59,24 @@ def cache_folder() -> Path:
     return (Path(shared) if shared and Path(shared).is_absolute() else Path.home() / ".cache") / "jounce"
 
 
+def why_not_kept() -> str:
+    """Why native code cannot be kept in the cache folder, in words; empty where it can."""
+    try:
+        folder = cache_folder()
+    except RuntimeError:
+        return (
+            "JOUNCE_CACHE_DIR is no absolute path" if os.environ.get("JOUNCE_CACHE_DIR") else "no home folder is known"
+        )
+    try:
+        read_own(folder / "none")
+    except ForeignError as error:
+        return f"{error.filename} belongs to another user or can be written by others"
+    except OSError:
+        pass
+    there = next(str(one) for one in (folder, *folder.parents) if os.path.lexists(one))
+    return "" if Path(there).is_dir() and os.access(there, os.W_OK | os.X_OK) else f"{there} cannot be written"
+
+
 @cache
 def _tell_relative(given: str) -> None:
     _LOG.warning("JOUNCE_CACHE_DIR is not an absolute path: %s; no native code is kept", ascii(given))

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from jounce.core.waiting import told
 from jounce.kernel.apart import made_apart
-from jounce.kernel.cache import joined, keep, key_here, parted, recall
+from jounce.kernel.cache import joined, keep, key_here, parted, recall, why_not_kept
 from jounce.kernel.call import Loop
 from jounce.kernel.machine import IN_LLVM, Code, machine_code, this_machine
 
@@ -95,7 +95,8 @@ def kept_code(identity: str, make: Callable[[], Source]) -> tuple[Native, str]:
     if cached is not None:
         with contextlib.suppress(Exception):  # whatever is wrong with it: rebuild
             return _load(cached)
-    with told("compiling the model (once on this machine)"), _garbage_waits():
+    once = f"in every process: {why}" if (why := why_not_kept()) else "once on this machine"
+    with told(f"compiling the model ({once})"), _garbage_waits():
         content = made_apart(lambda: _made(make)) or _made(make)
         keep(key, content)
     return _load(content)
