@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
+
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.core.errors import RecordingError, unforeseen
 from jounce.core.findings import Finding
@@ -18,11 +20,13 @@ from jounce.core.shown import Shown
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
-from jounce.identify.estimate import Estimate, estimate
+from jounce.identify.estimate import Estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.identify.update import UpdatedParameter
+from jounce.inspection.quarter_car import Corner as TwoMasses
+from jounce.inspection.quarter_car import road_poles
 from jounce.parts import Corner, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import with_strut_angle
@@ -329,14 +333,14 @@ def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
 def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, folder: Path) -> Knowledge:
     """Damping at the strut from free decays of the sprung mass.
 
-    On its tyre, strut and tyre act in series: the decay sees ``c_w (k_t / (k_w + k_t))^2`` of the wheel-referred
-    damping ``c_w = c r^2`` (motion ratio ``r``, lumped ``cos(angle)``); with the hub blocked it sees ``c_w``.
+    With the hub blocked the decay sees the wheel-referred damping ``c_w = c r^2`` (motion ratio ``r``, lumped
+    ``cos(angle)``). On its tyre it is the body's swing upon both masses, strut and tyre: it falls as that swing does
+    with ``c_w``, which for little damping and a light wheel is ``c_w (k_t / (k_w + k_t))^2`` seen.
     """
     rig = knowledge.rig
     values = rig.parameters()
     seen_at = _at_wheel(rig)
-    share = seen_at.tyre_rate / (seen_at.wheel_rate + seen_at.tyre_rate) if table.support == "tyre" else 1.0
-    stiffness = seen_at.wheel_rate * share
+    on_tyre = table.support == "tyre"
     results = []
     check_stroke(table.channel, table.stroke_positive, where="bench.decay.stroke_positive")
     for file in files_of(table.files, folder, "bench.decay"):
@@ -350,27 +354,20 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
                 found=", ".join(map(str, data.data_vars)),
                 allowed=table.channel,
             )
-        results.append(
-            fit_decay(
-                data["time"].to_numpy(),
-                data[table.channel].to_numpy(),
-                mass=seen_at.sprung_mass,
-                stiffness=stiffness,
-                quantity=_quantity(table.channel),
-                begin=table.from_,
-                end=table.to,
-                quadratic_drag=table.quadratic_drag,
-                name=file.name,
-            )
-        )
+        time, signal = data["time"].to_numpy(), data[table.channel].to_numpy()
+        asked: dict[str, Any] = {"mass": seen_at.sprung_mass, "quantity": _quantity(table.channel)}
+        asked |= {"begin": table.from_, "end": table.to, "name": file.name}
+        stiffness = seen_at.wheel_rate
+        if on_tyre:
+            plain = fit_decay(time, signal, quadratic_drag="no", **asked)
+            stiffness = seen_at.swing(seen_at.damping_behind(plain.damping_coefficient.value)[0])[1]
+        results.append(fit_decay(time, signal, stiffness=stiffness, quadratic_drag=table.quadratic_drag, **asked))
     found.decays = tuple(results)
     found.decay = combine_decays(results) if len(results) > 1 else results[0]
     found.findings += [Finding(f"bench.decay: {f.place}", f.severity, f.message, f.value) for f in found.decay.findings]
     has_coefficient = "strut.damper.coefficient" in values
-    factor = 1.0 / (seen_at.lever * share**2)
-    found.damping_choices = _damping_choices(
-        found.decay, seen_at.sprung_mass, factor if has_coefficient else None, table.method
-    )
+    refer: Callable[[float], tuple[float, float]] = seen_at.damping_behind if on_tyre else lambda seen: (seen, 1.0)
+    found.damping_choices = _damping_choices(found.decay, seen_at, refer if has_coefficient else None, table.method)
     if not has_coefficient:
         text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
         found.findings.append(Finding("bench.decay", "note", text))
@@ -393,9 +390,13 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
 
 
 def _damping_choices(
-    decay: DecayResult | CombinedDecay, mass: float, factor: float | None, method: str
+    decay: DecayResult | CombinedDecay,
+    seen_at: _AtWheel,
+    refer: Callable[[float], tuple[float, float]] | None,
+    method: str,
 ) -> tuple[DampingChoice, ...]:
-    """Both ways to read the decays; ``factor`` refers a coefficient of the sprung mass to the strut."""
+    """Both ways to read the decays; ``refer`` gives the wheel's coefficient for the sprung mass's, and its slope."""
+    mass = seen_at.sprung_mass
     decrement = decay.logarithmic_decrement
     ratio = ratio_from_decrement(decrement.value) if math.isfinite(decrement.value) else math.inf
     slope = (2.0 * math.pi) ** 2 / ((2.0 * math.pi) ** 2 + decrement.value**2) ** 1.5
@@ -405,12 +406,14 @@ def _damping_choices(
         "viscous-and-coulomb": (decay.damping_ratio, decay.damping_coefficient),
         "logarithmic-decrement": (naive, _scaled(naive, critical, ratio * critical)),
     }
-    return tuple(
-        DampingChoice(
-            name, one, seen, None if factor is None else _scaled(seen, factor, seen.value * factor), name == method
-        )
-        for name, (one, seen) in ways.items()
-    )
+
+    def at_strut(seen: Estimate) -> Estimate | None:
+        if refer is None or not math.isfinite(seen.value):
+            return None if refer is None else Estimate(seen.value)
+        value, slope = refer(seen.value)
+        return _scaled(seen, slope / seen_at.lever, value / seen_at.lever)
+
+    return tuple(DampingChoice(name, one, seen, at_strut(seen), name == method) for name, (one, seen) in ways.items())
 
 
 def _scaled(one: Estimate, factor: float, value: float) -> Estimate:
@@ -437,26 +440,69 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
 
 @dataclass(frozen=True)
 class _AtWheel:
-    """A rig at rest: rates of strut and tyre at the wheel (N/m), sprung mass (kg), damping there over the damper's."""
+    """A rig at rest: rates of strut and tyre at the wheel (N/m), masses (kg), damping there over the damper's (1).
+
+    Damping of the tyre in N s/m.
+    """
 
     wheel_rate: float
     tyre_rate: float
     sprung_mass: float
+    unsprung_mass: float
+    tyre_damping: float
     lever: float
+
+    def swing(self, damping: float) -> tuple[float, float]:
+        """What one mass that swings as the body does with a damping (N s/m) at the wheel is held by: N s/m, N/m."""
+        masses = self.sprung_mass, self.unsprung_mass
+        poles = road_poles(TwoMasses(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping))
+        upper = poles[poles.imag > 1e-6 * np.abs(poles)]
+        if not upper.size:
+            return math.nan, math.nan
+        pole = upper[int(np.argmin(np.abs(upper)))]
+        return -2.0 * self.sprung_mass * float(pole.real), self.sprung_mass * float(abs(pole)) ** 2
+
+    def damping_behind(self, seen: float) -> tuple[float, float]:
+        """Damping at the wheel (N s/m) whose swing one mass with a coefficient (N s/m) has, and its slope (1).
+
+        What falls faster than any damping lets the body fall is referred by the share of the strut in the deflection.
+        """
+        from scipy.optimize import brentq
+
+        share = self.tyre_rate / (self.wheel_rate + self.tyre_rate)
+        rough = seen / share**2
+
+        def excess(damping: float) -> float:
+            found = self.swing(damping)[0]
+            return (found if math.isfinite(found) else -math.inf) - seen
+
+        least = excess(0.0)
+        if least >= 0.0:  # the tyre damps as much
+            return -least / share**2, 1.0 / share**2
+        tried = rough * np.linspace(0.05, 2.0, 40)
+        above = [float(one) for one in tried if excess(float(one)) > 0.0]
+        if not above:
+            return rough, 1.0 / share**2
+        value = float(brentq(excess, 0.0, above[0]))
+        step = 1e-4 * value
+        rise = (excess(value + step) - excess(value - step)) / (2.0 * step)
+        return value, 1.0 / rise
 
 
 def _at_wheel(rig: Rig) -> _AtWheel:
     """Give what a decay needs of a rig about static equilibrium; tangents of curves."""
     if isinstance(rig, Corner):
         lumped = lump(rig)
-        sprung, _ = lumped.effective_masses
-        return _AtWheel(lumped.wheel_rate, lumped.tyre_stiffness, sprung, lumped.damper_ratio**2)
+        sprung, unsprung = lumped.effective_masses
+        of_tyre = lumped.tyre_stiffness, lumped.tyre_damping
+        return _AtWheel(lumped.wheel_rate, of_tyre[0], sprung, unsprung, of_tyre[1], lumped.damper_ratio**2)
     values, model = rig.parameters(), linearise(rig)
     row = {name: i for i, name in enumerate(model.states)}
     wheel_rate = -values["sprung.mass"] * model.A[row["sprung.vz"], row["sprung.z"]]
     both = -values["unsprung.mass"] * model.A[row["unsprung.vz"], row["unsprung.z"]]
     lever = math.cos(values.get("strut.angle", 0.0)) ** 2
-    return _AtWheel(float(wheel_rate), float(both - wheel_rate), values["sprung.mass"], lever)
+    sprung, unsprung, loss = (values[path] for path in ("sprung.mass", "unsprung.mass", "tyre.damping_coefficient"))
+    return _AtWheel(float(wheel_rate), float(both - wheel_rate), sprung, unsprung, loss, lever)
 
 
 _MACHINE = 0.005
@@ -475,9 +521,9 @@ def bench_values(found: Characterisation, rig: Rig, pressure: float | None) -> d
     tyre = by_pressure.get(pressure) if pressure is not None else next(iter(by_pressure.values()), None)
     if tyre is not None and "tyre.stiffness" in values:
         given["tyre.stiffness"] = _tested(tyre.stiffness, tyre.tangent_stiffness)
-    for one in found.replaced:
-        if one.source == "bench.decay" and one.path in values:
-            given[one.path] = _tested(estimate(one.measured, one.standard_error))
+    for choice in found.damping_choices:
+        if choice.is_used and choice.at_strut is not None and "strut.damper.coefficient" in values:
+            given["strut.damper.coefficient"] = _tested(choice.at_strut)
     return given
 
 

@@ -698,12 +698,13 @@ class DecayPart:
 
 
 def search_decay(
-    part: DecayPart, quantity: Quantity, drag: Drag, name: str, findings: list[Finding]
+    part: DecayPart, quantity: Quantity, drag: Drag, name: str, findings: list[Finding], known: float | None = None
 ) -> tuple[DecayParameters, Uncertainty, Array, bool]:
     """Fit the response; leave the rest out when the mass does not rest where sliding friction would have stopped it.
 
-    Gives the best parameters, their uncertainty, measured minus fitted (NaN where the record was left out), and whether
-    quadratic drag is part of the response.
+    ``known`` is the natural angular frequency (rad/s) that mass and stiffness give. Gives the best parameters, their
+    uncertainty, measured minus fitted (NaN where the record was left out), and whether quadratic drag is part of the
+    response.
     """
     t, signal, peaks = part.time, part.signal, part.peaks
     starts = [part.values]
@@ -723,6 +724,8 @@ def search_decay(
             used, (values, spread, residual) = ~rest, alone
     found = _not_negative(t[used], signal[used], values, spread, quantity, _WITHOUT_DRAG)
     dragged = _with_drag(t[used], signal[used], peaks, found, quantity, drag)
+    if dragged and drag == "auto" and known is not None and _leads_away(dragged[0], found[0], known):
+        dragged = None
     values, spread, found_residual = dragged or found
     residual = np.full(len(t), np.nan)
     residual[used] = found_residual
@@ -752,6 +755,15 @@ def _with_drag(
     after = max(float(np.sqrt(np.mean(found[2] ** 2))), 1e-3 * _EXACT * float(np.ptp(signal)))
     gain = 2.0 * len(t) / correlation_time(found[2]) * math.log(max(before / after, 1.0))
     return found if found[0][_DRAG] > 0.0 and gain > _CLEAR_GAIN else None
+
+
+def _leads_away(dragged: Array, without: Array, known: float) -> bool:
+    """Whether quadratic drag moves the frequency away from a known one: it stands for something else than drag.
+
+    So do a second mass and the friction of a strut on a tyre, which one mass with viscous damping does not have.
+    """
+    one, other = (abs(_unpack(values).angular_frequency / known - 1.0) for values in (dragged, without))
+    return one > max(other, 0.5 * _OFF)
 
 
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
@@ -879,7 +891,8 @@ def fit_decay(
     mass : float
         Oscillating mass [kg].
     stiffness : float or None
-        Known stiffness [N/m]; only compared with the one that mass and frequency give.
+        Known stiffness [N/m]: compared with the one that mass and frequency give, and "auto" finds no drag that leads
+        away from it.
     quantity : {"displacement", "velocity", "acceleration"}
         What the record holds.
     begin, end : float or str or None
@@ -918,7 +931,8 @@ def fit_decay(
     t, signal = _in_window(t, signal, begin, end, name)
     part = _best_part(t, signal, quantity, name, look_on=begin is None)
     findings, peaks = list(part.findings), part.peaks
-    parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings)
+    known = None if stiffness is None else math.sqrt(stiffness / mass)
+    parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings, known)
     used = np.isfinite(residual)
     t, signal, residual = part.time[used], part.signal[used], residual[used]
     estimates = _estimates(parameters, spread, mass)
@@ -955,6 +969,7 @@ def fit_decay(
     return replace(result, findings=tuple(findings))
 
 
+_OFF = 0.03  # of the stiffness: more is told
 _FEW_LOST = 2  # places: fewer change nothing
 _ALIKE_FOR = 4.0  # samples over which residuals resemble each other, where more than noise is left
 _BENT, _CAUSE = 0.05, 0.5  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
@@ -1212,7 +1227,7 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     elif spread.correlation_time > 4.0 and result.rms_residual > 1e-6 * abs(p.release_deflection):
         text = "successive residuals are correlated: the model lacks a small effect; the intervals allow for it."
         add("note", text, spread.correlation_time)
-    if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > 0.03:
+    if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > _OFF:
         share = result.stiffness.value / stiffness - 1.0
         text = (
             f"mass and frequency give {result.stiffness.value:.5g} N/m, {100 * share:+.1f} % from the given "
