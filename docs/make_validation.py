@@ -15,7 +15,7 @@ _AT_CENTRE = f"{_OF_AXIS}, at the height of the wheel centre"
 _HELD = "screw between poses over rack and travel at which the spring keeps its length"
 _PATCH = "velocity of the upright's point at the contact point"
 _CENTRE = "velocities of the upright's points in this view"
-_ENERGY = "energy of springs and stops over travel"
+_ENERGY = "energy of springs, stops and gas over travel"
 HOW = {
     "wheel_travel": "height of the wheel centre, less that at design",
     "rack_travel": "y of the tie rod's inner end, less that at design",
@@ -72,9 +72,10 @@ HOW = {
     "damper_motion_ratio": "slope of the damper's length over travel",
     "spring_force": "law of the spring at the distance of its ends",
     "stop_force": "law of the stops at the distance of the spring's ends",
+    "damper_force": "law of the damper at the distance of its ends, at rest",
     "wheel_force": f"slope of the {_ENERGY}",
     "wheel_rate": f"second slope of the {_ENERGY}",
-    "wheel_rate_spring": "stiffness times squared slope of the spring's length, and of the torsion bar's turn",
+    "wheel_rate_spring": "stiffness times squared slope of the lengths of spring and damper, and of the bar's turn",
     "wheel_rate_contact": "slope of the force at the contact patch (virtual work) over its rise",
     "wheel_rate_contact_spring": "stiffness times squared slopes over the rise of the contact patch",
     "wheel_damping_coefficient": "coefficient times squared slope of the damper's length",
@@ -93,8 +94,8 @@ HOW = {
     "third_spring_length": "distance of its end from that of the mirror image",
     "third_spring_motion_ratio": "slope of that distance over travel",
     "third_spring_force": "law of the spring at that distance",
-    "third_wheel_force": "slope of half of its energy over travel",
-    "third_wheel_rate": "second slope of half of its energy over travel",
+    "third_wheel_force": "slope of half of its energy, its damper's gas too, over travel",
+    "third_wheel_rate": "second slope of half of its energy, its damper's gas too, over travel",
     "third_damping_coefficient": "half of the coefficient times squared slope of that distance",
     "heave_force": "slope of the energy of all springs, half of those between the wheels",
     "heave_rate": "second slope of the energy of all springs, half of those between the wheels",

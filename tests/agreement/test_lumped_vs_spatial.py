@@ -27,6 +27,7 @@ BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels mov
     "hardpoints.arb_arm_end": [-0.02, 0.12, 0.12],
     "hardpoints.arb_link_end": [0.0, 0.2, 0.06],
 }
+GAS = {"kind": "tanh", "coefficient": 160.0, "force": 0.0, "slope": 1.0, "stiffness": 1500.0, "offset": 40.0}
 RIGS = {
     "kart": KART,
     "kart, springs beside the strut": KART.with_changes(BESIDE_STRUT),
@@ -43,6 +44,7 @@ RIGS = {
         }
     ).mirrored(),
     "mcpherson": jn.load("generic-mcpherson"),
+    "kart, gas in its damper": KART.with_changes({"strut.damper": GAS}),
     "damped tyre": KART.with_changes({"tyre.damping_coefficient": 60.0}),
 }
 
@@ -118,7 +120,8 @@ def test_a_third_damper_is_added_to_the_law_of_the_damper():
     laws = {"strut.damper": {"bump_coefficient": 100.0, "rebound_coefficient": 220.0}, "third_spring.damper": third}
     rig = RIGS["kart, springs beside the strut"].with_changes(laws)
     found = lump(RIGS["kart, springs beside the strut"])  # ratios are those of the hardpoints
-    damper = VelocityTable(**_damper(rig, found))
+    damper = _damper(rig, found)
+    assert isinstance(damper, VelocityTable)
     for velocity in (-0.5, -0.15, 0.05, 0.12, 0.6):  # m/s of the wheel
         own, other = found.damper_ratio * velocity, found.third_ratio * velocity
         strut = (100.0 if own > 0.0 else 220.0) * own

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.parts.leverage import motion_ratio, static_load, static_spring_force
 
 CAR = {"axle": "front", "mass": 280.0, "wheelbase": 1.55, "centre_of_mass_height": 0.3, "weight_share": 0.48}
 FRONT = jn.LoadedAxle(**CAR, brake_share=0.65, roll_share=0.5)
@@ -52,6 +53,27 @@ def test_each_wheel_stands_where_its_spring_carries_it(found) -> None:
         swept = jn.sweep_travel(side, float(one["wheel_travel"]))
         has = float(swept["spring_force"][0] + swept["stop_force"][0])
         assert has == pytest.approx(float(one["spring.force"]), rel=1e-4)
+
+
+def test_the_gas_of_a_damper_carries_the_car_too() -> None:
+    """Of a table that does not pass zero: its force pushes both ends apart, and the spring carries the rest."""
+    law = {"velocity": [-1.0, 0.0, 1.0], "force": [-1800.0, 200.0, 1600.0]}
+    rig = jn.load("formula-student-front").with_changes({"strut.damper": law})
+    found = jn.load_cases(rig, FRONT, {"static": {}}).sel(case="static", wheel="left")
+    travel, load = float(found["wheel_travel"]), float(found["vertical_force"])
+    rest = jn.sweep_travel(rig, [travel]).isel(wheel_travel=0)
+    rise = float(rest["motion_ratio"] / rest["motion_ratio_contact"])
+    strut = 200.0 * float(rest["damper_motion_ratio"]) + float(rest["spring_force"] * rest["motion_ratio"])
+    assert strut == pytest.approx(load * rise, rel=1e-4)
+    assert float(found["damper.force"]) == pytest.approx(200.0, rel=1e-12)
+    near = jn.sweep_travel(rig, travel + 1e-4 * np.array([-1.0, 1.0]))
+    assert float(rest["wheel_rate"]) == pytest.approx(float(np.diff(near["wheel_force"])[0]) / 2e-4, rel=1e-6)
+    body = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner")
+    for axis, road in (("x", 0.0), ("y", 0.0), ("z", load)):
+        total = sum(float(found[f"{name}.f{axis}"]) for name in (*body, "rocker_pivot", "strut_top"))
+        assert total == pytest.approx(road, abs=1e-6)
+    carried = static_spring_force(rig) * motion_ratio(rig) + 200.0 * motion_ratio(rig, "damper")
+    assert carried == pytest.approx(static_load(rig), rel=1e-12)
 
 
 def test_a_straight_case_is_the_same_on_both_sides(found) -> None:

@@ -310,6 +310,15 @@ class FromPoses:
             (rate + 3.0 * progression * depth**2) * (depth > 0.0),
         )
 
+    def still(self, damper, short):
+        """Energy, force and stiffness of a damper at rest that has become shorter by so much."""
+        if damper.kind != "tanh":
+            assert damper.kind in ("linear", "bilinear")
+            return 0.0 * short, 0.0 * short, 0.0
+        assert damper.displacement_coupling == 0.0
+        stored = 0.5 * damper.stiffness * short**2 + damper.offset * short
+        return stored, damper.stiffness * short + damper.offset, damper.stiffness
+
     def spring_rows(self) -> dict:
         rig, strut = self.rig, self.rig.strut
         length, damper, short = self.length("spring"), self.length("damper"), self.short("spring")
@@ -321,7 +330,9 @@ class FromPoses:
         rows["damper_motion_ratio"] = self.d(self.short("damper"))
         law = strut.damper
         coefficient = (
-            law.coefficient if law.kind == "linear" else 0.5 * (law.bump_coefficient + law.rebound_coefficient)
+            0.5 * (law.bump_coefficient + law.rebound_coefficient)
+            if law.kind == "bilinear"
+            else law.coefficient + (law.force * law.slope if law.kind == "tanh" else 0.0)
         )
         rows["wheel_damping_coefficient"] = coefficient * rows["damper_motion_ratio"] ** 2
         bump, rebound = self.stop(strut.bump_stop, short), self.stop(strut.rebound_stop, -short)
@@ -333,6 +344,10 @@ class FromPoses:
             energy, force, stiffness = energy + coil[0], force + coil[1], stiffness + coil[2]
         at_contact = self.inner(force) * ratio / rise
         soft = self.inner(stiffness * np.ones_like(short)) * ratio**2
+        gas = self.still(law, self.short("damper"))
+        rows["damper_force"], energy = gas[1], energy + gas[0]
+        at_contact = at_contact + self.inner(gas[1]) * rows["damper_motion_ratio"] / rise
+        soft = soft + gas[2] * rows["damper_motion_ratio"] ** 2
         if rig.torsion_bar is not None:
             angle = self.torsion_angle
             torque = rig.torsion_bar.preload + rig.torsion_bar.stiffness * angle
@@ -372,6 +387,7 @@ class FromPoses:
             design = 2.0 * self.design["third_spring_end"][1]
             stored, force, _ = self.coil(rig.third_spring.spring, design - length, design)
             rows |= {"third_spring_length": length, "third_spring_motion_ratio": -self.d(length)}
+            stored = stored + self.still(rig.third_spring.damper, design - length)[0]
             rows |= {"third_spring_force": force, "third_wheel_force": 0.5 * self.d(stored)}
             rows["third_wheel_rate"] = 0.5 * self.d(stored, 2)
             rows["third_damping_coefficient"] = 0.5 * rig.third_spring.damper.coefficient * self.d(length) ** 2

@@ -16,8 +16,10 @@ _BAR = {
     "hardpoints.arb_link_end": [0.0, 0.22, 0.43],
     "anti_roll_bar": {"stiffness": 900.0, "on": "rocker"},
 }
+_GAS = {"kind": "tanh", "coefficient": 2000.0, "force": 150.0, "slope": 20.0, "stiffness": 900.0, "offset": 250.0}
+_THIRD_GAS = {**_GAS, "coefficient": 800.0, "force": 0.0, "offset": 60.0}
 _BESIDE = {
-    "third_spring": {"spring": {"rate": 30e3, "preload": 150.0}, "damper": {"coefficient": 800.0}},
+    "third_spring": {"spring": {"rate": 30e3, "preload": 150.0}, "damper": _THIRD_GAS},
     "hardpoints.third_spring_end": [0.02, 0.21, 0.42],
     "torsion_bar": {"stiffness": 1900.0, "preload": 120.0, "on": "lower_arm"},
     "strut.bump_stop": {"gap": "5 mm", "rate": "60 N/mm"},
@@ -26,7 +28,7 @@ SUSPENSIONS = {
     "double wishbone": ("reference-double-wishbone", {}),
     "double wishbone, push rod, U-bar": ("formula-student-front", {**_BAR, **_BESIDE}),
     "the same with a Z-bar, on the right": ("formula-student-front", {**_BAR, **_BESIDE, "anti_roll_bar.kind": "z"}),
-    "McPherson strut": ("generic-mcpherson", {}),
+    "McPherson strut": ("generic-mcpherson", {"strut.damper": _GAS}),
     "five links": ("sedan-multi-link", {}),
     "semi-trailing arm": ("semi-trailing-arm", {}),
 }

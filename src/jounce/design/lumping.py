@@ -7,8 +7,9 @@ rest obey ``M z'' + C z' + K z = tyre`` with
   the rest with the car's body. What its turning and its sideways motion take beyond that is an *inertance* between the
   two, as of an inerter: ``b = sum(m |v|^2 + w I w - m r)`` with velocities for a unit speed of the wheel centre.
 - ``C``: the damper's coefficient times its motion ratio squared.
-- ``K``: spring rate times its motion ratio squared, plus the spring's force times the change of its motion ratio, plus
-  what the weight of the bodies adds where their centres of mass move along curves.
+- ``K``: spring rate times its motion ratio squared, plus the spring's force times the change of its motion ratio, both
+  of the damper at rest (its gas), too, plus what the weight of the bodies adds where their centres of mass move along
+  curves.
 
 Two masses without an inertance cannot be the same; those of the quarter car are chosen to give the same two natural
 frequencies.
@@ -26,7 +27,7 @@ from jounce.core.types import Array
 from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.elements import BilinearDamper, Damper, LinearDamper, MapDamper, VelocityTable
+from jounce.parts.elements import BilinearDamper, Damper, LinearDamper, MapDamper, TanhDamper, VelocityTable
 from jounce.parts.leverage import body_motion, force_at
 from jounce.parts.variants import LARGEST
 from jounce.simulation import Mode, equilibrium
@@ -75,10 +76,10 @@ class Lumping:
     spring_force : float
         Force of spring and stops at rest, N.
     wheel_force : float
-        Force at the wheel centre of all springs at rest, N: with torsion bar, third spring and Z-bar.
+        Force at the wheel centre of all springs at rest, N: with torsion bar, third spring, Z-bar and gas of dampers.
     wheel_rate_spring, wheel_rate_preload, wheel_rate_weight : float
-        Rate at the wheel from the stiffness of spring and torsion bar, from their force where the motion ratio changes,
-        and from the weights of the suspension's bodies, N/m.
+        Rate at the wheel from the stiffness of spring, torsion bar and gas, from their force where the motion ratio
+        changes, and from the weights of the suspension's bodies, N/m.
     wheel_rate_across : float
         Rate at the wheel of third spring and Z-bar while both wheels move alike, N/m.
     third_ratio : float
@@ -230,7 +231,8 @@ def lumped_from(rig: Rig) -> QuarterCar:
     QuarterCar
         ``strut.angle`` is the angle whose cosine is the damper's motion ratio, so that damper and friction keep their
         laws; the spring rate makes the wheel rate (preload term and weights included, and torsion bar, third spring
-        and Z-bar where both wheels move alike); the preload puts zero deflection at design; a third damper is added
+        and Z-bar where both wheels move alike; less what the damper's law has of it); the preload puts zero deflection
+        at design; a third damper is added
         to the law of the damper; masses are those that give both natural frequencies. A spring or tyre curve becomes
         its slope at rest (spring) or is kept (tyre); the bump stop is met where it is met; rebound stops and bushings
         have no place in it.
@@ -263,8 +265,10 @@ def lumped_from(rig: Rig) -> QuarterCar:
         )
     sprung, unsprung = found.effective_masses
     stop, stop_force, stop_rate = _stop(corner, found)
-    rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2
-    static = (found.wheel_force - stop_force * found.motion_ratio) / ratio
+    damper = _damper(corner, found)
+    gas, gas_rate = _still(damper, ratio * found.travel)
+    rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2 - gas_rate
+    static = (found.wheel_force - stop_force * found.motion_ratio) / ratio - gas
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
     table: dict[str, Any] = {
         "schema": "jounce.rig/1",
@@ -276,7 +280,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
         "strut": {
             "angle": float(np.arccos(min(ratio, 1.0))),
             "spring": {"rate": rate, "preload": static - rate * ratio * found.travel},
-            "damper": _damper(corner, found),
+            "damper": damper.model_dump(),
         },
         "tyre": tyre,
     }
@@ -353,7 +357,7 @@ def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
     return table, force, stop.rate + 3.0 * stop.progression * depth**2
 
 
-def _damper(rig: Corner, found: Lumping) -> dict[str, Any]:
+def _damper(rig: Corner, found: Lumping) -> Damper:
     """Damper as a lumped rig describes it, the third one with it; of a map the row at its length at rest."""
     damper: Damper | VelocityTable | MapDamper = rig.strut.damper
     if isinstance(damper, MapDamper):
@@ -365,12 +369,26 @@ def _damper(rig: Corner, found: Lumping) -> dict[str, Any]:
         damper = VelocityTable(velocity=damper.velocity, force=tuple(forces))
     third = None if rig.third_spring is None else rig.third_spring.damper
     if third is None or found.third_ratio == 0.0:
-        return dict(damper.model_dump())
+        return damper
     one, other = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
     share = found.third_ratio / found.damper_ratio  # velocity of the third damper for one of the lumped one
     velocities = np.unique(np.round(np.concatenate([one[0], other[0] / share]), 12))
     both = _through(one, velocities) + 0.5 * share * _through(other, share * velocities)
-    return dict(VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist())).model_dump())
+    return VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist()))
+
+
+def _still(damper: Damper, deflection: float) -> tuple[float, float]:
+    """Force (N) and stiffness (N/m) of a lumped damper at rest at a deflection (m)."""
+    if isinstance(damper, LinearDamper | BilinearDamper):
+        return 0.0, 0.0
+    if isinstance(damper, VelocityTable):
+        return float(_through(_law_points(damper, ""), np.zeros(1))[0]), 0.0
+    force, stiffness = damper.offset + damper.stiffness * deflection, damper.stiffness
+    if isinstance(damper, TanhDamper):
+        lagged = np.tanh(damper.slope * damper.displacement_coupling * deflection)
+        force += damper.force * float(lagged)
+        stiffness += damper.force * damper.slope * damper.displacement_coupling * float(1.0 - lagged**2)
+    return force, stiffness
 
 
 def _law_points(damper: Damper | VelocityTable, where: str) -> tuple[Array, Array]:

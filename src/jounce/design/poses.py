@@ -41,9 +41,9 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     """Give the rig with hardpoints in other ``places`` (m; the others stay), as it would be described there.
 
     Bodies follow their hardpoints as rigid ones, but for an ``upright`` whose motion is given because its points move
-    on it; the wheel's camber and toe follow the body that carries it. The springs keep their free length and the stops
-    their places: preload and gaps count from the new design length. A torsion bar has wound up by as much as its arm
-    has turned. A Z-bar carries no torque in the new design, as in the old one.
+    on it; the wheel's camber and toe follow the body that carries it. The springs keep their free length, as do dampers
+    with a stiffness, and the stops their places: preload, offset and gaps count from the new design length. A torsion
+    bar has wound up by as much as its arm has turned. A Z-bar carries no torque in the new design, as in the old one.
     """
     table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
     before = rig.hardpoints.given()
@@ -60,8 +60,11 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     camber, toe = wheel_angles(rig, turn @ spin_axis(rig))
     table["wheel"] |= {"camber": camber, "toe": toe}
     _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))
+    _keep_damper(table["strut"]["damper"], _length(before, "damper"), _length(after, "damper"))
     if rig.third_spring is not None:
-        _keep_spring(table["third_spring"], *(2.0 * abs(points["third_spring_end"][1]) for points in (before, after)))
+        lengths = [2.0 * abs(points["third_spring_end"][1]) for points in (before, after)]
+        _keep_spring(table["third_spring"], *lengths)
+        _keep_damper(table["third_spring"].get("damper", {}), *lengths)
     if rig.torsion_bar is not None:
         table["torsion_bar"]["preload"] += rig.torsion_bar.stiffness * _wound(rig, rig.torsion_bar.on, before, after)
     return type(rig).from_table(table)
@@ -151,6 +154,12 @@ def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:
     for name, sign in (("bump_stop", 1.0), ("rebound_stop", -1.0)):
         if name in strut:
             strut[name]["gap"] += sign * (after - before)
+
+
+def _keep_damper(damper: dict[str, Any], before: float, after: float) -> None:
+    """Let what a damper's law has of its stroke be what it is while the design length (m) becomes another one."""
+    if "stiffness" in damper:
+        damper["offset"] += damper["stiffness"] * (before - after)
 
 
 def _tensor(matrix: Array) -> dict[str, float]:

@@ -50,7 +50,7 @@ class Connection:
     arm_ends: list[Array] = field(default_factory=list)
     stem_end: Array | None = None
     third: tuple[Array, Array] | None = None
-    """Force of the third spring (N) and the direction in which it pushes the left wheel's side, (n, 3)."""
+    """Force of the third spring with its damper at rest (N), and the way it pushes the left side, (n, 3)."""
     rows: dict[str, tuple[Array, str, str, str]] = field(default_factory=dict)
 
     def add(self, name: str, value: Array, unit: str, text: str, sign: str) -> None:
@@ -156,14 +156,15 @@ def _third(found: Connection, rig: Corner, model: KinematicModel, numbers: Array
     assert rig.third_spring is not None
     seen = length if rig.third_spring.spring.free_length is not None else length + (mirrored - design)
     each = np.tile(numbers[:, None], (1, len(length)))
-    force = model.functions["third_force"].map(len(length))(each, seen[None, :]).full()[0]
+    spring, still = model.functions["third_force"].map(len(length))(each, seen[None, :]).full()
+    force = spring + still
     found.forces[0] = found.forces[0] - force * _dot(outward, rate)
     found.forces[1] = found.forces[1] + force * _dot(outward, other_rate)
     found.third = force, outward
     found.add("third_spring_length", length, "m", "length of the third spring", "never negative")
     text = "compression of the third spring from design"
     found.add("third_spring_deflection", design - length, "m", text, "positive: compression")
-    found.add("third_spring_force", force, "N", "force of the third spring", "positive: compression")
+    found.add("third_spring_force", spring, "N", "force of the third spring", "positive: compression")
 
 
 def _dot(a: Array, b: Array) -> Array:

@@ -102,7 +102,15 @@ def _lateral(view: CornerView) -> ca.SX:
 
 
 def _wheel_force(view: CornerView) -> ca.SX:
-    return (view.springs.force + view.stops.force) * view.motion_ratio + _torsion_force(view, ca.SX(1.0))
+    strut = (view.springs.force + view.stops.force) * view.motion_ratio + view.still_damper.force * view.damper_ratio
+    return strut + _torsion_force(view, ca.SX(1.0))
+
+
+def _still_damper_rate(view: CornerView, rise: ca.SX, *, preload: bool = True) -> ca.SX:
+    """Rate of the damper at rest where that rises by so much for one of the wheel centre."""
+    still, ratio = view.still_damper, view.damper_ratio / rise
+    rate = still.stiffness * ratio**2
+    return rate + still.force * view.slope(ratio) / rise if preload else rate
 
 
 def _torsion_force(view: CornerView, rise: ca.SX) -> ca.SX:
@@ -133,22 +141,26 @@ def _wheel_rate(view: CornerView) -> ca.SX:
     """At the wheel centre."""
     force = view.springs.force + view.stops.force
     coil = _stiffness(view) * view.motion_ratio**2 + force * view.slope(view.motion_ratio)
-    return coil + _torsion_rate(view, ca.SX(1.0))
+    return coil + _still_damper_rate(view, ca.SX(1.0)) + _torsion_rate(view, ca.SX(1.0))
 
 
 def _wheel_rate_spring(view: CornerView) -> ca.SX:
-    return _stiffness(view) * view.motion_ratio**2 + _torsion_rate(view, ca.SX(1.0), preload=False)
+    one = ca.SX(1.0)
+    elastic = _stiffness(view) * view.motion_ratio**2 + _still_damper_rate(view, one, preload=False)
+    return elastic + _torsion_rate(view, one, preload=False)
 
 
 def _contact_rate_spring(view: CornerView) -> ca.SX:
-    return _stiffness(view) * view.contact_ratio**2 + _torsion_rate(view, view.patch[2], preload=False)
+    rise = view.patch[2]
+    elastic = _stiffness(view) * view.contact_ratio**2 + _still_damper_rate(view, rise, preload=False)
+    return elastic + _torsion_rate(view, rise, preload=False)
 
 
 def _contact_rate(view: CornerView) -> ca.SX:
     """At the contact patch."""
     force = view.springs.force + view.stops.force
     coil = _stiffness(view) * view.contact_ratio**2 + force * _contact_ratio_rate(view)
-    return coil + _torsion_rate(view, view.patch[2])
+    return coil + _still_damper_rate(view, view.patch[2]) + _torsion_rate(view, view.patch[2])
 
 
 def _ride_rate(view: CornerView) -> ca.SX:
@@ -161,12 +173,14 @@ def _bar_rate(view: CornerView) -> ca.SX:
 
 
 def _third_force(view: CornerView) -> ca.SX:
-    return 0.5 * view.third.force * view.third_ratio
+    return 0.5 * (view.third.force + view.still_third_damper.force) * view.third_ratio
 
 
 def _third_rate(view: CornerView) -> ca.SX:
     """At either wheel centre, while both move alike."""
-    return 0.5 * (view.third.stiffness * view.third_ratio**2 + view.third.force * view.slope(view.third_ratio))
+    parts = view.third, view.still_third_damper
+    force, stiffness = sum(part.force for part in parts), sum(part.stiffness for part in parts)
+    return 0.5 * (stiffness * view.third_ratio**2 + force * view.slope(view.third_ratio))
 
 
 def _heave_bar_force(view: CornerView) -> ca.SX:
@@ -323,7 +337,10 @@ CATALOGUE: tuple[Quantity, ...] = (
         needs="coil"),
     Quantity("stop_force", "N", "force of bump and rebound stops", lambda v: v.stops.force, "positive: compression",
         needs="spring"),
-    Quantity("wheel_force", "N", "force of spring and stops at the wheel centre", _wheel_force,
+    Quantity("damper_force", "N", "force of the damper at rest: its gas, and what grows with its stroke",
+        lambda v: v.still_damper.force, "positive: compression",
+        needs="damper"),
+    Quantity("wheel_force", "N", "force of spring, stops and damper at rest at the wheel centre", _wheel_force,
         "positive: pushes the wheel down",
         needs="spring"),
     Quantity("wheel_rate", "N/m", "wheel rate at the wheel centre, preload term included", _wheel_rate,

@@ -77,8 +77,8 @@ def compliance(
     """Give what each unit of load at the contact patch does to toe, camber and place of a wheel on bushings.
 
     The body and the rack are held, the ground holds the height of the contact point; spring and stops work by their
-    laws, a torsion bar, too; third spring and Z-bar as where the other wheel is loaded alike, in mirror image. These
-    are slopes at equilibrium, not differences; weights, tyre, U- and T-bar and dampers do not count.
+    laws, a torsion bar and the gas of a damper, too; third spring and Z-bar as where the other wheel is loaded alike,
+    in mirror image. These are slopes at equilibrium, not differences; weights, tyre, U- and T-bar do not count.
 
     Parameters
     ----------
@@ -160,6 +160,7 @@ def _build(rig: Corner) -> ElasticModel:
     still = Track(*(ca.SX(0.0) for _ in range(3)))
     view = CornerView(mechanism, linkage, still, None, None)
     linkage.push(view.spring, view.springs.force + view.stops.force)
+    linkage.push(view.damper, view.still_damper.force)
     add_torsion_bar(linkage)
     add_both_alike(linkage, damped=False)
     mechanism.condition("ground", view.contact[2] - mechanism.parameter("compliance.ground"))

@@ -77,10 +77,10 @@ def load_cases(
     Wheel loads follow from weight and load transfer of a rigid car, between the axles over the wheelbase, between the
     wheels over the track of the contact points at design; a wheel or an axle that would be pulled off the road carries
     nothing, and the other one all. Longitudinal and lateral forces of the axle are shared by the wheels in proportion
-    to their loads; brakes are outboard, drive torque is reacted by the body. Each wheel stands where its spring and
-    stops carry its load, with the anti-roll bar and the third spring between both wheels (at design where the rig has
-    no spring). Parts have no weight. ``attrs["findings"]`` names cases that the springs cannot carry, and those in
-    which the car would tip over an axle.
+    to their loads; brakes are outboard, drive torque is reacted by the body. Each wheel stands where its spring, stops
+    and the gas of its damper carry its load, with the anti-roll bar and the third spring between both wheels (at design
+    where the rig has no spring). Parts have no weight. ``attrs["findings"]`` names cases that the springs cannot carry,
+    and those in which the car would tip over an axle.
 
     Parameters
     ----------
@@ -364,9 +364,8 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
         own = prepare_sweep(rig, travel).quantities()
         asked = pickup_loads(rig, load, travel)
         if "spring" in rig.without:  # a torsion bar carries it, beside which only stops push along the strut
-            return np.asarray(
-                (own["wheel_force"] / own["torsion_bar_motion_ratio"])[:, 0] - asked["torsion_bar.torque"]
-            )
+            strut = own["stop_force"] * own["motion_ratio"] / own["torsion_bar_motion_ratio"]
+            return np.asarray((own["torsion_bar_torque"] + strut)[:, 0] - asked["torsion_bar.torque"])
         has = (own["spring_force"] + own["stop_force"])[:, 0]
         return np.asarray(has - asked["spring.force"].to_numpy())
 

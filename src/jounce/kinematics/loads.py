@@ -20,6 +20,7 @@ from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts import Corner, Rig
+from jounce.parts.elements import BilinearDamper, LinearDamper
 from jounce.parts.leverage import AXES
 
 if TYPE_CHECKING:
@@ -181,14 +182,23 @@ class Joints:
         for name in points:
             self.known[name] = -force
 
+    def ends(self, element: str) -> list[str]:
+        """Hardpoints of the ``"spring"`` or ``"damper"``, from the wheel to the body."""
+        own = [f"{element}_{end}" for end in ("bottom", "top")]
+        return [name if name in self.points else f"strut_{name.removeprefix(element + '_')}" for name in own]
+
+    def still_damper(self, force: Array) -> None:
+        """Damper that pushes at rest (N), by its gas."""
+        bottom, top = self.ends("damper")
+        along = _unit(self.points[top] - self.points[bottom])
+        self.push(self.rig.strut.on, -force[:, None] * along, (bottom, top))
+        self.given["damper.force"] = force, "force of the damper at rest, compression positive: of its law"
+
     def spring(self) -> None:
         """Spring between the body and what carries the strut."""
         if "spring" in self.rig.without and self.rig.torsion_bar is not None:
             return
-        names = [
-            f"spring_{end}" if getattr(self.rig.hardpoints, f"spring_{end}") is not None else f"strut_{end}"
-            for end in ("bottom", "top")
-        ]
+        names = self.ends("spring")
         along = _unit(self.points[names[1]] - self.points[names[0]])
         unknown = self.balance.along(BODY, self.rig.strut.on, along, self.points[names[1]])
         for name in names:
@@ -230,8 +240,9 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     xarray.Dataset
         On ``wheel_travel`` (m): ``<hardpoint>.fx``, ``.fy``, ``.fz`` (N, ground axes): what the part nearer to the
         wheel does to the one nearer to the body. ``spring.force`` (N, compression positive), or ``torsion_bar.torque``
-        (N m, against bump) where it takes the spring's place, and ``<rod>.axial_force`` (N, tension positive). What
-        anti-roll bar and third spring bring from the other wheel does not count (see :func:`load_cases`).
+        (N m, against bump) where it takes the spring's place, ``<rod>.axial_force`` (N, tension positive), and
+        ``damper.force`` (N, compression positive) of a damper whose law pushes at rest. What anti-roll bar and third
+        spring bring from the other wheel does not count (see :func:`load_cases`).
 
     Raises
     ------
@@ -281,6 +292,8 @@ def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: di
     joints.spring()
     if rig.torsion_bar is not None:
         joints.torsion_bar(rows["torsion_bar_torque"])
+    if not isinstance(rig.strut.damper, LinearDamper | BilinearDamper):
+        joints.still_damper(rows["damper_force"])
     wheel, contact = parts[-1], points["contact_point"]
     flat = np.tile([0.0, load.lateral_force, load.vertical_force], (poses, 1))
     pull = np.tile([load.longitudinal_force, 0.0, 0.0], (poses, 1))

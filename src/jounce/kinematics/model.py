@@ -21,7 +21,7 @@ from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
 from jounce.kinematics.view import CornerView
 from jounce.mechanics.driven import Driven, Quasistatic
-from jounce.models.attachments import third_law
+from jounce.models.attachments import still_third_law, third_law
 from jounce.models.corner import suspension
 from jounce.parts import Corner, FullCar3D, Rig
 from jounce.parts.rig import structure_of
@@ -159,7 +159,7 @@ def _build(rig: Corner) -> KinematicModel:
         made["across"] = driven.accelerated(view.across)
     length = ca.SX.sym("length")
     if third:
-        made["third_force"] = third_law(linkage, length)
+        made["third_force"] = ca.vertcat(third_law(linkage, length), still_third_law(linkage, length))
     parameters = _that_matter(mechanism, made)
     arguments = [
         driven.statics.q,

@@ -23,6 +23,7 @@ from jounce.models.attachments import (
     bar_stiffness,
     link_end,
     spring_law,
+    still_third_law,
     stop_law,
     third_damper_law,
     third_end,
@@ -279,22 +280,29 @@ class CornerView:
     @cached_property
     def springs(self) -> Elastic:
         """The spring alone."""
-        return self._elastic(spring_law)
+        return self._elastic(spring_law, self.spring)
 
     @cached_property
     def stops(self) -> Elastic:
         """Bump and rebound stops, which work along the spring."""
-        return self._elastic(stop_law)
+        return self._elastic(stop_law, self.spring)
 
     @cached_property
     def damping_coefficient(self) -> ca.SX:
         """Slope of the damper's force at rest (N s/m), in the mean of both directions; without friction."""
-        law, line, velocity = self.linkage.rig.strut.damper, self.damper, ca.SX.sym("damper velocity")
+        velocity = ca.SX.sym("damper velocity")
+        return _slope_at_rest(self._damper_force(self.damper, velocity), velocity)
+
+    @cached_property
+    def still_damper(self) -> Elastic:
+        """The damper at rest: its gas, and what its law has of the stroke."""
+        return self._elastic(lambda _, line: self._damper_force(line, ca.SX(0.0)), self.damper)
+
+    def _damper_force(self, line: Line, velocity: ca.SX) -> ca.SX:
+        law = self.linkage.rig.strut.damper
         if isinstance(law, MapDamper):
-            force = damper_map_force(self.mechanism, law, "strut.damper", line.length, velocity)
-        else:
-            force = damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity)
-        return _slope_at_rest(force, velocity)
+            return damper_map_force(self.mechanism, law, "strut.damper", line.length, velocity)
+        return damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity)
 
     @cached_property
     def motion_ratio(self) -> ca.SX:
@@ -443,8 +451,16 @@ class CornerView:
     @cached_property
     def third(self) -> Elastic:
         """The third spring alone."""
+        return self._along_third(lambda length: third_law(self.linkage, length))
+
+    @cached_property
+    def still_third_damper(self) -> Elastic:
+        """The third damper at rest."""
+        return self._along_third(lambda length: still_third_law(self.linkage, length))
+
+    def _along_third(self, law: Callable[[ca.SX], ca.SX]) -> Elastic:
         length = ca.SX.sym("third length")
-        force = third_law(self.linkage, length)
+        force = ca.SX(law(length))
         return Elastic(*(ca.substitute(one, length, self.third_length) for one in (force, -ca.jacobian(force, length))))
 
     @cached_property
@@ -476,8 +492,8 @@ class CornerView:
 
     # pieces ----------------------------------------------------------------------------------------------------
 
-    def _elastic(self, law: Callable[[Linkage, Line], ca.SX]) -> Elastic:
-        length, line = ca.SX.sym("length"), self.spring
+    def _elastic(self, law: Callable[[Linkage, Line], ca.SX], line: Line) -> Elastic:
+        length = ca.SX.sym("length")
         force = law(self.linkage, replace(line, length=length))
         stiffness = -ca.jacobian(force, length)
         return Elastic(*(ca.substitute(part, length, line.length) for part in (ca.SX(force), stiffness)))

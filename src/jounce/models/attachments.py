@@ -126,6 +126,12 @@ def third_damper_law(linkage: Described, deflection: ca.SX, velocity: ca.SX) -> 
     return damper_force(linkage.mechanism, damper, "third_spring.damper", deflection, velocity)
 
 
+def still_third_law(linkage: Described, length: ca.SX) -> ca.SX:
+    """Force of the third damper at rest (N, compression positive) at a length (m)."""
+    design = 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
+    return third_damper_law(linkage, design - length, ca.SX(0.0))
+
+
 def third_deflection(linkage: Linkage) -> ca.SX:
     """Shortening (m) of the third spring while the other wheel moves alike."""
     middle, left = (linkage.chassis.frame.point(ca.SX(3, 1)), linkage.chassis.frame.direction(_LEFT))

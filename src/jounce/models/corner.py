@@ -165,7 +165,7 @@ def add_both_alike(linkage: Described, *, damped: bool = True) -> dict[str, tupl
         deflection = linkage.of_pose("third_spring.deflection", third_deflection)
         force = third_law(linkage, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1] - deflection)
         rate = mechanism.rate_of(deflection)
-        force += third_damper_law(linkage, deflection, rate) if damped else 0.0
+        force += third_damper_law(linkage, deflection, rate if damped else ca.SX(0.0))
         mechanism.force(0.5 * deflection, -force)
         show_third_spring(mechanism, deflection, force)
         found["third spring"] = force, 0.5 * rate

@@ -6,6 +6,7 @@ found by the kinematics.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import cast
 
 import numpy as np
@@ -13,7 +14,17 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
-from jounce.parts.elements import BumpStop, CoilSpring, Curve, PolynomialCurve, PowerCurve
+from jounce.parts.elements import (
+    BoucWenDamper,
+    BumpStop,
+    CoilSpring,
+    Curve,
+    MapDamper,
+    PolynomialCurve,
+    PowerCurve,
+    TanhDamper,
+    VelocityTable,
+)
 
 AXES = {
     "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
@@ -86,6 +97,18 @@ def carried_beside_strut(rig: Corner, travel: float = 0.0) -> float:
     return force
 
 
+def still_damper_force(rig: Corner) -> float:
+    """Force of the damper (N, compression positive) at rest at design: its gas."""
+    law = rig.strut.damper
+    if isinstance(law, MapDamper):
+        length = rig.hardpoints.length("damper")
+        row = [float(np.interp(length, law.length, column)) for column in zip(*law.force, strict=True)]
+        return _on_lines(law.velocity, row, 0.0)
+    if isinstance(law, VelocityTable):
+        return _on_lines(law.velocity, law.force, 0.0)
+    return law.offset if isinstance(law, TanhDamper | BoucWenDamper) else 0.0
+
+
 def static_load(rig: Corner) -> float:
     """Force (N) at the wheel centre that carries the sprung mass and its share of the arms at design."""
     load = 0.0 if rig.sprung is None else rig.sprung.mass
@@ -98,9 +121,11 @@ def static_load(rig: Corner) -> float:
 def static_spring_force(rig: Corner) -> float:
     """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road.
 
-    Torsion bar and third spring carry what they do there.
+    Torsion bar, third spring and the gas of the damper carry what they do there.
     """
-    return float((static_load(rig) - carried_beside_strut(rig)) / motion_ratio(rig))
+    gas = still_damper_force(rig)
+    beside = carried_beside_strut(rig) + (gas * motion_ratio(rig, "damper") if gas else 0.0)
+    return float((static_load(rig) - beside) / motion_ratio(rig))
 
 
 def static_tyre_deflection(rig: Corner) -> float:
@@ -132,8 +157,12 @@ def force_at(curve: Curve, x: float) -> float:
         return float(sum(c * x ** (i + 1) for i, c in enumerate(curve.coefficients)))
     if isinstance(curve, PowerCurve):
         return curve.coefficient * x**curve.exponent if x > 0.0 else 0.0
-    xs, forces = np.array(curve.deflection), np.array(curve.force)
-    i = int(np.clip(np.searchsorted(xs, x) - 1, 0, len(xs) - 2))
+    return _on_lines(curve.deflection, curve.force, x)
+
+
+def _on_lines(xs: Sequence[float], forces: Sequence[float], x: float) -> float:
+    """Value of straight lines through points and beyond them."""
+    i = int(np.clip(np.searchsorted(np.array(xs), x) - 1, 0, len(xs) - 2))
     return float(forces[i] + (forces[i + 1] - forces[i]) * (x - xs[i]) / (xs[i + 1] - xs[i]))
 
 

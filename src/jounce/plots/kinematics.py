@@ -93,6 +93,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "damper_motion_ratio",
         "spring_force",
         "stop_force",
+        "damper_force",
         "wheel_force",
         "wheel_rate",
         "wheel_rate_spring",

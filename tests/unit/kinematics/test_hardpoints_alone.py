@@ -14,6 +14,7 @@ from jounce.parts.files import rig_text
 OF_FORCES = {
     "spring_force",
     "stop_force",
+    "damper_force",
     "wheel_force",
     "wheel_rate",
     "wheel_rate_spring",
