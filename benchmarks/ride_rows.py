@@ -4,23 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from itertools import count
 from typing import Any
 
 import numpy as np
 from timing import Row, median_time
 
 import jounce as jn
+from jounce.design.cases import cases_problem
 from jounce.ride.study import iso_trial
 from jounce.ride.weighting import weighted, weighting_response
 from jounce.roads.rough import Iso8608
 from jounce.roughness.iri import iri, state_transition
 
 _CONTROLLED = 10.0  # s at 1 kHz
+_moves = count()  # so that each design is a new one
 
 
 def ride_rows() -> list[Row]:
     """All rows."""
-    return [*_road_rows(), *_iri_rows(), *_weighting_rows(), *_control_rows()]
+    return [*_road_rows(), *_iri_rows(), *_weighting_rows(), *_robust_rows(), *_control_rows()]
 
 
 def _road_rows() -> list[Row]:
@@ -45,6 +48,36 @@ def _sum_of_cosines() -> np.ndarray:
     for line, angle in zip(n, phase, strict=True):
         height += np.sqrt(2.0 * 256e-6 * (0.1 / line) ** 2 * 1e-2) * np.cos(2.0 * np.pi * line * x + angle)
     return height
+
+
+_SPREAD = {"sprung.mass": ["400 kg", "550 kg"], "strut.damper.coefficient": "15 %"}
+_ROADS = {"city": ("B", 14.0), "motorway": ("A", 36.0), "rough": ("D", 10.0)}
+_GOALS = ("city: p95 sprung.az", "rough: p95 tyre.force", "motorway: p95 sprung.az")
+
+
+def _robust_rows() -> list[Row]:
+    """A damper for three roads over 32 samples: what a design costs, and a front; the peer asks rig after rig."""
+    rig, damper = jn.load("audi-a6-quarter-car"), "strut.damper.coefficient"
+    free = {damper: ("500 N*s/m", "5000 N*s/m")}
+    cases = {name: {"road": road, "speed": speed} for name, (road, speed) in _ROADS.items()}
+    task = cases_problem(rig, free, dict.fromkeys(_GOALS, 1.0), cases=cases, spread=_SPREAD)
+    at = task.start
+    own = median_time(lambda: task.evaluator.at(at * (1.0 + 1e-3 * next(_moves))))
+    rigs = [family.rig for family in task.evaluator.cases["city"].families.members]
+
+    def one_by_one() -> None:
+        for road, speed in _ROADS.values():
+            for one in rigs:
+                jn.stationary(one, road, speed, band="iso", parameters=[damper])
+
+    theirs = median_time(one_by_one, repeats=5)
+    problem = "damper for three roads, one design over 32 samples, with slopes"
+    whole = median_time(lambda: jn.design_front(rig, free, _GOALS, cases=cases, spread=_SPREAD, points=15), repeats=1)
+    return [
+        Row(problem, "jounce, samples side by side", own, None, 1.0),
+        Row(problem, "jn.stationary for each", theirs, None, theirs / own, note="all channels"),
+        Row("the same, a front of three goals, 15 designs", "jounce, jn.design_front", whole),
+    ]
 
 
 def _iri_rows() -> list[Row]:

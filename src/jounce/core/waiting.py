@@ -20,11 +20,11 @@ LOGGED_LATEST = 30.0
 _LOOKS = 4  # of the teller, in the shorter of the two
 _LOG = logging.getLogger("jounce")
 _listeners: list[Callable[[str | None], None]] = []
-_told: list[str] = []  # what is being waited for, the outermost first
+_told: list[str | Callable[[], str]] = []  # what is being waited for, the outermost first
 
 
 class _Wait(NamedTuple):
-    what: str
+    what: str | Callable[[], str]
     started: float
     listener: Callable[[str | None], None] | None
 
@@ -71,7 +71,8 @@ class _Teller:
                 waited = time.monotonic() - wait.started
                 if waited < last + every:
                     continue
-                last, text = waited, f"{wait.what}, {waited:.0f} s"
+                what = wait.what if isinstance(wait.what, str) else wait.what()
+                last, text = waited, f"{what}, {waited:.0f} s"
                 if wait.listener:
                     wait.listener(text)
                 else:
@@ -84,8 +85,10 @@ if hasattr(os, "register_at_fork"):
 
 
 @contextmanager
-def told(what: str) -> Iterator[None]:
+def told(what: str | Callable[[], str]) -> Iterator[None]:
     """Tell what is being waited for, and for how long already, until it is done.
+
+    A function gives the words anew each time, such as how far the work has come; it is called from another thread.
 
     >>> with told("compiling the model (once on this machine)"):
     ...     pass   # ready at once: nothing was to be told

@@ -18,7 +18,6 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.design.problem import (
     DesignProblem,
-    Evaluator,
     LimitGiven,
     Metric,
     Numbers,
@@ -37,7 +36,7 @@ from jounce.kinematics import sweep_travel
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Corner, Rig
 from jounce.parts.rig import quantity_at, unit_of
-from jounce.ride.family import LinearFamily
+from jounce.ride.family import Families, LinearFamily
 from jounce.roads import Trial
 from jounce.variants.designs import Spread, is_whole, sobol
 
@@ -90,24 +89,40 @@ class KinematicEvaluator:
 
 
 @dataclass(frozen=True)
-class _Part:
-    """One sample of one case: its evaluator, and factors by which the free numbers are multiplied there."""
+class OneByOne:
+    """A case that is judged for each sample on its own: simulated trials, kinematics."""
 
-    evaluator: Evaluator | KinematicEvaluator
-    factors: Array
+    evaluators: tuple[TrialEvaluator | KinematicEvaluator, ...]
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether all slopes are exact."""
+        return all(evaluator.is_exact for evaluator in self.evaluators)
+
+    def each(self, values: Array) -> dict[str, Numbers]:
+        """Give every metric for values (samples, numbers): (samples, channels), (samples, numbers, channels), SI."""
+        found = [evaluator.at(one) for evaluator, one in zip(self.evaluators, values, strict=True)]
+        return {
+            text: (np.stack([one[text][0] for one in found]), np.stack([one[text][1] for one in found]))
+            for text in found[0]
+        }
 
 
 @dataclass(frozen=True)
 class CasesEvaluator:
-    """Metrics of all cases: ``wanted`` maps the text of each to its case, the metric there, and a statistic."""
+    """Metrics of all cases: ``wanted`` maps the text of each to its case, the metric there, and a statistic.
 
-    parts: Mapping[str, tuple[_Part, ...]]
+    ``factors`` (samples, numbers) are those by which the free numbers are multiplied in each sample of the spread.
+    """
+
+    cases: Mapping[str, StationaryEvaluator | OneByOne]
+    factors: Array
     wanted: Mapping[str, tuple[str, str, str]]
 
     @property
     def is_exact(self) -> bool:
         """Whether all slopes are exact."""
-        return all(part.evaluator.is_exact for parts in self.parts.values() for part in parts)
+        return all(evaluator.is_exact for evaluator in self.cases.values())
 
     @property
     def has_kinks(self) -> bool:
@@ -116,21 +131,12 @@ class CasesEvaluator:
 
     def at(self, values: Array) -> dict[str, Numbers]:
         """Give every metric by its text: values of its channels and their slopes, SI."""
-        seen = {
-            case: [_scaled(part.evaluator.at(values * part.factors), part.factors) for part in parts]
-            for case, parts in self.parts.items()
-        }
+        seen = {case: evaluator.each(values * self.factors) for case, evaluator in self.cases.items()}
         found = {}
         for text, (case, inner, statistic) in self.wanted.items():
-            numbers = np.stack([one[inner][0] for one in seen[case]])
-            slopes = np.stack([one[inner][1] for one in seen[case]])
-            found[text] = _statistic(statistic, numbers, slopes)
+            numbers, slopes = seen[case][inner]
+            found[text] = _statistic(statistic, numbers, slopes * self.factors[:, :, None])
         return found
-
-
-def _scaled(found: Mapping[str, Numbers], factors: Array) -> dict[str, Numbers]:
-    """Slopes by the design's numbers, where a sample has them multiplied."""
-    return {text: (numbers, slopes * factors[:, None]) for text, (numbers, slopes) in found.items()}
 
 
 def _statistic(kind: str, numbers: Array, slopes: Array) -> Numbers:
@@ -178,23 +184,28 @@ def cases_problem(
             metrics[text] = replace(metric, text=text)
     limits = tuple(read_limit(metrics[text], given) for text, given in (constraints or {}).items())
     rigs, factors = _samples(rig, numbers, spread or {}, samples, seed)
-    families = [LinearFamily(one, tuple(number.path for number in numbers)) for one in rigs]
-    parts: dict[str, tuple[_Part, ...]] = {}
+    families = Families(tuple(LinearFamily(one, tuple(number.path for number in numbers)) for one in rigs))
+    judges: dict[str, StationaryEvaluator | OneByOne] = {}
     notes: list[Finding] = []
     for case, asked in inner.items():
         if not asked:
             raise DescriptionError("nothing is judged by it", where=f"cases.{case}", hint=f'e.g. "{case}: sprung.az"')
-        made = []
-        for family, factor in zip(families, factors, strict=True):
-            evaluator, told = _evaluator(cases[case], family, numbers, tuple(asked.values()), case)
-            notes += [note for note in told if str(note) not in map(str, notes)]
-            made.append(_Part(evaluator, factor))
-        parts[case] = tuple(made)
+        judges[case], told = _evaluator(cases[case], families, numbers, tuple(asked.values()), case)
+        notes += [note for note in told if str(note) not in map(str, notes)]
     words = ", ".join(f"{case} ({_words(given)})" for case, given in cases.items())
     if spread:
         words += f"; {len(rigs)} samples of {', '.join(spread)}, seed {seed}"
     problem = DesignProblem(
-        rig, numbers, weights, limits, CasesEvaluator(parts, wanted), metrics, None, None, tuple(notes), driven=words
+        rig,
+        numbers,
+        weights,
+        limits,
+        CasesEvaluator(judges, np.array(factors), wanted),
+        metrics,
+        None,
+        None,
+        tuple(notes),
+        driven=words,
     )
     for text in weights:
         base = problem.base_of(metrics[text])
@@ -271,11 +282,11 @@ def _samples(
 
 
 def _evaluator(
-    case: Case, family: LinearFamily, numbers: Sequence[Free], metrics: tuple[Metric, ...], name: str
-) -> tuple[StationaryEvaluator | TrialEvaluator | KinematicEvaluator, tuple[Finding, ...]]:
+    case: Case, families: Families, numbers: Sequence[Free], metrics: tuple[Metric, ...], name: str
+) -> tuple[StationaryEvaluator | OneByOne, tuple[Finding, ...]]:
     where = f"cases.{name}"
     if isinstance(case, Trial):
-        return TrialEvaluator(family, case, metrics), ()
+        return OneByOne(tuple(TrialEvaluator(family, case, metrics) for family in families.members)), ()
     if not isinstance(case, Mapping):
         raise DescriptionError("not a case", where=where, found=case, allowed="a trial, road and speed, or travel")
     if "travel" not in case:
@@ -285,7 +296,7 @@ def _evaluator(
             if key not in ("band", "sides"):
                 raise unknown(key, ("road", "speed", "band", "sides", "travel"), what="key", where=where)
         try:
-            return stationary_evaluator(family, metrics, road, speed, given)
+            return stationary_evaluator(families, metrics, road, speed, given)
         except DescriptionError as error:
             if error.where not in case:
                 raise
@@ -293,7 +304,8 @@ def _evaluator(
             raise DescriptionError(
                 error.what, where=place, found=error.found, allowed=error.allowed, hint=error.hint
             ) from None
-    if set(case) != {"travel"} or not isinstance(family.rig, Corner):
+    rigs = [family.rig for family in families.members if isinstance(family.rig, Corner)]
+    if set(case) != {"travel"} or len(rigs) < len(families):
         raise DescriptionError("kinematics are those of a 3-D corner over travel", where=where, found=dict(case))
     from jounce.core.units import to_si
 
@@ -303,7 +315,8 @@ def _evaluator(
         raise DescriptionError("not a travel", where=where, found=list(case["travel"]), allowed=allowed)
     grid = np.union1d(np.linspace(travel[0], travel[-1], 13), [0.0]) if len(travel) == 2 else travel
     steps = np.array([_STEP * (number.upper - number.lower) for number in numbers])
-    return KinematicEvaluator(family.rig, family.paths, np.maximum(steps, 1e-9), grid, metrics), ()
+    paths = families.first.paths
+    return OneByOne(tuple(KinematicEvaluator(rig, paths, np.maximum(steps, 1e-9), grid, metrics) for rig in rigs)), ()
 
 
 def _words(case: Case) -> str:

@@ -20,6 +20,7 @@ from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
+from jounce.core.waiting import told
 from jounce.design.cases import Case
 from jounce.design.mixtures import MOST_GOALS, achieved, across_gap, mixtures, undominated
 from jounce.design.optimise import Scale, check_kept, driven_over, search, task_of, violation_of
@@ -168,20 +169,9 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     objective = dict.fromkeys(names, 1.0)
     problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
     race = _Race(problem, names)
-    corners = [_corner(problem, name) for name in names]
-    reached = np.array([race.goals_at(values) for values in corners])
-    best, span = reached.min(axis=0), np.ptp(reached, axis=0)
-    span = np.where(span > 0.0, span, np.maximum(np.abs(best), 1e-300))
-    tried, settled = list(corners), True
-    for mixture in _aims(race, tried, best, span, points):
-        aim = _Aim(best, span, mixture)
-        near = sorted(tried, key=lambda values: achieved(race.goals_at(values), *aim))[:2]
-        ended = [race.run(values, aim) for values in near]
-        values, rested = min(
-            ended, key=lambda one: (max(violation_of(problem, one[0]), _KEPT), achieved(race.goals_at(one[0]), *aim))
-        )
-        tried.append(values)
-        settled &= rested
+    tried: list[Array] = []
+    with told(lambda: f"searching design {len(tried) + 1} of about {points}: {problem.evaluations} judged"):
+        settled, span = _search(race, points, tried)
     sound = [values for values in tried if violation_of(problem, values) <= _KEPT]
     found = np.array([race.goals_at(values) for values in sound])
     kept = sorted(undominated(found, span), key=lambda i: tuple(found[i]))
@@ -197,6 +187,26 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
         settled, problem.evaluations, driven_over(problem),
         (*problem.notes, *_findings(len(designs), settled=settled)),
     )  # fmt: skip
+
+
+def _search(race: _Race, points: int, tried: list[Array]) -> tuple[bool, Array]:
+    """Designs of the front, added to those ``tried``; tell whether all searches came to rest, and the goals' ranges."""
+    problem = race.problem
+    tried.extend(_corner(problem, name) for name in race.names)
+    reached = np.array([race.goals_at(values) for values in tried])
+    best, span = reached.min(axis=0), np.ptp(reached, axis=0)
+    span = np.where(span > 0.0, span, np.maximum(np.abs(best), 1e-300))
+    settled = True
+    for mixture in _aims(race, tried, best, span, points):
+        aim = _Aim(best, span, mixture)
+        near = sorted(tried, key=lambda values: achieved(race.goals_at(values), *aim))[:2]
+        ended = [race.run(values, aim) for values in near]
+        values, rested = min(
+            ended, key=lambda one: (max(violation_of(problem, one[0]), _KEPT), achieved(race.goals_at(one[0]), *aim))
+        )
+        tried.append(values)
+        settled &= rested
+    return settled, span
 
 
 def _aims(race: _Race, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:

@@ -15,6 +15,7 @@ from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
+from jounce.core.waiting import told
 from jounce.design.cases import Case, cases_problem
 from jounce.design.problem import DesignProblem, LimitGiven, Objective, StationaryEvaluator, design_problem
 from jounce.identify.fit_problem import Bounds
@@ -502,9 +503,10 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     """
     given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
     problem = task_of(as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed)
-    found = search(problem, starts=starts)
-    check_kept(problem, found)
-    return outcome(problem, found)
+    with told(lambda: f"searching the best design: {problem.evaluations} judged"):
+        found = search(problem, starts=starts)
+        check_kept(problem, found)
+        return outcome(problem, found)
 
 
 def task_of(
@@ -673,13 +675,13 @@ def _is_broken(limit: Any, values: Array) -> bool:
 def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:
     """What the linear model does not know of the best design."""
     from jounce.ride.covariance import Analysis, Signal
-    from jounce.ride.family import LinearFamily
+    from jounce.ride.family import Families, LinearFamily
 
     assert problem.surface is not None
     family = LinearFamily(best)
     names = family.compiled.output_names
     wanted = [i for i, name in enumerate(names) if name.endswith(("tyre.force", "strut.deflection"))]
-    moments = Analysis(family, problem.surface, tuple(Signal(i) for i in wanted)).at(slopes=False)
+    moments = Analysis(Families((family,)), problem.surface, tuple(Signal(i) for i in wanted)).at(slopes=False)
     there = [k for k in range(len(wanted)) if k not in moments.absent]
-    sigma = {names[wanted[k]]: float(np.sqrt(max(moments.variances[k], 0.0))) for k in there}
-    return linear_findings(best, sigma, {names[wanted[k]]: float(moments.static[k]) for k in there})
+    sigma = {names[wanted[k]]: float(np.sqrt(max(moments.variances[0, k], 0.0))) for k in there}
+    return linear_findings(best, sigma, {names[wanted[k]]: float(moments.static[0, k]) for k in there})

@@ -15,6 +15,7 @@ from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.types import Array
+from jounce.core.waiting import told
 from jounce.design.cases import Case
 from jounce.design.optimise import check_kept, driven_over, is_optimal, search, task_of
 from jounce.design.problem import DesignProblem, Limit, LimitGiven, StationaryEvaluator, combined, design_problem
@@ -23,6 +24,7 @@ from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig, as_rig
 from jounce.parts.rig import unit_of
 from jounce.ride.closed_forms import comfort_damping, road_holding_damping
+from jounce.ride.family import Families, LinearFamily
 from jounce.ride.surface import Density
 from jounce.variants.designs import Spread
 
@@ -275,7 +277,9 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     chosen = {name: value for name, value in given.items() if value is not None}
     soft = task_of(rig, free, comfort, constraints, chosen, cases, spread, samples, seed, more=[holding, travel])
     firm = replace(soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])})
-    table, converged = _front(soft, firm, holding, points)
+    designs: list[Array] = []
+    with told(lambda: f"searching design {len(designs) + 1} of {points} of the front: {soft.evaluations} judged"):
+        table, converged = _front(soft, firm, holding, points, designs)
     whole = {
         name: np.array([soft.whole(text, values)[0] for values in table])
         for name, text in (("comfort", comfort), ("holding", holding), ("travel", travel))
@@ -297,8 +301,10 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     )  # fmt: skip
 
 
-def _front(soft: DesignProblem, firm: DesignProblem, holding: str, points: int) -> tuple[Array, bool]:
-    """Free numbers (points, numbers) along the front."""
+def _front(
+    soft: DesignProblem, firm: DesignProblem, holding: str, points: int, table: list[Array]
+) -> tuple[Array, bool]:
+    """Free numbers (points, numbers) along the front; they are added to the ``table`` as they are found."""
     ends = [search(problem) for problem in (soft, firm)]
     for problem, end in zip((soft, firm), ends, strict=True):
         check_kept(problem, end)
@@ -306,7 +312,8 @@ def _front(soft: DesignProblem, firm: DesignProblem, holding: str, points: int) 
     if first <= last * (1.0 + _SAME):
         return np.array([ends[0].values]), is_optimal(soft, ends[0].values).holds
     along = np.cos(0.5 * np.pi * np.arange(1, points - 1) / (points - 1)) ** 2
-    table, holds = [ends[0].values], ends[0].settled or is_optimal(soft, ends[0].values).holds
+    table.append(ends[0].values)
+    holds = ends[0].settled or is_optimal(soft, ends[0].values).holds
     for share in along:  # dense where one of both is nearly free
         bound = last + (first - last) * float(share)
         limit = Limit(soft.metrics[holding], None, bound, is_whole=True)
@@ -342,8 +349,8 @@ def _mark(
     metrics: dict[str, str],
 ) -> ParetoMark:
     assert isinstance(soft.evaluator, StationaryEvaluator)
-    family = replace(soft.evaluator.family, rig=soft.rig.with_changes(changes), paths=())
-    numbers = replace(soft.evaluator, family=family).at(np.zeros(0))
+    families = Families((LinearFamily(soft.rig.with_changes(changes)),))
+    numbers = replace(soft.evaluator, families=families).at(np.zeros(0))
     values = {role: combined(soft.metrics[text], numbers[text])[0] for role, text in metrics.items()}
     return ParetoMark(name, kind, changes, values["comfort"], values["holding"], values["travel"])
 

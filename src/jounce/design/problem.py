@@ -26,7 +26,7 @@ from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
 from jounce.ride.covariance import Analysis, Signal
-from jounce.ride.family import LinearFamily, Matrices
+from jounce.ride.family import Families, LinearFamily
 from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface, surface
 from jounce.roads import Trial
@@ -111,21 +111,21 @@ def _mode_metric(text: str, words: Sequence[str], where: str) -> Metric:
 
 @dataclass(frozen=True)
 class StationaryEvaluator:
-    """Metrics of the linear model with its free numbers on a random road."""
+    """Metrics of linear models with their free numbers on a random road: of one rig, or of many side by side."""
 
-    family: LinearFamily
+    families: Families
     surface: Surface
     metrics: tuple[Metric, ...]
 
     @property
     def is_exact(self) -> bool:
         """Whether its slopes are exact."""
-        return self.family.is_exact
+        return self.families.first.is_exact
 
     @cached_property
     def _layout(self) -> tuple[dict[str, list[int]], tuple[Signal, ...]]:
         """Places of each metric's signals, and the signals."""
-        names = list(self.family.compiled.output_names)
+        names = list(self.families.first.compiled.output_names)
         found: dict[str, list[int]] = {}
         signals: list[Signal] = []
         for metric in self.metrics:
@@ -138,7 +138,7 @@ class StationaryEvaluator:
     @cached_property
     def analysis(self) -> Analysis:
         """Random vibration of the wanted signals."""
-        return Analysis(self.family, self.surface, self._layout[1])
+        return Analysis(self.families, self.surface, self._layout[1])
 
     def absent(self) -> dict[str, str]:
         """Metrics that the road's white noise leaves without a variance, with the reason."""
@@ -148,50 +148,58 @@ class StationaryEvaluator:
             for i in self._layout[0].get(metric.text, []) if metric.kind != "static" else []:
                 if i in found.absent:
                     reasons[metric.text] = found.absent[i]
-                elif np.any(np.isnan(found.variance_slopes[:, i])):
+                elif np.any(np.isnan(found.variance_slopes[:, :, i])):
                     reasons[metric.text] = "would depend on the height of the road when a free parameter changes"
         return reasons
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Give every metric by its text: values of its channels and their slopes, SI."""
+        """Give every metric of the one rig by its text: values of its channels and their slopes, SI."""
+        return {text: (numbers[0], slopes[0]) for text, (numbers, slopes) in self.each(values[None]).items()}
+
+    def each(self, values: Array) -> dict[str, Numbers]:
+        """The same for values (members, numbers) of all rigs: (members, channels), (members, numbers, channels)."""
         moments = self.analysis.at(values)
         found = {}
         for metric in self.metrics:
             if metric.is_of_mode:
-                found[metric.text] = mode_number(metric, moments.model, moments.slopes)
+                model, along = moments.linear.model, moments.linear.along
+                rows = [mode_number(metric, *one) for one in zip(model.A, along.A, strict=True)]
+                found[metric.text] = np.stack([row[0] for row in rows]), np.stack([row[1] for row in rows])
                 continue
             i = self._layout[0][metric.text]
-            sigma = np.sqrt(np.maximum(moments.variances[i], 1e-300))
-            slopes = moments.variance_slopes[:, i] / (2.0 * sigma)
-            found[metric.text] = _of_kind(metric, sigma, slopes, moments.static[i], moments.static_slopes[:, i])
+            sigma = np.sqrt(np.maximum(moments.variances[:, i], 1e-300))
+            slopes = moments.variance_slopes[:, :, i] / (2.0 * sigma[:, None])
+            found[metric.text] = _of_kind(metric, sigma, slopes, moments.static[:, i], moments.static_slopes[:, :, i])
         return found
 
 
 def _of_kind(metric: Metric, sigma: Array, slopes: Array, rest: Array, rest_slopes: Array) -> Numbers:
+    """Number of each channel (..., channels), and its slopes (..., numbers, channels)."""
     if metric.kind == "static":
         return rest, rest_slopes
     if metric.kind != "coefficient":
         return sigma, slopes
     if np.any(rest <= 0.0):
         raise FitError("a coefficient without a static force", where=metric.text, found=f"{np.min(rest):.4g} N")
-    return sigma / rest, slopes / rest - sigma * rest_slopes / rest**2
+    share, size = (sigma / rest)[..., None, :], rest[..., None, :]
+    return sigma / rest, (slopes - share * rest_slopes) / size
 
 
-def mode_number(metric: Metric, model: Matrices, slopes: Sequence[Matrices]) -> Numbers:
-    """Frequency (Hz) or damping ratio (1) of a mode, and its slopes.
+def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
+    """Frequency (Hz) or damping ratio (1) of a mode of ``dx/dt = a x``, and its slopes from those of the matrix.
 
     A mode that is damped too much to oscillate keeps both: they go on smoothly as those of its pair of eigenvalues.
     """
     from scipy.linalg import eig
 
-    values, left, right = eig(model.A, left=True, right=True)
+    values, left, right = eig(a, left=True, right=True)
     pairs = _pairs(values)
     if metric.mode > len(pairs):
         raise FitError(f"there are {len(pairs)} modes only", where=metric.text)
     i, j = pairs[metric.mode - 1]
     first, second = values[i], values[j]
     moves = [
-        np.array([left[:, k].conj() @ part.A @ right[:, k] for part in slopes]) / (left[:, k].conj() @ right[:, k])
+        np.array([left[:, k].conj() @ part @ right[:, k] for part in along]) / (left[:, k].conj() @ right[:, k])
         for k in (i, j)
     ]
     size = np.sqrt((first * second).real)
@@ -249,7 +257,7 @@ class TrialEvaluator:
         for metric in self.metrics:
             if metric.is_of_mode:
                 model, slopes = self.family.at(values)
-                found[metric.text] = mode_number(metric, model, slopes)
+                found[metric.text] = mode_number(metric, model.A, slopes.A)
                 continue
             i = [plain.output_names.index(name) for name in metric.channels]
             signals, along = solution.outputs[i], solution.output_slopes[i]
@@ -424,14 +432,14 @@ def design_problem(
         limits.append(read_limit(metrics[text], given))
     metrics |= {text: read_metric(text, units, where="metrics") for text in more}
     family = LinearFamily(rig, tuple(number.path for number in numbers))
-    evaluator: Evaluator
+    evaluator: StationaryEvaluator | TrialEvaluator
     road_surface: Surface | None = None
     notes: tuple[Finding, ...] = ()
     if trial is not None:
         _refuse_both(road, speed, settings)
         evaluator = TrialEvaluator(family, trial, tuple(metrics.values()))
     else:
-        evaluator, notes = stationary_evaluator(family, tuple(metrics.values()), road, speed, settings)
+        evaluator, notes = stationary_evaluator(Families((family,)), tuple(metrics.values()), road, speed, settings)
         road_surface = evaluator.surface
     problem = DesignProblem(rig, numbers, weights, tuple(limits), evaluator, metrics, road_surface, trial, notes)
     for text in weights:
@@ -521,7 +529,7 @@ def _refuse_both(road: Any, speed: float | str | None, settings: Mapping[str, An
 
 
 def stationary_evaluator(
-    family: LinearFamily,
+    families: Families,
     metrics: tuple[Metric, ...],
     road: Any,
     speed: float | str | None,
@@ -538,13 +546,13 @@ def stationary_evaluator(
             reasons[metric.text] = "a weighting is a matter of frequencies"
     is_white = given.get("band") is None and not callable(road)
     if is_white and not reasons:
-        evaluator = StationaryEvaluator(family, surface(road, speed, **given), metrics)
+        evaluator = StationaryEvaluator(families, surface(road, speed, **given), metrics)
         reasons = evaluator.absent()
         if not reasons:
             return evaluator, ()
     if not is_white:
-        return StationaryEvaluator(family, surface(road, speed, **given), metrics), ()
-    evaluator = StationaryEvaluator(family, surface(road, speed, **{**given, "band": "iso"}), metrics)
+        return StationaryEvaluator(families, surface(road, speed, **given), metrics), ()
+    evaluator = StationaryEvaluator(families, surface(road, speed, **{**given, "band": "iso"}), metrics)
     text, reason = next(iter(reasons.items()))
     note = Finding(text, "note", f"{reason}; waves of 0.011 to 2.83 1/m are taken instead of white noise.")
     return evaluator, (note,)

@@ -1,25 +1,37 @@
-"""Covariances under white noise that reaches a linear model at several times: exact, with exact slopes.
+"""Covariances under white noise that reaches linear models at several times: exact, with exact slopes.
 
 The heights of a road whose velocity is white noise wander without limit, so states are taken relative to what the
 model does when the road moves slowly: ``x_rel = x - E z`` with ``A E + B0 = 0``. Then ``dx_rel/dt = A x_rel +
 (B1 - E) dz/dt``, and an output is stationary exactly if what is left of ``C E + D0`` sums to nothing over the wheels
 that one noise drives. Wheel ``l`` follows wheel ``k`` by ``s``: their cross term is ``exp(A s) X`` with
 ``A X + X A' + b_k b_l' = 0``.
+
+Everything is done for many models side by side, such as the samples of a spread: arrays have the members first, slopes
+the members and then the numbers. Models are small, and one by one Python would take far longer than their arithmetic.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array, Complex
-from jounce.ride.family import LinearFamily, Matrices, without_unreached
+from jounce.ride.family import (
+    Eigen,
+    Families,
+    LinearModels,
+    Matrices,
+    has_neutral,
+    side_by_side,
+    without_unreached,
+)
 from jounce.ride.surface import Surface
 
 # white noise ----------------------------------------------------------------------------------------------------------
@@ -27,7 +39,6 @@ from jounce.ride.surface import Surface
 
 _NOTHING = 1e-9
 """What is left of a sum of terms is nothing below this share of their sizes."""
-_DEFECTIVE = 1e5  # condition of the eigenvectors beyond which they are not used
 _BEGINS = 1e-5  # the same of slopes, which may be differences
 WANDERS = "follows the height of the road, which wanders without limit under white noise"
 KICKED = "feels the road's vertical velocity directly, whose variance is infinite under white noise"
@@ -35,10 +46,11 @@ KICKED = "feels the road's vertical velocity directly, whose variance is infinit
 
 @dataclass(frozen=True)
 class Relative:
-    """Linear model with states relative to the quasi-static motion: ``dx/dt = A x + b v``, ``y = C x + d z + f v``.
+    """Linear models with states relative to the quasi-static motion: ``dx/dt = A x + b v``, ``y = C x + d z + f v``.
 
-    ``z`` are the heights of the wheels' road (m), ``v`` their rates; ``E`` is the quasi-static motion, shape (n,
-    wheels), and ``scale`` the size of the terms that ``d`` is a sum of. Also used for the slopes of all that.
+    ``z`` are the heights of the wheels' road (m), ``v`` their rates; ``E`` is the quasi-static motion, shape (members,
+    n, wheels), and ``scale`` the size of the terms that ``d`` is a sum of. Also used for the slopes of all that, which
+    have an axis for the numbers after that of the members.
     """
 
     A: Array
@@ -50,11 +62,12 @@ class Relative:
     E: Array
 
 
-def check_stable(a: Array) -> None:
-    """Refuse a model that does not come to rest by itself."""
-    values = np.linalg.eigvals(a)
-    worst = values[np.argmax(values.real)]
-    if worst.real > -1e-9 * float(np.max(np.abs(values), initial=1e-300)):
+def check_stable(values: Complex) -> None:
+    """Refuse models that do not come to rest by themselves, by their eigenvalues (..., n) in 1/s."""
+    grows = np.max(values.real, axis=-1) > -1e-9 * np.max(np.abs(values), axis=-1, initial=1e-300)
+    if np.any(grows):
+        one = values[grows][0]
+        worst = one[np.argmax(one.real)]
         raise SimulationError(
             "the linear model about rest is not asymptotically stable, so nothing is stationary",
             where="stationary response",
@@ -64,105 +77,142 @@ def check_stable(a: Array) -> None:
         )
 
 
-def relative(model: Matrices) -> Relative:
-    """Take the states relative to the quasi-static motion, in which the road's acceleration must not matter."""
-    check_stable(model.A)
-    if np.any(model.B[2:]) or np.any(model.D[2:]):
+def relative(model: Matrices, values: Complex) -> Relative:
+    """Take the states relative to the quasi-static motion, in which the road's acceleration must not matter.
+
+    ``values`` are the eigenvalues of the models, 1/s.
+    """
+    check_stable(values)
+    if np.any(model.B[..., 2:, :, :]) or np.any(model.D[..., 2:, :, :]):
         raise SimulationError(
             "the model feels the acceleration of the road, as a wheel without a tyre does",
             where="stationary response",
             hint="Give the rig a tyre.",
         )
-    e = -np.linalg.solve(model.A, model.B[0])
-    d = model.C @ e + model.D[0]
-    scale = np.abs(model.C) @ np.abs(e) + np.abs(model.D[0])
-    return Relative(model.A, model.C, model.B[1] - e, d, model.D[1], scale, e)
+    b, d = (np.moveaxis(part, -3, 0) for part in (model.B, model.D))
+    e = -np.linalg.solve(model.A, b[0])
+    scale = np.abs(model.C) @ np.abs(e) + np.abs(d[0])
+    return Relative(model.A, model.C, b[1] - e, model.C @ e + d[0], d[1], scale, e)
 
 
-def relative_slope(model: Matrices, whole: Relative, along: Matrices, size: float) -> Relative:
-    """Slope of all that along a number of some ``size`` (in its SI unit), from the slope of the matrices."""
-    e = -np.linalg.solve(model.A, along.B[0] + along.A @ whole.E)
-    d = along.C @ whole.E + model.C @ e + along.D[0]
-    sizes = np.abs(np.linalg.inv(model.A)) @ (np.abs(along.B[0]) + np.abs(along.A) @ np.abs(whole.E))
-    scale = np.abs(along.C) @ np.abs(whole.E) + np.abs(model.C) @ sizes + np.abs(along.D[0])
-    return Relative(along.A, along.C, along.B[1] - e, d, along.D[1], np.maximum(scale, whole.scale / size), e)
+def relative_slopes(model: Matrices, whole: Relative, along: Matrices, sizes: Array) -> Relative:
+    """Slopes of all that along numbers of some ``sizes`` (members, numbers; SI), from the slopes of the matrices."""
+    b, d = (np.moveaxis(part, -3, 0) for part in (along.B, along.D))
+    a, c, still = model.A[:, None], model.C[:, None], whole.E[:, None]
+    e = -np.linalg.solve(a, b[0] + along.A @ still)
+    left = along.C @ still + c @ e + d[0]
+    moved = np.abs(np.linalg.inv(a)) @ (np.abs(b[0]) + np.abs(along.A) @ np.abs(still))
+    scale = np.abs(along.C) @ np.abs(still) + np.abs(c) @ moved + np.abs(d[0])
+    scale = np.maximum(scale, whole.scale[:, None] / sizes[:, :, None, None])
+    return Relative(along.A, along.C, b[1] - e, left, d[1], scale, e)
 
 
 @dataclass(frozen=True)
 class Group:
-    """Wheels that one noise drives at one time: how much later than the first (s), and who they are."""
+    """Wheels that one noise drives at one time: how much later than the first (s, of each member), and who they are."""
 
-    delay: float
+    delay: Array
     wheels: tuple[int, ...]
 
 
+Number = TypeVar("Number", np.float64, np.complex128)
 Source = tuple[Group, ...]
 """One noise and its wheels, by rising delay."""
 
 
-def sources_of(delays: Sequence[float], sides: Sequence[int], *, same: bool) -> tuple[Source, ...]:
-    """Sort wheels by what drives them: one noise for all (``same``), or one for each side (1 left, -1 right)."""
+def sources_of(delays: Array, sides: Sequence[int], *, same: bool) -> tuple[Source, ...] | None:
+    """Sort wheels by what drives them: one noise for all (``same``), or one for each side (1 left, -1 right).
+
+    ``delays`` (members, wheels) are in s. None where the wheels of different members follow each other differently.
+    """
     found = []
     for side in (0,) if same else sorted(set(sides), reverse=True):
-        members = [i for i in range(len(delays)) if same or sides[i] == side]
-        times = sorted({delays[i] for i in members})
-        found.append(tuple(Group(time, tuple(i for i in members if delays[i] == time)) for time in times))
+        members = [i for i in range(len(sides)) if same or sides[i] == side]
+        times = sorted({float(delays[0, i]) for i in members})
+        groups = [tuple(i for i in members if delays[0, i] == time) for time in times]
+        firsts = delays[:, [wheels[0] for wheels in groups]]
+        if np.any(np.diff(firsts, axis=1) <= 0.0):
+            return None
+        if any(np.any(delays[:, list(wheels)] != delays[:, [wheels[0]]]) for wheels in groups):
+            return None
+        found.append(tuple(Group(firsts[:, k], wheels) for k, wheels in enumerate(groups)))
     return tuple(found)
 
 
-def _sum(terms: Iterable[Array]) -> Array:
-    return np.asarray(np.sum(list(terms), axis=0), dtype=np.float64)
+def _summed(table: Array, source: Source) -> Array:
+    """Sums of columns (..., wheels) over the wheels of each group: (..., groups)."""
+    return np.stack([table[..., list(group.wheels)].sum(axis=-1) for group in source], axis=-1)
 
 
-class Schur:
-    """Lyapunov equations ``A X + X A' + Q = 0`` of one matrix (n, n), solved by its Schur form."""
+def _outer(first: Array, second: Array) -> Array:
+    return np.asarray(first[..., :, None] * second[..., None, :])
 
-    def __init__(self, a: Array) -> None:
-        from scipy.linalg import schur
 
-        self.form, self.basis = schur(a, output="real")
+def _turned(matrices: NDArray[Number]) -> NDArray[Number]:
+    return np.swapaxes(matrices, -1, -2)
+
+
+class Lyapunov:
+    """Equations ``A X + X A' + Q = 0`` of matrices (members, n, n): by eigenvectors, or by Schur forms without them."""
+
+    def __init__(self, a: Array, eigen: Eigen) -> None:
+        self.a, self.eigen = a, eigen
+        self._sums = eigen.values[:, :, None] + eigen.values[:, None, :]
+        self._schur: dict[int, tuple[Array, Array]] = {}
 
     def solve(self, q: Array) -> Array:
-        """Give X for any Q (n, n)."""
+        """Give X for any Q (members, n, n), or (members, numbers, n, n)."""
+        found = self._by_eigenvectors(q)
+        a = self._beside(self.a, q)
+        found = found + self._by_eigenvectors(a @ found + found @ _turned(a) + q)  # takes away their rounding
+        for k in np.flatnonzero(~self.eigen.is_sound):
+            for place in np.ndindex(q.shape[1:-2]):
+                found[(k, *place)] = self._by_schur(int(k), q[(k, *place)])
+        return found
+
+    def _beside(self, part: Any, q: Array) -> Any:
+        return part if q.ndim == self.a.ndim else part[:, None]
+
+    def _by_eigenvectors(self, q: Array) -> Array:
+        vectors, inverse, sums = (
+            self._beside(part, q) for part in (self.eigen.vectors, self.eigen.inverse, self._sums)
+        )
+        inner = inverse @ q @ _turned(inverse)
+        return np.asarray((vectors @ (-inner / sums) @ _turned(vectors)).real)
+
+    def _by_schur(self, k: int, q: Array) -> Array:
+        from scipy.linalg import schur
         from scipy.linalg.lapack import dtrsyl
 
-        inner = self.basis.T @ q @ self.basis
-        found, scale, _ = dtrsyl(self.form, self.form, -inner, tranb="T")
-        return np.asarray(scale * (self.basis @ found @ self.basis.T), dtype=np.float64)
+        if k not in self._schur:
+            self._schur[k] = schur(self.a[k], output="real")
+        form, basis = self._schur[k]
+        found, scale, _ = dtrsyl(form, form, -(basis.T @ q @ basis), tranb="T")
+        return np.asarray(scale * (basis @ found @ basis.T), dtype=np.float64)
 
 
 class Flow:
-    """Exponential of a matrix (n, n, in 1/s) over times, and its slopes, by eigenvectors where they are independent."""
+    """Exponentials of matrices (members, n, n; 1/s) over times, and their slopes: by eigenvectors where they serve."""
 
-    def __init__(self, a: Array) -> None:
-        self.a = a
-        self._values, self._vectors = np.linalg.eig(a)
-        self._are_independent = bool(np.linalg.cond(self._vectors) < _DEFECTIVE)
-        self._inverse = np.linalg.inv(self._vectors) if self._are_independent else self._vectors
-        self._known: dict[float, Array] = {}
+    def __init__(self, a: Array, eigen: Eigen) -> None:
+        self.a, self.eigen = a, eigen
 
-    def at(self, time: float) -> Array:
-        """Flow over a time, s."""
-        if time not in self._known:
-            self._known[time] = self._exponential(time)
-        return self._known[time]
+    def at(self, time: Array) -> Array:
+        """Flow over the time of each member, s."""
+        eigen = self.eigen
+        grown = np.exp(eigen.values * time[:, None])
+        found = np.asarray(((eigen.vectors * grown[:, None, :]) @ eigen.inverse).real)
+        for k in np.flatnonzero(~eigen.is_sound):
+            from scipy.linalg import expm
 
-    def _exponential(self, time: float) -> Array:
-        if self._are_independent:
-            return np.asarray(((self._vectors * np.exp(self._values * time)) @ self._inverse).real)
-        from scipy.linalg import expm
+            found[k] = expm(self.a[k] * time[k])
+        return found
 
-        return np.asarray(expm(self.a * time), dtype=np.float64)
-
-    def slope(self, time: float, along: Array) -> Array:
-        """Slope of the flow over a time (s) along that of the matrix."""
-        if time == 0.0:
-            return np.zeros_like(self.a)
-        if not self._are_independent:
-            from scipy.linalg import expm_frechet
-
-            return np.asarray(expm_frechet(self.a * time, along * time, compute_expm=False), dtype=np.float64)
-        first, second = self._values[:, None] * time, self._values[None, :] * time
+    def slopes(self, time: Array, along: Array) -> Array:
+        """Slopes of the flow over the time of each member (s) along those of the matrices (members, numbers, n, n)."""
+        eigen = self.eigen
+        scaled = eigen.values * time[:, None]
+        first, second = scaled[:, :, None], scaled[:, None, :]
         half = 0.5 * (first - second)
         is_near = np.abs(half) < 1e-3
         safe = np.where(is_near, 1.0, half)
@@ -170,177 +220,195 @@ class Flow:
         divided = np.where(
             is_near, np.exp(0.5 * (first + second)) * steep, (np.exp(first) - np.exp(second)) / (2.0 * safe)
         )
-        inner = divided * (self._inverse @ along @ self._vectors) * time
-        return np.asarray((self._vectors @ inner @ self._inverse).real)
+        vectors, inverse = eigen.vectors[:, None], eigen.inverse[:, None]
+        inner = (divided * time[:, None, None])[:, None] * (inverse @ along @ vectors)
+        found = np.asarray((vectors @ inner @ inverse).real)
+        for k in np.flatnonzero(~eigen.is_sound):
+            from scipy.linalg import expm_frechet
+
+            for i, part in enumerate(along[k]):
+                found[k, i] = expm_frechet(self.a[k] * time[k], part * time[k], compute_expm=False)
+        return found
 
 
 @dataclass(frozen=True)
 class Covariance:
-    """Variances of the outputs of a relative model under unit white noise, and their slopes."""
+    """Variances of the outputs of relative models under unit white noise, and their slopes."""
 
     model: Relative
+    eigen: Eigen
     sources: tuple[Source, ...]
 
     @cached_property
-    def _schur(self) -> Schur:
-        return Schur(self.model.A)
+    def _lyapunov(self) -> Lyapunov:
+        return Lyapunov(self.model.A, self.eigen)
+
+    @cached_property
+    def _flows(self) -> Flow:
+        return Flow(self.model.A, self.eigen)
 
     def absent(self) -> dict[int, str]:
-        """Outputs that have no stationary variance, with the reason."""
+        """Outputs that have no stationary variance in some member, with the reason."""
         model, found = self.model, {}
         size = np.abs(model.C) @ np.abs(model.b)
         for source in self.sources:
             wheels = [i for group in source for i in group.wheels]
-            left = np.abs(model.d[:, wheels].sum(axis=1)) > _NOTHING * model.scale[:, wheels].sum(axis=1)
-            kicked = np.zeros(len(left), dtype=bool)
-            for group in source:
-                chosen = list(group.wheels)
-                kicked |= np.abs(model.f[:, chosen].sum(axis=1)) > _NOTHING * size[:, chosen].sum(axis=1)
+            left = np.abs(model.d[..., wheels].sum(axis=-1)) > _NOTHING * model.scale[..., wheels].sum(axis=-1)
+            kicked = np.any(np.abs(_summed(model.f, source)) > _NOTHING * _summed(size, source), axis=-1)
+            left, kicked = left.any(axis=0), kicked.any(axis=0)
             found.update(dict.fromkeys(map(int, np.flatnonzero(left)), WANDERS))
             found.update(dict.fromkeys(map(int, np.flatnonzero(kicked & ~left)), KICKED))
         return found
 
     def variances(self) -> Array:
-        """Variance of each output for noise of intensity 1; without meaning for those that are absent."""
-        total = np.zeros(len(self.model.C))
-        for source in self.sources:
-            state = self._state(source)
-            total += np.einsum("ij,jk,ik->i", self.model.C, state, self.model.C)
+        """Variance of each output (members, outputs) for unit noise; without meaning for those that are absent."""
+        total = np.zeros(self.model.C.shape[:-1])
+        for i, source in enumerate(self.sources):
+            total += np.einsum("sij,sjk,sik->si", self.model.C, self._states[i], self.model.C)
             total += self._offset(source)
         return total
 
+    @cached_property
+    def _states(self) -> list[Array]:
+        """Covariance of the relative states, for each source."""
+        return [self._state(source) for source in self.sources]
+
     def _state(self, source: Source) -> Array:
-        """Covariance of the relative states."""
         drives = self._drives(source)
-        found = self._schur.solve(_sum(np.outer(b, b) for _, b in drives))
+        found = self._lyapunov.solve(_sum(_outer(b, b) for _, b in drives))
         for i, (first, b) in enumerate(drives):
             for second, other in drives[i + 1 :]:
-                cross = self._flow(second - first) @ self._schur.solve(np.outer(b, other))
-                found = found + cross + cross.T
+                cross = self._flows.at(second - first) @ self._lyapunov.solve(_outer(b, other))
+                found = found + cross + _turned(cross)
         return np.asarray(found)
 
-    def _drives(self, source: Source) -> list[tuple[float, Array]]:
-        return [(group.delay, self.model.b[:, list(group.wheels)].sum(axis=1)) for group in source]
+    def _drives(self, source: Source) -> list[tuple[Array, Array]]:
+        return [(group.delay, self.model.b[..., list(group.wheels)].sum(axis=-1)) for group in source]
 
-    @cached_property
-    def _flows(self) -> Flow:
-        return Flow(self.model.A)
-
-    def _flow(self, time: float) -> Array:
-        return self._flows.at(time)
-
-    def _steps(self, source: Source, d: Array) -> list[tuple[float, float, Array]]:
+    def _steps(self, source: Source, d: Array) -> list[tuple[Array, Array, Array]]:
         """Between the delays: begin, end (s) and how far an output is moved by a unit step of the road meanwhile."""
-        found, reached = [], np.zeros(len(d))
+        found, reached = [], np.zeros(d.shape[:-1])
         for group, after in pairwise(source):
-            reached = reached + d[:, list(group.wheels)].sum(axis=1)
+            reached = reached + d[..., list(group.wheels)].sum(axis=-1)
             found.append((group.delay, after.delay, reached))
         return found
 
-    def _reach(self, time: float) -> Array:
+    def _reach(self, time: Array) -> Array:
         """Integral of the flow from 0 to a time."""
-        return np.asarray(np.linalg.solve(self.model.A, self._flow(time) - np.eye(len(self.model.A))), dtype=np.float64)
+        a = self.model.A
+        return np.asarray(np.linalg.solve(a, self._flows.at(time) - np.eye(a.shape[-1])), dtype=np.float64)
 
     def _offset(self, source: Source) -> Array:
         """What heights that differ between wheels add to the variances."""
-        found = np.zeros(len(self.model.C))
+        found = np.zeros(self.model.C.shape[:-1])
         for begin, end, reached in self._steps(source, self.model.d):
-            found += reached**2 * (end - begin)
+            found += reached**2 * (end - begin)[:, None]
             for delay, b in self._drives(source):
-                if delay <= begin:
-                    moved = (self._reach(end - delay) - self._reach(begin - delay)) @ b
-                    found += 2.0 * reached * (self.model.C @ moved)
+                if delay[0] <= begin[0]:
+                    moved = (self._reach(end - delay) - self._reach(begin - delay)) @ b[:, :, None]
+                    found += 2.0 * reached * (self.model.C @ moved)[:, :, 0]
         return found
 
     def slopes(self, along: Relative, later: Array) -> Array:
-        """Slope of the variances along a number: ``along`` of the model, ``later`` (wheels,) of the delays, s.
+        """Slopes (members, numbers, outputs) of the variances: ``along`` of the model, ``later`` of the delays, s.
 
-        What would begin to follow the road's height when the number moves has none: not a number.
+        ``later`` has the shape (members, numbers, wheels). What would begin to follow the road's height when a number
+        moves has no slope: not a number.
         """
-        total = np.zeros(len(self.model.C))
-        for source in self.sources:
-            state = self._state(source)
-            change = self._state_slope(source, along, later)
-            total += 2.0 * np.einsum("ij,jk,ik->i", along.C, state, self.model.C)
-            total += np.einsum("ij,jk,ik->i", self.model.C, change, self.model.C)
-            total += self._offset_slope(source, along, later)
+        total = np.zeros(along.C.shape[:-1])
+        for i, source in enumerate(self.sources):
+            change = self._state_slopes(source, along, later)
+            total += 2.0 * np.einsum("snij,sjk,sik->sni", along.C, self._states[i], self.model.C)
+            total += np.einsum("sij,snjk,sik->sni", self.model.C, change, self.model.C)
+            total += self._offset_slopes(source, along, later)
             wheels = [i for group in source for i in group.wheels]
-            begins = np.abs(along.d[:, wheels].sum(axis=1)) > _BEGINS * along.scale[:, wheels].sum(axis=1)
+            begins = np.abs(along.d[..., wheels].sum(axis=-1)) > _BEGINS * along.scale[..., wheels].sum(axis=-1)
             total[begins] = np.nan
         return total
 
-    def _moving(self, source: Source, along: Relative, later: Array) -> list[tuple[float, Array, float, Array]]:
+    def _moving(self, source: Source, along: Relative, later: Array) -> list[tuple[Array, Array, Array, Array]]:
         """Delay, drive, and the slopes of both for each group."""
         return [
-            (time, b, float(later[group.wheels[0]]), along.b[:, list(group.wheels)].sum(axis=1))
+            (time, b, later[..., group.wheels[0]], along.b[..., list(group.wheels)].sum(axis=-1))
             for (time, b), group in zip(self._drives(source), source, strict=True)
         ]
 
-    def _solve_slope(self, solution: Array, noise: Array, along: Array) -> Array:
-        """Slope of X with ``A X + X A' + Q = 0`` from those of Q and A."""
-        return self._schur.solve(along @ solution + solution @ along.T + noise)
+    def _solve_slopes(self, solution: Array, noise: Array, along: Array) -> Array:
+        """Slopes of X with ``A X + X A' + Q = 0`` from those of Q and A."""
+        whole = solution[:, None]
+        return self._lyapunov.solve(along @ whole + whole @ _turned(along) + noise)
 
-    def _state_slope(self, source: Source, along: Relative, later: Array) -> Array:
+    def _state_slopes(self, source: Source, along: Relative, later: Array) -> Array:
         groups = self._moving(source, along, later)
-        own = self._schur.solve(_sum(np.outer(b, b) for _, b, _, _ in groups))
-        found = self._solve_slope(own, _sum(np.outer(b, e) + np.outer(e, b) for _, b, _, e in groups), along.A)
+        own = self._lyapunov.solve(_sum(_outer(b, b) for _, b, _, _ in groups))
+        noise = _sum(_outer(b[:, None], e) + _outer(e, b[:, None]) for _, b, _, e in groups)
+        found = self._solve_slopes(own, noise, along.A)
         for i, (first, b, first_later, moved) in enumerate(groups):
             for second, other, second_later, other_moved in groups[i + 1 :]:
-                x = self._schur.solve(np.outer(b, other))
-                slope = self._solve_slope(x, np.outer(moved, other) + np.outer(b, other_moved), along.A)
-                flow, flow_slope = self._flow_slope(second - first, second_later - first_later, along.A)
-                cross = flow_slope @ x + flow @ slope
-                found = found + cross + cross.T
+                x = self._lyapunov.solve(_outer(b, other))
+                noise = _outer(moved, other[:, None]) + _outer(b[:, None], other_moved)
+                slopes = self._solve_slopes(x, noise, along.A)
+                flow, flow_slopes = self._flow_slopes(second - first, second_later - first_later, along.A)
+                cross = flow_slopes @ x[:, None] + flow[:, None] @ slopes
+                found = found + cross + _turned(cross)
         return np.asarray(found)
 
-    def _flow_slope(self, time: float, later: float, along: Array) -> tuple[Array, Array]:
-        """Flow over a time and its slope along a number that moves A and the time."""
-        flow = self._flow(time)
-        return flow, self._flows.slope(time, along) + self.model.A @ flow * later
+    def _flow_slopes(self, time: Array, later: Array, along: Array) -> tuple[Array, Array]:
+        """Flow over a time and its slopes along numbers that move A and the time."""
+        flow = self._flows.at(time)
+        return flow, self._flows.slopes(time, along) + (self.model.A @ flow)[:, None] * later[:, :, None, None]
 
-    def _reach_slope(self, time: float, later: float, along: Array) -> tuple[Array, Array]:
-        flow, slope = self._flow_slope(time, later, along)
-        reach = np.linalg.solve(self.model.A, flow - np.eye(len(along)))
-        moved = np.linalg.solve(self.model.A, slope - along @ reach)
+    def _reach_slopes(self, time: Array, later: Array, along: Array) -> tuple[Array, Array]:
+        flow, slopes = self._flow_slopes(time, later, along)
+        a = self.model.A
+        reach = np.linalg.solve(a, flow - np.eye(a.shape[-1]))
+        moved = np.linalg.solve(a[:, None], slopes - along @ reach[:, None])
         return np.asarray(reach, dtype=np.float64), np.asarray(moved, dtype=np.float64)
 
-    def _offset_slope(self, source: Source, along: Relative, later: Array) -> Array:
-        found, model = np.zeros(len(self.model.C)), self.model
+    def _offset_slopes(self, source: Source, along: Relative, later: Array) -> Array:
+        found, model = np.zeros(along.C.shape[:-1]), self.model
         groups = self._moving(source, along, later)
         moved = self._steps(source, along.d)
-        for i, (begin, end, reached) in enumerate(self._steps(source, model.d)):
-            step, lengthening = moved[i][2], groups[i + 1][2] - groups[i][2]
-            found += 2.0 * reached * step * (end - begin) + reached**2 * lengthening
-            for delay, b, delayed, b_slope in groups[: i + 1]:
-                late, late_slope = self._reach_slope(end - delay, groups[i + 1][2] - delayed, along.A)
-                soon, soon_slope = self._reach_slope(begin - delay, groups[i][2] - delayed, along.A)
-                path, path_slope = (late - soon) @ b, (late_slope - soon_slope) @ b + (late - soon) @ b_slope
-                found += 2.0 * step * (model.C @ path)
-                found += 2.0 * reached * (along.C @ path + model.C @ path_slope)
+        for i, (begin, end, before) in enumerate(self._steps(source, model.d)):
+            step, lengthening, reached = moved[i][2], groups[i + 1][2] - groups[i][2], before[:, None]
+            found += 2.0 * reached * step * (end - begin)[:, None, None] + reached**2 * lengthening[:, :, None]
+            for delay, b, delayed, b_slopes in groups[: i + 1]:
+                late, late_slopes = self._reach_slopes(end - delay, groups[i + 1][2] - delayed, along.A)
+                soon, soon_slopes = self._reach_slopes(begin - delay, groups[i][2] - delayed, along.A)
+                grown = (late - soon)[:, None]
+                path = (late - soon) @ b[:, :, None]
+                path_slopes = (late_slopes - soon_slopes) @ b[:, None, :, None] + grown @ b_slopes[..., None]
+                found += 2.0 * step * (model.C @ path)[:, None, :, 0]
+                found += 2.0 * reached * (along.C @ path[:, None] + model.C[:, None] @ path_slopes)[..., 0]
         return found
 
 
+def _sum(terms: Iterable[Array]) -> Array:
+    return np.asarray(np.sum(list(terms), axis=0), dtype=np.float64)
+
+
 def with_cut_off(model: Matrices, rate: float) -> Matrices:
-    """Model whose wheels' heights are states of their own: ``dz/dt = -rate z + w``, ``rate`` in 1/s.
+    """Models whose wheels' heights are states of their own: ``dz/dt = -rate z + w``, ``rate`` in 1/s.
 
     The result is driven by the noises ``w`` as others by the rates of heights; it has no quasi-static motion left.
     """
-    n, wheels = model.B.shape[1:]
-    a = np.block([[model.A, model.B[0] - rate * model.B[1]], [np.zeros((wheels, n)), -rate * np.eye(wheels)]])
-    c = np.hstack([model.C, model.D[0] - rate * model.D[1]])
-    b = np.stack([np.zeros((n + wheels, wheels)), np.vstack([model.B[1], np.eye(wheels)])])
-    return Matrices(a, b, c, np.stack([np.zeros_like(model.D[0]), model.D[1]]), model.static)
+    b, d = (np.moveaxis(part, -3, 0) for part in (model.B, model.D))
+    *many, n, wheels = b.shape[1:]
+    still, own = np.zeros((*many, wheels, n)), np.broadcast_to(np.eye(wheels), (*many, wheels, wheels))
+    a = np.block([[model.A, b[0] - rate * b[1]], [still, -rate * own]])
+    c = np.concatenate([model.C, d[0] - rate * d[1]], axis=-1)
+    driven = np.concatenate([b[1], own], axis=-2)
+    pushes = np.stack([np.zeros_like(driven), driven], axis=-3)
+    return Matrices(a, pushes, c, np.stack([np.zeros_like(d[0]), d[1]], axis=-3), model.static)
 
 
-def cut_off_slope(along: Matrices, rate: float) -> Matrices:
-    """Slope of that model, from the slope of the matrices; ``rate`` in 1/s."""
-    found: dict[str, Any] = vars(with_cut_off(along, rate)).copy()
-    n = len(along.A)
-    found["A"] = found["A"].copy()
-    found["A"][n:, n:] = 0.0
-    found["B"] = found["B"].copy()
-    found["B"][1, n:] = 0.0
-    return Matrices(**found)
+def cut_off_slopes(along: Matrices, rate: float) -> Matrices:
+    """Slopes of those models, from the slopes of the matrices; ``rate`` in 1/s."""
+    found = with_cut_off(along, rate)
+    n = along.A.shape[-1]
+    found.A[..., n:, n:] = 0.0
+    found.B[..., 1, n:, :] = 0.0
+    return found
 
 
 # a band of frequencies ------------------------------------------------------------------------------------------------
@@ -348,64 +416,87 @@ def cut_off_slope(along: Matrices, rate: float) -> Matrices:
 
 _PANELS = 12  # a decade
 _POINTS = 8  # of Gauss and Legendre in each panel
-_NEAR = tuple(0.4 * 2.5**k for k in range(9))  # half widths of a resonance at which panels end
+_NEAR = np.array([0.4 * 2.5**k for k in range(9)])  # half widths of a resonance at which panels end
 _FAR = 0.3  # of its frequency, beyond which a resonance needs no panels of its own
 _PERIODS = 0.4  # of the waves between front and rear that a panel may hold
-_CHUNK = 80  # nodes summed at once: small products stay on one core, and several cores would only wait for each other
-_DEFECTIVE_BAND = 1e6  # condition of the eigenvectors beyond which they are not used
+_SMALL = 200_000  # terms summed at once: small products stay on one core, and several cores would only wait
 
 
-def frequencies(low: float, high: float, a: Array, delay: float) -> tuple[Array, Array]:
-    """Nodes and weights (Hz) of a quadrature over a band that resolves a model's resonances and longest delay (s)."""
-    count = max(1, int(np.ceil(_PANELS * np.log10(high / low))))
-    edges = [*np.geomspace(low, high, count + 1)]
-    for value in np.linalg.eigvals(a):
-        middle, width = abs(value.imag) / (2.0 * np.pi), abs(value.real) / (2.0 * np.pi)
-        if value.imag > 0.0:
-            reach = [share * width for share in _NEAR if share * width < _FAR * middle]
-            edges += [middle + side * way for way in reach for side in (-1.0, 1.0)]
-    inside = np.unique([edge for edge in edges if low <= edge <= high])
-    if delay > 0.0:
-        parts = np.maximum(1, np.ceil(np.diff(inside) * delay / _PERIODS).astype(int))
-        first, width = np.repeat(inside[:-1], parts), np.repeat(np.diff(inside) / parts, parts)
-        place = np.arange(len(first)) - np.repeat(np.cumsum(parts) - parts, parts)
-        inside = np.append(first + place * width, inside[-1])
+@cache
+def _gauss() -> tuple[Array, Array]:
+    """Points and weights of a panel."""
     points, weights = np.polynomial.legendre.leggauss(_POINTS)
-    half, middle_of = 0.5 * np.diff(inside), 0.5 * (inside[1:] + inside[:-1])
-    nodes = (middle_of[:, None] + half[:, None] * points).ravel()
-    return nodes, (half[:, None] * weights).ravel()
+    return points, weights
+
+
+def frequencies(low: float, high: float, values: Complex, delay: Array) -> tuple[Array, Array]:
+    """Nodes and weights (Hz) of a quadrature over a band that resolves models' resonances and longest delays (s).
+
+    The eigenvalues (members, n) are in 1/s; nodes and weights have the shape (members, nodes). Members that need fewer
+    have nodes at the end of the band without weight.
+    """
+    count = max(1, int(np.ceil(_PANELS * np.log10(high / low))))
+    middle, width = np.abs(values.imag) / (2.0 * np.pi), np.abs(values.real) / (2.0 * np.pi)
+    reach = _NEAR * width[:, :, None]
+    is_needed = (values.imag > 0.0)[:, :, None] & (reach < _FAR * middle[:, :, None])
+    own = np.concatenate([middle[:, :, None] - reach, middle[:, :, None] + reach], axis=2)
+    is_needed = np.concatenate([is_needed, is_needed], axis=2) & (own > low) & (own < high)
+    own = np.where(is_needed, own, high).reshape(len(values), -1)
+    most = int(np.max(np.count_nonzero(own < high, axis=1), initial=0))
+    common = np.geomspace(low, high, count + 1)
+    edges = np.sort(np.concatenate([np.tile(common, (len(values), 1)), np.sort(own, axis=1)[:, :most]], axis=1))
+    if np.any(delay > 0.0):
+        edges = _divided(edges, delay)
+    points, weights = _gauss()
+    half, middle_of = 0.5 * np.diff(edges), 0.5 * (edges[:, 1:] + edges[:, :-1])
+    nodes = middle_of[:, :, None] + half[:, :, None] * points
+    return nodes.reshape(len(values), -1), (half[:, :, None] * weights).reshape(len(values), -1)
+
+
+def _divided(edges: Array, delay: Array) -> Array:
+    """Panels so short that each holds few waves of the longest delay; where others need more, the last edge repeats."""
+    lengths = np.diff(edges)
+    parts = np.maximum(1, np.ceil(lengths * delay[:, None] / _PERIODS).astype(int))
+    counts = parts.sum(axis=1)
+    flat = parts.ravel()
+    first, width = np.repeat(edges[:, :-1].ravel(), flat), np.repeat(lengths.ravel() / flat, flat)
+    place = np.arange(len(first)) - np.repeat(np.cumsum(flat) - flat, flat)
+    found = np.tile(edges[:, -1:], (1, int(counts.max()) + 1))
+    member = np.repeat(np.arange(len(edges)), counts)
+    found[member, np.arange(len(first)) - np.repeat(np.cumsum(counts) - counts, counts)] = first + place * width
+    return found
 
 
 class Inverse:
-    """``(s - A)^-1`` at many frequencies (rad/s times i), by eigenvectors where they are independent."""
+    """``(s - A)^-1`` of models at frequencies (members, f; rad/s times i): by eigenvectors where they serve."""
 
-    def __init__(self, a: Array, s: Complex) -> None:
-        self.a, self.s = a, s
-        values, self._vectors = np.linalg.eig(a)
-        self._are_independent = bool(np.linalg.cond(self._vectors) < _DEFECTIVE_BAND)
-        self._shares = 1.0 / (s[:, None] - values)
-        self._left = np.linalg.inv(self._vectors) if self._are_independent else self._vectors
+    def __init__(self, a: Array, eigen: Eigen, s: Complex) -> None:
+        self.a, self.eigen, self.s = a, eigen, s
+        self._shares = 1.0 / (s[:, None, :] - eigen.values[:, :, None])
 
     def times(self, b: Array) -> Complex:
-        """Inverse times b, shape (n, m): shape (f, n, m)."""
-        if self._are_independent:
-            return np.asarray(self._vectors @ (self._shares[:, :, None] * (self._left @ b)))
-        return np.asarray(np.linalg.solve(self._shifted(), np.broadcast_to(b, (len(self.s), *b.shape))))
+        """Inverse times vectors b, shape (members, n): shape (members, n, f)."""
+        moved = self._shares * (self.eigen.inverse @ b[:, :, None])
+        found = self.eigen.vectors @ moved
+        for k in np.flatnonzero(~self.eigen.is_sound):
+            found[k] = np.linalg.solve(self._shifted(int(k)), b[k][:, None])[:, :, 0].T
+        return np.asarray(found)
 
     def before(self, c: Array) -> Complex:
-        """C, shape (m, n), times the inverse: shape (f, m, n)."""
-        if self._are_independent:
-            return np.asarray(((c @ self._vectors) * self._shares[:, None, :]) @ self._left)
-        turned = np.linalg.solve(np.swapaxes(self._shifted(), 1, 2), np.broadcast_to(c.T, (len(self.s), *c.T.shape)))
-        return np.asarray(np.swapaxes(turned, 1, 2))
+        """C, shape (members, m, n), times the inverse: shape (members, m, n, f)."""
+        seen = (c @ self.eigen.vectors)[:, :, :, None] * self._shares[:, None]
+        found = _turned(self.eigen.inverse)[:, None] @ seen
+        for k in np.flatnonzero(~self.eigen.is_sound):
+            found[k] = np.moveaxis(np.linalg.solve(_turned(self._shifted(int(k))), c[k].T), (0, 2), (2, 0))
+        return np.asarray(found)
 
-    def _shifted(self) -> Complex:
-        return np.asarray(self.s[:, None, None] * np.eye(len(self.a)) - self.a)
+    def _shifted(self, k: int) -> Complex:
+        return np.asarray(self.s[k][:, None, None] * np.eye(self.a.shape[-1]) - self.a[k])
 
 
 @dataclass(frozen=True)
 class _Pull:
-    """Slopes of the variances along A (outputs, n, n; turned), b, C, d, f and the delays of one source."""
+    """Slopes of the variances along A (members, outputs, n, n), b, C, d, f and the delays of one source."""
 
     matrix: Array
     drive: Array
@@ -417,24 +508,25 @@ class _Pull:
 
 @dataclass(frozen=True)
 class Band:
-    """What arrives at the wheels at some frequencies.
+    """What arrives at the wheels at some frequencies (members, f).
 
     ``power`` is the density of the road's height times the weight of the node (m^2); ``gain`` the squared magnitude by
-    which each output is weighted, shape (outputs, f); ``coherence`` the root of that of left and right where they are
-    two sources, None where sources are independent.
+    which each output is weighted, shape (members, outputs, f), None for 1; ``coherence`` the root of that of left and
+    right where they are two sources, None where sources are independent.
     """
 
     frequency: Array
     power: Array
-    gain: Array
+    gain: Array | None = None
     coherence: Array | None = None
 
 
 @dataclass(frozen=True)
 class BandVariance:
-    """Variances of the outputs of a relative model over a band, and their slopes."""
+    """Variances of the outputs of relative models over a band, and their slopes."""
 
     model: Relative
+    eigen: Eigen
     sources: tuple[Source, ...]
     band: Band
 
@@ -444,53 +536,60 @@ class BandVariance:
 
     @cached_property
     def _inverse(self) -> Inverse:
-        return Inverse(self.model.A, self._s)
-
-    def _summed(self, table: Array, source: Source) -> Array:
-        """One column for each group of wheels."""
-        return np.stack([table[:, list(group.wheels)].sum(axis=1) for group in source], axis=1)
+        return Inverse(self.model.A, self.eigen, self._s)
 
     @cached_property
     def _waves(self) -> list[Complex]:
-        """Phase of each group, for each source: shape (f, groups)."""
-        delays = [np.array([group.delay for group in source]) for source in self.sources]
-        return [np.asarray(np.exp(-self._s[:, None] * delay)) for delay in delays]
+        """Phase of each group, for each source: shape (members, groups, f)."""
+        delays = [np.stack([group.delay for group in source], axis=1) for source in self.sources]
+        return [
+            np.asarray(np.exp(-self._s[:, None, :] * delay[:, :, None]))
+            if delay.any()
+            else np.ones((*delay.shape, self._s.shape[1]), dtype=complex)
+            for delay in delays
+        ]
 
     @cached_property
-    def _moved(self) -> list[Complex]:
-        """States for unit rate of the road, for each source: shape (f, n, groups)."""
-        return [self._inverse.times(self._summed(self.model.b, source)) for source in self.sources]
+    def _moved(self) -> list[list[Complex]]:
+        """States for unit rate of the road, for each source and group: shape (members, n, f)."""
+        return [[self._inverse.times(b) for b in _groups(self.model.b, source)] for source in self.sources]
 
     @cached_property
-    def _by_group(self) -> list[Complex]:
-        """Response to unit height, each group at its time: shape (f, outputs, groups)."""
+    def _by_group(self) -> list[list[Complex]]:
+        """Response to unit height, each group at its time: shape (members, outputs, f)."""
         found = []
         for source, moved, waves in zip(self.sources, self._moved, self._waves, strict=True):
-            whole = self.model.C @ moved + self._summed(self.model.f, source)
-            height = whole * self._s[:, None, None] + self._summed(self.model.d, source)
-            found.append(height * waves[:, None, :])
+            d, f = _groups(self.model.d, source), _groups(self.model.f, source)
+            found.append(
+                [
+                    ((self.model.C @ moved[g] + f[g][:, :, None]) * self._s[:, None, :] + d[g][:, :, None])
+                    * waves[:, g, None, :]
+                    for g in range(len(source))
+                ]
+            )
         return found
 
     @cached_property
     def _responses(self) -> list[Complex]:
-        """Response of each output to each source, shape (outputs, f)."""
-        return [np.asarray(part.sum(axis=2).T) for part in self._by_group]
+        """Response of each output to each source, shape (members, outputs, f)."""
+        return [np.asarray(sum(part[1:], start=part[0])) for part in self._by_group]
 
     @cached_property
     def _weights(self) -> Array:
-        """What a squared response counts, shape (outputs, f)."""
-        return self.band.power * self.band.gain
+        """What a squared response counts, shape (members, outputs or 1, f)."""
+        power = self.band.power[:, None, :]
+        return np.asarray(power if self.band.gain is None else power * self.band.gain)
 
     def shares(self) -> Array:
-        """What each frequency gives to the variance of each output, in the square of its SI unit: (outputs, f)."""
-        found = np.sum([np.abs(part) ** 2 for part in self._responses], axis=0)
+        """What each frequency gives to the variance of each output, in the square of its SI unit."""
+        found = sum(part.real**2 + part.imag**2 for part in self._responses)
         if self.band.coherence is not None:
-            found = found + 2.0 * self.band.coherence * self._shared()
+            found = found + 2.0 * self.band.coherence[:, None, :] * self._shared()
         return np.asarray(found * self._weights)
 
     def variances(self) -> Array:
-        """Variance of each output, in the square of its SI unit."""
-        return np.asarray(np.sum(self.shares(), axis=1))
+        """Variance of each output (members, outputs), in the square of its SI unit."""
+        return np.asarray(np.sum(self.shares(), axis=-1))
 
     def _shared(self) -> Array:
         left, right = self._responses
@@ -498,62 +597,72 @@ class BandVariance:
 
     @cached_property
     def _pulls(self) -> list[_Pull]:
-        """How the variances follow the parts of the model, for each source: once for all slopes."""
+        """How the variances follow the parts of the models, for each source: once for all slopes."""
         seen = self._inverse.before(self.model.C)
         return [self._pull(i, seen) for i in range(len(self.sources))]
 
     def _pull(self, i: int, seen: Complex) -> _Pull:
         answer = self._responses[i].conj()
         if self.band.coherence is not None:
-            answer = answer + self.band.coherence * self._responses[1 - i].conj()
+            answer = answer + self.band.coherence[:, None, :] * self._responses[1 - i].conj()
         answer = 2.0 * answer * self._weights
-        waves = self._waves[i]
-        rates = waves * self._s[:, None]
-        state = np.einsum("fng,fg->fn", self._moved[i], rates)
-        return _Pull(
-            _summed_products(state, answer, seen),
-            np.swapaxes(_summed_products(rates, answer, seen), 1, 2),
-            np.einsum("rf,fn->rn", answer, state).real,  # without the cores of a matrix product, as above
-            np.einsum("rf,fg->rg", answer, waves).real,
-            np.einsum("rf,fg->rg", answer, rates).real,
-            np.einsum("rf,f,frg->rg", answer, self._s, self._by_group[i]).real,
-        )
+        members, outputs, count = answer.shape
+        waves, n = self._waves[i], self.model.A.shape[-1]
+        rates = waves * self._s[:, None, :]
+        state = sum(moved * rates[:, g, None, :] for g, moved in enumerate(self._moved[i]))
+        late = np.stack([np.sum(answer * self._s[:, None, :] * part, axis=2).real for part in self._by_group[i]], -1)
+        driven = np.concatenate([state, rates], axis=1)
+        led = (seen * answer[:, :, None, :]).reshape(members, outputs * n, count)
+        inner = _summed_products(led, driven).reshape(members, outputs, n, -1)
+        outer = _summed_products(answer, np.concatenate([driven, waves], axis=1))
+        end = driven.shape[1]
+        return _Pull(inner[..., :n], inner[..., n:], outer[..., :n], outer[..., end:], outer[..., n:end], late)
 
     def slopes(self, along: Relative, later: Array, coherence: Array | None = None) -> Array:
-        """Slope of the variances along a number, from those of model, delays (``later``, s) and coherence."""
-        total = np.zeros(len(self.model.C))
+        """Slopes (members, numbers, outputs) of the variances, from those of models, delays and coherence.
+
+        ``later`` are those of the delays (members, numbers, wheels), s; ``coherence`` (members, numbers, f).
+        """
+        total = np.zeros(along.C.shape[:-1])
         for source, pull in zip(self.sources, self._pulls, strict=True):
-            late = np.array([later[group.wheels[0]] for group in source])
-            total += np.einsum("rij,ji->r", pull.matrix, along.A)
-            total += np.einsum("rjg,jg->r", pull.drive, self._summed(along.b, source))
-            total += np.sum(pull.state * along.C, axis=1) - pull.delay @ late
-            total += np.sum(pull.height * self._summed(along.d, source), axis=1)
-            total += np.sum(pull.rate * self._summed(along.f, source), axis=1)
+            late = np.stack([later[..., group.wheels[0]] for group in source], axis=-1)
+            total += np.einsum("srji,snji->snr", pull.matrix, along.A)
+            total += np.einsum("srjg,snjg->snr", pull.drive, _summed(along.b, source))
+            total += np.einsum("srj,snrj->snr", pull.state, along.C) - np.einsum("srg,sng->snr", pull.delay, late)
+            total += np.einsum("srg,snrg->snr", pull.height, _summed(along.d, source))
+            total += np.einsum("srg,snrg->snr", pull.rate, _summed(along.f, source))
         if coherence is not None:
-            total += np.sum(2.0 * coherence * self._shared() * self._weights, axis=1)
+            total += np.einsum("snf,srf->snr", 2.0 * coherence, self._shared() * self._weights)
         return total
 
 
-def _summed_products(left: Complex, weights: Complex, right: Complex) -> Array:
-    """Real part of the sum over f of weights (r, f) times left (f, n) times right (f, r, m): shape (r, n, m)."""
-    total: Array = np.zeros((weights.shape[0], left.shape[1], right.shape[2]))
-    for first in range(0, len(left), _CHUNK):
-        part = slice(first, first + _CHUNK)
-        total += ((left[part].T * weights[:, None, part]) @ np.swapaxes(right[part], 0, 1)).real
+def _groups(table: Array, source: Source) -> list[Array]:
+    """The same sums, one array (members, ...) for each group."""
+    return [table[..., list(group.wheels)].sum(axis=-1) for group in source]
+
+
+def _summed_products(left: Complex, right: Complex) -> Array:
+    """Real part of the sums over f of left (members, i, f) times right (members, j, f): shape (members, i, j)."""
+    total: Array = np.zeros((len(left), left.shape[1], right.shape[1]))
+    step = max(16, _SMALL // (left.shape[1] * right.shape[1]))
+    for first in range(0, left.shape[2], step):
+        part = slice(first, first + step)
+        total += (left[:, :, part] @ _turned(right[:, :, part])).real
     return total
 
 
-def longest_delay(sources: Sequence[Source]) -> float:
-    """Longest delay (s) between wheels that one source drives."""
-    return max(source[-1].delay - source[0].delay for source in sources)
+def longest_delay(sources: Sequence[Source]) -> Array:
+    """Longest delay (s) of each member between wheels that one source drives."""
+    return np.asarray(np.max([source[-1].delay - source[0].delay for source in sources], axis=0))
 
 
-# variances of the signals of a rig ------------------------------------------------------------------------------------
+# variances of the signals of rigs -------------------------------------------------------------------------------------
 
 
 Gain = Callable[[Array], Array]
 """Magnitude (1) of a weighting at frequencies (Hz)."""
 _TRACK_STEP = 1e-4  # relative, of the difference that gives the slope of a coherence
+_AT_ONCE = 256  # members times states times signals: with more, what they need leaves the processor's near memory
 
 
 @dataclass(frozen=True)
@@ -566,10 +675,10 @@ class Signal:
 
 @dataclass(frozen=True)
 class Moments:
-    """Variances and static values of signals, SI, shape (signals,), and their slopes, shape (numbers, signals).
+    """Variances and static values of signals, SI, (members, signals), and their slopes, (members, numbers, signals).
 
-    ``absent`` gives the reason for signals without a stationary variance; ``model`` and ``slopes`` are the linear model
-    with all its outputs and its slopes, none where they were not wanted.
+    ``absent`` gives the reason for signals without a stationary variance; ``linear`` has the linear models with all
+    their outputs, and their slopes, none where they were not wanted.
     """
 
     variances: Array
@@ -577,114 +686,163 @@ class Moments:
     variance_slopes: Array
     static_slopes: Array
     absent: dict[int, str]
-    model: Matrices
-    slopes: tuple[Matrices, ...]
+    linear: LinearModels
 
 
 @dataclass(frozen=True)
 class Analysis:
-    """Random vibration of one rig on one road; a weighted signal needs a surface with a band."""
+    """Random vibration of rigs side by side on one road; a weighted signal needs a surface with a band."""
 
-    family: LinearFamily
+    families: Families
     surface: Surface
     signals: tuple[Signal, ...]
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> Moments:
-        """Variances at some values (SI) of the numbers, those of the rig by default."""
-        given = self.family.start if values is None else values
-        model, along = self.family.at(given, slopes=slopes)
+        """Variances at some values (members, numbers; SI), those of the rigs by default."""
+        given = self.families.start if values is None else np.asarray(values, dtype=float)
+        linear = self.families.at(given, slopes=slopes)
+        step = max(1, _AT_ONCE // max(1, linear.model.A.shape[-1] * len(self.signals)))
+        groups = [slice(first, first + step) for first in range(0, len(given), step)]
+        found = [part for group in groups for part in self._members(linear, given, group)]
+        absent = {i: reason for _, _, one in found for i, reason in one.items()}
         rows = [signal.output for signal in self.signals]
-        chosen, moving = without_unreached(model.of_rows(rows), [part.of_rows(rows) for part in along])
-        if self.surface.band is None:
-            found = self._white(chosen, moving, given)
-        else:
-            found = self._banded(chosen, moving, given)
-        count = len(self.signals)
-        static_slopes = np.array([part.static for part in moving]).reshape(len(moving), count)
-        variance_slopes = np.array(found[1]).reshape(len(moving), count)
-        return Moments(found[0], chosen.static, variance_slopes, static_slopes, found[2], model, along)
+        return Moments(
+            np.concatenate([variances for variances, _, _ in found]),
+            linear.model.static[..., rows],
+            np.concatenate([moved for _, moved, _ in found]),
+            linear.along.static[..., rows],
+            absent,
+            linear,
+        )
+
+    def _members(self, linear: LinearModels, values: Array, group: slice) -> list[tuple[Array, Array, dict[int, str]]]:
+        """Variances, their slopes and what is absent of some members: together, or one by one where they differ."""
+        sources = self._sources(values, group)
+        count = len(values[group])
+        if count > 1 and (sources is None or has_neutral(linear.eigen.values[group])):
+            places = range(group.start, group.start + count)
+            return [part for k in places for part in self._members(linear, values, slice(k, k + 1))]
+        assert sources is not None
+        rows = [signal.output for signal in self.signals]
+        model, along = linear.model[group].of_rows(rows), linear.along[group].of_rows(rows)
+        eigen = linear.eigen.of(group)
+        if has_neutral(eigen.values):
+            one, moving = without_unreached(model[0], along[0])
+            model, along, eigen = side_by_side([one]), side_by_side([moving]), Eigen(one.A[None])
+        part = _Part(self, model, along, eigen, sources, values, group)
+        return [part.white() if self.surface.band is None else part.banded()]
+
+    def _sources(self, values: Array, group: slice) -> tuple[Source, ...] | None:
+        delays = self.families.geometry_at(values)[group, :-1] / self.surface.speed
+        sides = [place.side for place in self.families.first.places]
+        return sources_of(delays, sides, same=self.surface.sides == "same")
 
     def densities(self, frequency: Array) -> Array:
         """One-sided densities of the signals, (signals, f), their SI units squared per Hz, at frequencies (f,) in Hz.
 
-        The surface must have a band; outside it they are 0.
+        They are those of the first member. The surface must have a band; outside it they are 0.
         """
-        values = self.family.start
-        model, _ = self.family.at(values, slopes=False)
-        chosen, _ = without_unreached(model.of_rows([signal.output for signal in self.signals]), [])
-        sources, surface = self._sources(values), self.surface
+        values, one = self.families.start[:1], slice(0, 1)
+        linear = Families(self.families.members[:1]).at(values, slopes=False)
+        model = linear.model.of_rows([signal.output for signal in self.signals])[0]
+        chosen = side_by_side([without_unreached(model, linear.along.of_rows([])[0])[0]])
+        sources, surface = self._sources(values, one), self.surface
+        assert sources is not None
         assert surface.band is not None
-        n = frequency / surface.speed
+        eigen, n = Eigen(chosen.A), frequency / surface.speed
         inside = (n >= surface.band[0]) & (n <= surface.band[1])
-        track = float(self.family.geometry_at(values)[-1])
+        track = float(self.families.geometry_at(values)[0, -1])
         shared = surface.shared(n, track) if len(sources) == 2 else None
-        gain = np.ones((len(self.signals), len(n)))
-        band = Band(frequency, inside * surface.heights(n) / surface.speed, gain, shared)
-        return BandVariance(relative(chosen), sources, band).shares()
+        power = inside * surface.heights(n) / surface.speed
+        band = Band(frequency[None], power[None], None, None if shared is None else shared[None])
+        shares: Array = BandVariance(relative(chosen, eigen.values), eigen, sources, band).shares()[0]
+        return shares
 
-    def _sources(self, values: Array) -> tuple[Source, ...]:
-        delays = self.family.geometry_at(values)[:-1] / self.surface.speed
-        sides = [place.side for place in self.family.places]
-        return sources_of([float(delay) for delay in delays], sides, same=self.surface.sides == "same")
 
-    @cached_property
+@dataclass(frozen=True)
+class _Part:
+    """Some members of an analysis that are alike: their models without neutral motions, and what drives them."""
+
+    analysis: Analysis
+    model: Matrices
+    along: Matrices
+    eigen: Eigen
+    sources: tuple[Source, ...]
+    values: Array
+    group: slice
+
+    @property
+    def _sizes(self) -> Array:
+        """Size of each number, 1 (of its SI unit) for zero."""
+        sizes = np.abs(self.values[self.group])
+        return np.where(sizes > 0.0, sizes, 1.0)
+
+    @property
+    def _geometry_slopes(self) -> Array:
+        """Slopes of delays (times speed) and of the width, m, for the numbers whose slopes are wanted."""
+        return np.asarray(self.analysis.families.geometry_slopes[self.group, : self.along.A.shape[1]])
+
+    @property
     def _later(self) -> Array:
-        """Slopes of the delays, s, shape (numbers, wheels)."""
-        return np.asarray(self.family.geometry[1][:, :-1] / self.surface.speed)
+        """Slopes of the delays, s, shape (members, numbers, wheels)."""
+        return np.asarray(self._geometry_slopes[..., :-1] / self.analysis.surface.speed)
 
-    def _white(
-        self, model: Matrices, along: Sequence[Matrices], values: Array
-    ) -> tuple[Array, list[Array], dict[int, str]]:
-        rate, intensity = self.surface.corner_rate, self.surface.intensity
-        whole = model if rate is None else with_cut_off(model, rate)
-        parts = along if rate is None else [cut_off_slope(part, rate) for part in along]
-        found = relative(whole)
-        covariance = Covariance(found, self._sources(values))
-        slopes = [
-            intensity * covariance.slopes(relative_slope(whole, found, part, size), later)
-            for part, later, size in zip(parts, self._later, _sizes(values), strict=True)
-        ]
+    @property
+    def _track(self) -> Array:
+        """Width between left and right of each member, m, shape (members, 1)."""
+        return np.asarray(self.analysis.families.geometry_at(self.values)[self.group, -1:])
+
+    def white(self) -> tuple[Array, Array, dict[int, str]]:
+        """On white noise."""
+        rate, intensity = self.analysis.surface.corner_rate, self.analysis.surface.intensity
+        model, along, eigen = self.model, self.along, self.eigen
+        if rate is not None:
+            model, along = with_cut_off(model, rate), cut_off_slopes(along, rate)
+            eigen = Eigen(model.A)
+        found = relative(model, eigen.values)
+        covariance = Covariance(found, eigen, self.sources)
+        slopes = np.zeros(along.C.shape[:-1])
+        if slopes.size:
+            moving = relative_slopes(model, found, along, self._sizes[:, : along.A.shape[1]])
+            slopes = intensity * covariance.slopes(moving, self._later)
         return intensity * covariance.variances(), slopes, covariance.absent()
 
-    def _banded(
-        self, model: Matrices, along: Sequence[Matrices], values: Array
-    ) -> tuple[Array, list[Array], dict[int, str]]:
-        found, sources = relative(model), self._sources(values)
-        band = self._band(found, sources, float(self.family.geometry_at(values)[-1]))
-        variance = BandVariance(found, sources, band)
-        slopes = []
-        for i, part in enumerate(along):
-            wider = self._coherence_slope(band, i, values)
-            moving = relative_slope(model, found, part, _sizes(values)[i])
-            slopes.append(variance.slopes(moving, self._later[i], wider))
+    def banded(self) -> tuple[Array, Array, dict[int, str]]:
+        """Over the road's spectrum."""
+        found, along = relative(self.model, self.eigen.values), self.along
+        band = self._band()
+        variance = BandVariance(found, self.eigen, self.sources, band)
+        slopes = np.zeros(along.C.shape[:-1])
+        if slopes.size:
+            moving = relative_slopes(self.model, found, along, self._sizes[:, : along.A.shape[1]])
+            slopes = variance.slopes(moving, self._later, self._coherence_slopes(band))
         return variance.variances(), slopes, {}
 
-    def _band(self, model: Relative, sources: tuple[Source, ...], track: float) -> Band:
-        surface = self.surface
+    def _band(self) -> Band:
+        surface, signals = self.analysis.surface, self.analysis.signals
         assert surface.band is not None
         low, high = (n * surface.speed for n in surface.band)
-        frequency, weights = frequencies(low, high, model.A, longest_delay(sources))
-        n = frequency / surface.speed
-        gain = np.ones((len(self.signals), len(n)))
-        for row, signal in zip(gain, self.signals, strict=True):
-            if signal.gain is not None:
-                row[:] = np.abs(signal.gain(frequency)) ** 2
-        shared = surface.shared(n, track) if len(sources) == 2 else None
-        return Band(frequency, weights * surface.heights(n) / surface.speed, gain, shared)
+        frequency, weights = frequencies(low, high, self.eigen.values, longest_delay(self.sources))
+        n, flat = frequency / surface.speed, frequency.ravel()
+        gain = None
+        if any(signal.gain is not None for signal in signals):
+            rows = [
+                np.ones(n.shape) if one.gain is None else (np.abs(one.gain(flat)) ** 2).reshape(n.shape)
+                for one in signals
+            ]
+            gain = np.stack(rows, axis=1)
+        shared = surface.shared(n, self._track) if len(self.sources) == 2 else None
+        heights = surface.heights(n.ravel()).reshape(n.shape)
+        return Band(frequency, weights * heights / surface.speed, gain, shared)
 
-    def _coherence_slope(self, band: Band, number: int, values: Array) -> Array | None:
-        """Slope of the root of the coherence along a number that moves left and right apart."""
-        wider = float(self.family.geometry[1][number, -1])
-        if band.coherence is None or wider == 0.0:
+    def _coherence_slopes(self, band: Band) -> Array | None:
+        """Slopes of the root of the coherence along numbers that move left and right apart: (members, numbers, f)."""
+        wider = self._geometry_slopes[..., -1]
+        if band.coherence is None or not wider.any():
             return None
-        track = float(self.family.geometry_at(values)[-1])
-        n, step = band.frequency / self.surface.speed, _TRACK_STEP * track
-        sides = [self.surface.shared(n, track + sign * step) for sign in (1.0, -1.0)]
-        assert sides[0] is not None
-        assert sides[1] is not None
-        return np.asarray(wider * (sides[0] - sides[1]) / (2.0 * step))
-
-
-def _sizes(values: Array) -> list[float]:
-    """Size of each number, 1 (of its SI unit) for zero."""
-    return [abs(float(value)) or 1.0 for value in values]
+        surface, track = self.analysis.surface, self._track
+        n, step = band.frequency / surface.speed, _TRACK_STEP * track
+        above, below = (surface.shared(n, track + sign * step) for sign in (1.0, -1.0))
+        assert above is not None
+        assert below is not None
+        return np.asarray(wider[:, :, None] * ((above - below) / (2.0 * step))[:, None, :])

@@ -19,7 +19,7 @@ from jounce.core.types import Array
 from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import channels_of, is_channel
 from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Signal
-from jounce.ride.family import LinearFamily
+from jounce.ride.family import Families, LinearFamily
 from jounce.ride.metrics import gaps_of
 from jounce.ride.surface import Density, Sides, Surface, surface
 from jounce.ride.weighting import weighting_response
@@ -216,11 +216,11 @@ def stationary(
         )
     count = len(names)
     signals = [Signal(i) for i in range(count)] + [Signal(names.index(name), gain) for name, gain in gains.items()]
-    found = Analysis(family, chosen, tuple(signals)).at()
-    sigma = np.sqrt(np.maximum(found.variances, 0.0))
-    slopes = found.variance_slopes / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
+    found = Analysis(Families((family,)), chosen, tuple(signals)).at()
+    sigma = np.sqrt(np.maximum(found.variances[0], 0.0))
+    slopes = found.variance_slopes[0] / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
     there = [i for i in range(count) if i not in found.absent]
-    static = dict(zip(names, map(float, found.static[:count]), strict=True))
+    static = dict(zip(names, map(float, found.static[0, :count]), strict=True))
     values = {names[i]: float(sigma[i]) for i in there}
     return StationaryResponse(
         values,
@@ -250,7 +250,9 @@ def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -
     names = [output.name for output in family.compiled.facts.outputs]
     low, high = (n * surface_.speed for n in surface_.band)
     frequency = np.geomspace(low, high, points)
-    densities = Analysis(family, surface_, tuple(Signal(i) for i in range(len(names)))).densities(frequency)
+    densities = Analysis(Families((family,)), surface_, tuple(Signal(i) for i in range(len(names)))).densities(
+        frequency
+    )
     known = {name: row for name, row in zip(names, densities, strict=True) if name in response.standard_deviation}
     return replace(response, spectra=known, frequency=frequency)
 

@@ -81,8 +81,8 @@ class Surface(Plain):
             found = float(self.roughness or 0.0) * (n / REFERENCE) ** -self.waviness
         return np.asarray(found * np.sinc(n * self.contact_length) ** 2)
 
-    def shared(self, n: Array, track: float) -> Array | None:
-        """Root of the coherence (1) of left and right heights at a distance (m); None where they are independent."""
+    def shared(self, n: Array, track: float | Array) -> Array | None:
+        """Root of the coherence (1) of left and right heights at distances (m); None where they are independent."""
         if self.sides not in ("isotropic", "exponential"):
             return None
         found = track_coherence(n, track, model=self.sides, waviness=self.waviness)

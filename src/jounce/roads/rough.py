@@ -92,7 +92,7 @@ def height_variance(roughness: float, low: ArrayLike, high: ArrayLike, waviness:
 
 
 def track_coherence(
-    n: ArrayLike, track: float, *, model: str = "isotropic", decay: float = 5.7, waviness: float = 2.0
+    n: ArrayLike, track: float | Array, *, model: str = "isotropic", decay: float = 5.7, waviness: float = 2.0
 ) -> Array:
     """Coherence gamma^2 between the heights under the left and the right wheels.
 
@@ -101,7 +101,7 @@ def track_coherence(
     n : array_like
         Spatial frequencies in 1/m, at least 0.
     track : float
-        Lateral distance of both tracks in m.
+        Lateral distance of both tracks in m, or an array of them that goes with ``n``.
     model : {"isotropic", "exponential"}
         ``"isotropic"``: the surface has the same spectrum in every direction, gamma = 2 / Gamma(w/2) (y/2)^(w/2)
         K_(w/2)(y) with y = 2 pi n B (for w = 2 this is y K_1(y)); ``"exponential"``: gamma^2 = exp(-decay n B).

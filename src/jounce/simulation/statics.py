@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from functools import cache, cached_property
 
@@ -114,6 +114,91 @@ def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array)
     edge = np.abs(compiled.evaluate("switch", rest.x, still, p, rest.modes)) < _EDGE
     found = _rest(compiled, rest.x, still, p, np.where(edge, 0.5, rest.modes)) if edge.any() else None
     return rest if found is None else found
+
+
+Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]
+"""Rates (members, n, 1), their slopes (members, n, n) and switches (members, k, 1) of many x, u, p and m."""
+
+
+def rests_for_small_motions(compiled: Compiled, balanced: Balanced, p: Array, u: Array) -> tuple[Array, Array]:
+    """States of rest and modes, as :func:`for_small_motions` has them, of a model without loops for many parameters.
+
+    It is the Newton method of one, step by step for all (members, ...) at once; what does not settle is looked for
+    alone, and an error if there is none. ``balanced`` gives what must vanish.
+    """
+    x, modes = np.zeros((len(p), compiled.state_count)), np.zeros((len(p), len(compiled.facts.switches)))
+    left = np.arange(len(p))
+    for guess in _starts(compiled, u[0], None):
+        found, sides, settled = _newton_side_by_side(compiled, balanced, p[left], u[left], guess)
+        x[left[settled]], modes[left[settled]] = found[settled], sides[settled]
+        left = left[~settled]
+        if not len(left):
+            break
+    for k in left:
+        one = for_small_motions(compiled, find_equilibrium(compiled, p[k], u[k]), p[k], u[k])
+        x[k], modes[k] = one.x, one.modes
+    return x, modes
+
+
+_FEW = 12  # steps of Newton for many at once: what needs more is a case of its own
+
+
+def _newton_side_by_side(
+    compiled: Compiled, balanced: Balanced, p: Array, u: Array, guess: Array
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """States, modes, and which of them are at rest; see :func:`_newton`."""
+    n_q, n_v = compiled.facts.counts
+    first, count = n_q + n_v, compiled.state_count
+    x = np.tile(guess, (len(p), 1))
+    modes = np.ones((len(p), len(compiled.facts.switches)))
+    rate, slope, switch = balanced(x, u, p, modes)
+    if modes.size:
+        modes = (switch[:, :, 0] > 0.0).astype(float)
+        rate, slope, _ = balanced(x, u, p, modes)
+    diagonal = np.einsum("sii->si", slope) != 0.0
+    internal = [i for i in range(first, count) if diagonal[:, i].any()]
+    rows = [*range(n_q, first), *internal]
+    settled, lost = np.zeros(len(p), dtype=bool), np.zeros(len(p), dtype=bool)
+    for _ in range(_FEW):
+        moved = np.zeros((len(p), count, len(rows)))
+        moved[:, :n_q, :n_v] = slope[:, :n_q, n_q:first]
+        moved[:, internal, range(n_v, len(rows))] = 1.0
+        try:
+            step = np.asarray(np.linalg.solve(slope[:, rows] @ moved, -rate[:, rows]), dtype=np.float64)
+        except np.linalg.LinAlgError:
+            break
+        steps = (moved @ step)[:, :, 0]
+        x = np.where(settled[:, None], x, x + steps)
+        rate, slope, switch = balanced(x, u, p, modes)
+        sides = (switch[:, :, 0] > 0.0).astype(float)
+        small = _are_small(step[:, :n_v, 0], x[:, :n_q]) & _are_small(step[:, n_v:, 0], x[:, first:])
+        lost |= ~np.all(np.abs(step[:, :n_v, 0]) <= _FAR, axis=1)  # and where a step is not a number
+        settled |= (sides == modes).all(axis=1) & small & ~lost
+        if (settled | lost).all():
+            break
+        if (sides != modes).any():
+            modes = np.where(settled[:, None], modes, sides)
+            rate, slope, _ = balanced(x, u, p, modes)
+    settled &= _are_balanced(x, rate, slope, rows)
+    edge = np.abs(balanced(x, u, p, modes)[2][:, :, 0]) < _EDGE if modes.size else np.zeros(modes.shape, dtype=bool)
+    if edge.any():
+        halved = np.where(edge, 0.5, modes)
+        rate, slope, _ = balanced(x, u, p, halved)
+        modes = np.where(_are_balanced(x, rate, slope, rows)[:, None], halved, modes)
+    return x, modes, settled
+
+
+def _are_small(steps: Array, sizes: Array) -> NDArray[np.bool_]:
+    """For each of many steps whether it is rounding beside what it changes; see :func:`_is_small`."""
+    most, size = (np.max(np.abs(values), axis=1, initial=0.0) for values in (steps, sizes))
+    return np.asarray(most <= 1e-13 + 1e-11 * size)
+
+
+def _are_balanced(x: Array, rate: Array, slope: Array, rows: list[int]) -> NDArray[np.bool_]:
+    """For each of many states whether what is left of the balance is rounding; see :func:`_rest`."""
+    rounding = _EPSILON * np.max(np.abs(slope[:, rows]) @ np.abs(x)[:, :, None], axis=(1, 2), initial=0.0)
+    left = np.max(np.abs(rate[:, rows]), axis=(1, 2), initial=0.0)
+    return np.asarray(left <= _UNBALANCED + _ROUNDINGS * rounding)
 
 
 def _found_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None) -> Equilibrium:

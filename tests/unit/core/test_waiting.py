@@ -34,6 +34,14 @@ def test_a_long_wait_is_logged_again_and_again_with_its_time(caplog):
     assert len(caplog.messages) == count  # it has ended
 
 
+def test_how_far_it_has_come_is_asked_each_time(caplog):
+    done = iter(range(10_000))
+    with caplog.at_level(logging.WARNING, "jounce"), told(lambda: f"design {next(done)} of many"):
+        wait_for(lambda: len(caplog.messages) >= 2)
+    assert caplog.messages[0].startswith("design 0 of many, ")
+    assert caplog.messages[1].startswith("design 1 of many, ")
+
+
 def test_the_longer_it_lasts_the_fewer_lines_say_so(caplog, monkeypatch):
     """Each comes when twice the time of the last one has passed, but not later than half a minute after it."""
     passed = [0.0]

@@ -16,7 +16,7 @@ from jounce.ride.covariance import (
     Flow,
     Group,
     Inverse,
-    Schur,
+    Lyapunov,
     Signal,
     check_stable,
     frequencies,
@@ -24,7 +24,7 @@ from jounce.ride.covariance import (
     relative,
     sources_of,
 )
-from jounce.ride.family import LinearFamily, Matrices, _track_width, without_unreached
+from jounce.ride.family import Eigen, Families, LinearFamily, Matrices, _track_width, side_by_side, without_unreached
 from jounce.ride.stationary import StationaryResponse, stationary, with_spectra
 from jounce.ride.surface import surface
 
@@ -34,6 +34,12 @@ DEFECTIVE = np.array([[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0], [0.0, 0.0, -1.0]])
 TURN = RNG.normal(size=(3, 3))
 NEAR = TURN @ np.diag([-1.0, -1.0028, -3.0]) @ np.linalg.inv(TURN)  # eigenvalues that are nearly the same
 CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE, NEAR], ids=["plain", "defective", "near"])
+
+
+def _three(a: np.ndarray) -> tuple[np.ndarray, Eigen]:
+    """The same matrix three times, side by side."""
+    many = np.tile(a, (3, 1, 1))
+    return many, Eigen(many)
 
 
 @pytest.mark.source(
@@ -47,10 +53,13 @@ CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE, NEAR], ids=["plain", "d
 @CASES
 def test_flow_and_its_slope(a):
     along = np.random.default_rng(6).normal(size=a.shape)
-    for time in (0.0, 0.03, 0.7):
-        assert Flow(a).at(time) == pytest.approx(expm(a * time), rel=1e-10, abs=1e-12)
+    times = np.array([0.0, 0.03, 0.7])
+    flow = Flow(*_three(a))
+    flows, slopes = flow.at(times), flow.slopes(times, np.tile(along, (3, 1, 1, 1)))
+    for k, time in enumerate(times):
+        assert flows[k] == pytest.approx(expm(a * time), rel=1e-10, abs=1e-12)
         exact = expm_frechet(a * time, along * time, compute_expm=False)
-        assert Flow(a).slope(time, along) == pytest.approx(exact, rel=1e-9, abs=1e-12)
+        assert slopes[k, 0] == pytest.approx(exact, rel=1e-9, abs=1e-12)
 
 
 @pytest.mark.source(
@@ -63,43 +72,58 @@ def test_flow_and_its_slope(a):
 )
 @CASES
 def test_lyapunov_equation(a):
-    q = np.random.default_rng(7).normal(size=a.shape)  # need not be symmetric
-    found = Schur(a).solve(q)
-    assert a @ found + found @ a.T + q == pytest.approx(np.zeros_like(a), abs=1e-12)
-    assert found == pytest.approx(solve_continuous_lyapunov(a, -q), rel=1e-10, abs=1e-12)
+    one = np.random.default_rng(7).normal(size=a.shape)  # need not be symmetric
+    many = np.stack([one, 0.2 * one.T, -0.3 * one])
+    equations = Lyapunov(*_three(a))
+    found = equations.solve(many)
+    for x, q in zip(found, many, strict=True):
+        assert a @ x + x @ a.T + q == pytest.approx(np.zeros_like(a), abs=1e-12)
+        assert x == pytest.approx(solve_continuous_lyapunov(a, -q), rel=1e-10, abs=1e-12)
+    assert equations.solve(many[:, None])[:, 0] == pytest.approx(found, rel=1e-14)
 
 
 @CASES
 def test_inverse_at_many_frequencies(a):
     s, rng = 2j * np.pi * np.array([0.1, 1.0, 30.0]), np.random.default_rng(8)
     b, c = rng.normal(size=(len(a), 2)), rng.normal(size=(4, len(a)))
-    inverse = Inverse(a, s)
+    inverse = Inverse(*_three(a), np.tile(s, (3, 1)))
+    columns = [inverse.times(np.tile(column, (3, 1)))[1] for column in b.T]
     for i, value in enumerate(s):
         exact = np.linalg.inv(value * np.eye(len(a)) - a)
-        assert inverse.times(b)[i] == pytest.approx(exact @ b, rel=1e-10)
-        assert inverse.before(c)[i] == pytest.approx(c @ exact, rel=1e-10)
+        moved = np.stack([column[:, i] for column in columns], axis=1)
+        assert moved == pytest.approx(exact @ b, rel=1e-10)
+        assert inverse.before(np.tile(c, (3, 1, 1)))[1, :, :, i] == pytest.approx(c @ exact, rel=1e-10)
 
 
 def test_quadrature_resolves_light_damping_and_delays():
     for ratio in (1e-3, 0.02, 0.5):
         omega = 2 * np.pi * 3.0
         a = np.array([[0.0, 1.0], [-(omega**2), -2 * ratio * omega]])
-        f, weights = frequencies(1e-6, 1e4, a, 0.0)
+        (f,), (weights,) = frequencies(1e-6, 1e4, np.linalg.eigvals(a)[None].astype(complex), np.zeros(1))
         response = np.abs(1.0 / (omega**2 - (2 * np.pi * f) ** 2 + 2j * ratio * omega * 2 * np.pi * f)) ** 2
         assert response @ weights == pytest.approx(1.0 / (8.0 * ratio * omega**3), rel=1e-6)  # one-sided
-    f, weights = frequencies(0.2, 60.0, np.array([[-1.0]]), 0.3)
-    exact = (np.sin(2 * np.pi * 60.0 * 0.3) - np.sin(2 * np.pi * 0.2 * 0.3)) / (2 * np.pi * 0.3)
-    assert np.cos(2 * np.pi * f * 0.3) @ weights == pytest.approx(exact, abs=1e-9)
+    delays, values = np.array([0.3, 0.0, 0.1]), np.full((3, 1), -1.0 + 0.0j)
+    nodes, weights = frequencies(0.2, 60.0, values, delays)
+    for f, weight, delay in zip(nodes, weights, np.maximum(delays, 1e-9), strict=True):
+        exact = (np.sin(2 * np.pi * 60.0 * delay) - np.sin(2 * np.pi * 0.2 * delay)) / (2 * np.pi * delay)
+        assert np.cos(2 * np.pi * f * delay) @ weight == pytest.approx(exact, abs=1e-9)
 
 
 def test_wheels_are_sorted_by_what_drives_them():
-    one = sources_of([0.0, 0.0, 0.1, 0.1], [1, -1, 1, -1], same=True)
-    assert [(group.delay, group.wheels) for group in one[0]] == [(0.0, (0, 1)), (0.1, (2, 3))]
-    left, right = sources_of([0.0, 0.0, 0.1, 0.1], [1, -1, 1, -1], same=False)
+    delays = np.array([[0.0, 0.0, 0.1, 0.1], [0.0, 0.0, 0.2, 0.2]])
+    one = sources_of(delays, [1, -1, 1, -1], same=True)
+    assert [(group.delay.tolist(), group.wheels) for group in one[0]] == [([0.0, 0.0], (0, 1)), ([0.1, 0.2], (2, 3))]
+    left, right = sources_of(delays, [1, -1, 1, -1], same=False)
     assert [group.wheels for group in left] == [(0,), (2,)]
     assert [group.wheels for group in right] == [(1,), (3,)]
-    assert len(sources_of([0.0, 0.1], [0, 0], same=False)) == 1
-    assert longest_delay([(Group(0.1, (0,)), Group(0.4, (1,))), (Group(0.2, (2,)),)]) == pytest.approx(0.3)
+    assert len(sources_of(np.array([[0.0, 0.1]]), [0, 0], same=False)) == 1
+    for other in ([0.0, 0.0, 0.0, 0.0], [0.1, 0.1, 0.0, 0.0], [0.0, 0.1, 0.2, 0.2]):  # the wheels follow otherwise
+        assert sources_of(np.array([delays[0], other]), [1, -1, 1, -1], same=True) is None
+    groups = [
+        (Group(np.array([0.1, 0.0]), (0,)), Group(np.array([0.4, 0.6]), (1,))),
+        (Group(np.array([0.2, 0.0]), (2,)),),
+    ]
+    assert longest_delay(groups) == pytest.approx([0.3, 0.6])
 
 
 @pytest.mark.parametrize("part", ["B", "D"])
@@ -107,11 +131,12 @@ def test_a_model_that_feels_the_acceleration_of_the_road_is_refused(part):
     b, d = np.zeros((3, 2, 1)), np.zeros((3, 2, 1))
     b[0, 1] = 4.0
     plain = Matrices(np.array([[0.0, 1.0], [-4.0, -1.0]]), b, np.eye(2), d, np.zeros(2))
-    assert relative(plain).E.ravel() == pytest.approx([1.0, 0.0])
+    values = np.linalg.eigvals(plain.A).astype(complex)
+    assert relative(plain, values).E.ravel() == pytest.approx([1.0, 0.0])
     felt = getattr(plain, part).copy()
     felt[2, 1] = 0.1
     with pytest.raises(SimulationError, match="feels the acceleration of the road"):
-        relative(replace(plain, **{part: felt}))
+        relative(replace(plain, **{part: felt}), values)
 
 
 def test_neutral_motions_that_are_driven_stay_and_are_refused():
@@ -119,14 +144,15 @@ def test_neutral_motions_that_are_driven_stay_and_are_refused():
         a, b = np.array([[0.0, 0.0], [0.0, -1.0]]), np.array([[[push], [1.0]], [[0.0], [0.0]]])
         return Matrices(a, b, np.eye(2), np.zeros((2, 2, 1)), np.zeros(2))
 
-    reduced, _ = without_unreached(model(0.0), [])
+    none = side_by_side([model(0.0)])[:0]
+    reduced, _ = without_unreached(model(0.0), none)
     assert reduced.A.tolist() == [[-1.0]]
-    kept, _ = without_unreached(model(1.0), [])
+    kept, _ = without_unreached(model(1.0), none)
     assert kept.A.shape == (2, 2)
     with pytest.raises(SimulationError, match="not asymptotically stable"):
-        check_stable(kept.A)
+        check_stable(np.linalg.eigvals(kept.A))
     with pytest.raises(SimulationError, match=r"eigenvalue 2 \+1j"):
-        check_stable(np.array([[2.0, 1.0], [-1.0, 2.0]]))
+        check_stable(np.array([[-1.0 + 0j, -2.0], [2.0 + 1.0j, 2.0 - 1.0j]]))
 
 
 def test_sides_are_as_far_apart_as_the_hardpoints_say() -> None:
@@ -178,7 +204,8 @@ def test_spectra_hold_the_variances_and_end_with_the_band() -> None:
     white = stationary(quarter, "C", 20.0)
     assert with_spectra(white, quarter) is white
     road = surface("C", 20.0, band=band)
-    densities = Analysis(LinearFamily(quarter), road, (Signal(0),)).densities(np.array([0.39, 0.41, 19.9, 20.1]))
+    families = Families((LinearFamily(quarter),))
+    densities = Analysis(families, road, (Signal(0),)).densities(np.array([0.39, 0.41, 19.9, 20.1]))
     assert (densities > 0.0).tolist() == [[False, True, True, False]]
 
 
