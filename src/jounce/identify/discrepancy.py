@@ -25,6 +25,7 @@ from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, estimate
 from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepare_trial, project_out
 from jounce.identify.laws import Laws, States
+from jounce.identify.nuisances import LOW_PASS, SPEED
 from jounce.identify.richer import Nuisance, Richer, Ridden
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
@@ -232,7 +233,8 @@ class _Run:
     def _warped(self, track: Segments, inputs: Mapping[str, float]) -> Segments:
         if not self.road:
             return track
-        speed, slowing = inputs.get("speed", 0.0), inputs.get("slowing", 0.0)
+        speed = inputs.get("speed", 0.0) + inputs.get("speeds", 0.0) * self.speed
+        slowing = inputs.get("slowing", 0.0)
         begin, end = self.passing
         time = track.edges * self.speed / (self.speed + speed)
         into = np.clip((track.edges - begin) / (end - begin), 0.0, 1.0)
@@ -281,11 +283,13 @@ _FINEST, _COARSEST = 5e-4, 3e-3  # m
 class _Calibration:
     """The search: linearise, weigh, step."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 - each is a choice of its own
         self, trials: Sequence[FitTrial], free: Sequence[Free], doubt: Doubt, *, channels: Sequence[str] | None,
         weights: str | Mapping[str, float], align: bool, tolerance: float, priors: Mapping[str, tuple[float, float]],
         richer: Richer | None = None, start: Mapping[str, float] | None = None,
+        found_beside: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
+        self.beside = found_beside or {}
         self.free, self.align, self.tolerance, self.doubt = tuple(free), align, tolerance, doubt
         prepared = [prepare_trial(trial, self.free, channels, weights) for trial in trials]
         prepared = [
@@ -323,6 +327,8 @@ class _Calibration:
 
     def _inputs(self) -> list[Nuisance]:
         doubt, found = self.doubt, []
+        if SPEED in self.beside and any(run.road for run in self.runs):
+            found.append(Nuisance("speeds", "speed", "1", 0.0, self.beside[SPEED]))
         if doubt.height > 0.0:
             found.append(Nuisance("height", "height", "1", 0.0, doubt.height))
         patch = doubt.contact_patch * self.richer.ridden.tyre
@@ -342,8 +348,9 @@ class _Calibration:
                 found.append(Nuisance(f"{name} gain", "gain", "1", 0.0, doubt.gain))
             if doubt.bias > 0.0:
                 found.append(Nuisance(f"{name} bias", "bias", "SI", 0.0, doubt.bias * float(np.std(channel.measured))))
-            if doubt.corner > 0.0 and channel.sensor is not None and channel.sensor.low_pass is not None:
-                found.append(Nuisance(f"{name} corner", "corner", "ln", 0.0, doubt.corner))
+            corner = self.beside.get(f"{name}{LOW_PASS}", doubt.corner)
+            if corner > 0.0 and channel.sensor is not None and channel.sensor.low_pass is not None:
+                found.append(Nuisance(f"{name} corner", "corner", "ln", 0.0, corner))
         return found
 
     def value(self, name: str, xi: Array) -> float:
@@ -412,7 +419,7 @@ class _Calibration:
         deviations = {name: self.nuisances[self.place[name]].deviation for name in _INPUTS if name in self.place}
         deviations |= dict(self.own) if run.road else {}
         for name, deviation in deviations.items():
-            if name == "contact_patch" and not run.patched:
+            if (name == "contact_patch" and not run.patched) or (name == "speeds" and not run.road):
                 continue
             changed = {**inputs, name: inputs[name] + _STEP * deviation}
             found[name] = run.simulate(plain, numbers, changed), 1.0 / _STEP
@@ -433,7 +440,9 @@ class _Calibration:
         base = prepared.table(now, varied[""][0])[:, 0]
         moved = {name: (prepared.table(now, one)[:, 0] - base) * scale for name, (one, scale) in varied.items() if name}
         gained = (table[:, 0] - now.bias) / (1.0 + self.value(f"{channel.name} gain", state.xi))
-        sensed = {f"{channel.name} gain": gained * self.doubt.gain}
+        sensed: dict[str, Array] = {}
+        if f"{channel.name} gain" in self.place:
+            sensed[f"{channel.name} gain"] = gained * self.doubt.gain
         if f"{channel.name} corner" in self.place:
             step = state.xi.copy()
             step[self.place[f"{channel.name} corner"]] += _STEP
@@ -631,7 +640,7 @@ class Calibrated:
         return {name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
 
 
-def calibrated(
+def calibrated(  # noqa: PLR0913 - each is a choice of its own
     trials: Sequence[FitTrial],
     free: Sequence[Free],
     start: Mapping[str, float],
@@ -643,15 +652,18 @@ def calibrated(
     weights: str | Mapping[str, float] = "normalised",
     tolerance: float = 1e-8,
     priors: Mapping[str, tuple[float, float]] | None = None,
+    found_beside: Mapping[str, float] | None = None,
 ) -> Calibrated:
     """Find the parameters again with all doubts as further unknowns, from where an update ended.
 
     ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``priors`` are mean and standard deviation of
-    parameters that are known beforehand (both SI, of the first trial's set-up).
+    parameters that are known beforehand (both SI, of the first trial's set-up). ``found_beside`` names what the update
+    found beside the rig's values and the trials have: ``speed``, ``<channel>.low_pass``, each with how far it may still
+    be off (1, of the speed or the logarithm of the corner): it is found again with all else.
     """
     one = _Calibration(
         trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {},
-        start=start,
+        start=start, found_beside=found_beside,
     )  # fmt: skip
     state = _State(
         np.array([item.scaled(start[item.path]) for item in free]),
@@ -1035,7 +1047,7 @@ def _findings(
     return found
 
 
-_INPUTS = ("height", "contact_patch", "presliding", "arms")
+_INPUTS = ("speeds", "height", "contact_patch", "presliding", "arms")
 
 
 def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> Ridden:
@@ -1138,6 +1150,7 @@ def richer_runs(found: Calibrated, trials: Sequence[FitTrial], settings: Mapping
         one = _Calibration(
             [trial], found.one.free, found.one.doubt, channels=settings["channels"], weights=settings["weights"],
             align=found.one.align, tolerance=1e-6, priors={}, richer=found.one.richer,
+            found_beside=found.one.beside,
         )  # fmt: skip
         yield DrawnRun(found, one, 0, places.get(trial.name))
 
@@ -1157,6 +1170,7 @@ def candidate_information(
     one = _Calibration(
         [trial], found.one.free, found.one.doubt, channels=channels, weights="printed", align=found.one.align,
         tolerance=found.one.tolerance, priors={}, richer=found.one.richer,
+        found_beside=found.one.beside,
     )  # fmt: skip
     p, q = len(one.free), len(found.one.nuisances)
     xi = np.zeros(len(one.nuisances))

@@ -5,6 +5,7 @@ Left alone, the fitted values make up for it. Freed, it is found with them; what
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -20,7 +21,7 @@ from jounce.identify.fit_problem import FitTrial, Free
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.recordings.signals import shift_signals
 
-SPEED, _LOW_PASS = "speed", ".low_pass"
+SPEED, LOW_PASS = "speed", ".low_pass"
 _FASTEST = 0.45  # of the sample rate: corners above it cannot be told from none
 
 
@@ -45,6 +46,12 @@ class Nuisance:
         """SI unit of the value that is told."""
         return "m/s" if self.name == SPEED else "Hz"
 
+    @property
+    def width(self) -> float:
+        """How far its bounds let it be off (1): a share of the speed, the logarithm of a corner."""
+        free = self.free
+        return free.half_range / free.initial if self.name == SPEED else 0.5 * math.log(free.upper / free.lower)
+
     def told(self, found: float) -> float:
         """The value in its unit: what is searched, or one over it."""
         return found if self.name == SPEED else 1.0 / found
@@ -53,7 +60,7 @@ class Nuisance:
         """The trial with this value."""
         if self.name == SPEED:
             return replace(trial, trial=trial.trial.at_speed(found / self.free.initial))
-        channel = self.name.removesuffix(_LOW_PASS)
+        channel = self.name.removesuffix(LOW_PASS)
         sensor = with_low_pass(trial.sensors.get(channel), 1.0 / found)
         return replace(trial, sensors={**trial.sensors, channel: sensor})
 
@@ -81,9 +88,9 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
             lower, upper = _speeds(bounds, speeds[0], place)
             found.append(Nuisance(name, Free(name, speeds[0], lower, upper)))
             continue
-        channel = name.removesuffix(_LOW_PASS)
-        if not name.endswith(_LOW_PASS) or channel not in channels:
-            raise unknown(name, [SPEED, *(f"{one}{_LOW_PASS}" for one in channels)], what="nuisance", where=where)
+        channel = name.removesuffix(LOW_PASS)
+        if not name.endswith(LOW_PASS) or channel not in channels:
+            raise unknown(name, [SPEED, *(f"{one}{LOW_PASS}" for one in channels)], what="nuisance", where=where)
         if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
             raise FitError("not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]')
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
@@ -175,7 +182,7 @@ def low_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
     text = (
         f"the record looks like the updated model's behind a low pass of about {corner:.3g} Hz, which explains "
         f"{100.0 * share:.0f} % of what is left{alike}: state low_pass of its sensor, or find it with the values, "
-        f'nuisances = {{"{channel}{_LOW_PASS}" = ["{0.5 * corner:.0f} Hz", "{2.0 * corner:.0f} Hz"]}}'
+        f'nuisances = {{"{channel}{LOW_PASS}" = ["{0.5 * corner:.0f} Hz", "{2.0 * corner:.0f} Hz"]}}'
     )
     return share, Finding(channel, "warning", text, float(corner))
 

@@ -431,7 +431,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     nuisances : dict, optional
         What is found with the parameters and is none of the rig: ``{"speed": "5 %"}`` (one common factor on the stated
         speeds), ``{"sprung.az.low_pass": ["20 Hz", "400 Hz"]}`` (corner of an undeclared second-order low pass of a
-        channel, in all trials). Intervals of ``doubt`` take them as found.
+        channel, in all trials). Intervals of ``doubt`` find them again with all that is doubted.
     bench : dict, optional
         Path to what a component test gave (SI): where the update contradicts it, a finding says so.
 
@@ -573,7 +573,15 @@ def updated(  # noqa: PLR0913 - as update_model
         for one, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
             trials = [one.applied(trial, one.free.value(scaled)) for trial in trials]
         calibration, more = _with_doubt(
-            trials, bounds, values, counted, priors, lags=lags, align=align == "lag", **settings
+            trials,
+            bounds,
+            values,
+            counted,
+            priors,
+            lags=lags,
+            align=align == "lag",
+            found_beside={one.name: one.width for one in unknowns},
+            **settings,
         )
         if calibration is not None:
             discrepancy = reported(calibration, bench or {})

@@ -287,7 +287,7 @@ def test_mean_squares_are_those_of_each_channel() -> None:
 def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
     richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), ridden=Ridden(0.007, 0.0015, 1.0))
-    one = SimpleNamespace(doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)])
+    one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)])
     assert {each.name: (each.unit, each.mean, each.deviation) for each in _Calibration._inputs(one)} == {
         "height": ("1", 0.0, 0.015),
         "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
@@ -295,7 +295,7 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
         "arms": ("kg", 0.0, pytest.approx(0.2)),
     }
     nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
-    assert _Calibration._inputs(SimpleNamespace(doubt=nothing, richer=richer, runs=one.runs)) == []
+    assert _Calibration._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs)) == []
     channels = [
         SimpleNamespace(name=name, measured=np.array([1.0, 3.0]), sensor=sensor)
         for name, sensor in (("a", jn.Sensor(low_pass="50 Hz")), ("b", None), ("c", jn.Sensor()))
@@ -303,14 +303,14 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     runs = [SimpleNamespace(channels=channels)]
     assert {
         each.name: (each.group, each.mean, each.deviation)
-        for each in _Calibration._sensors(SimpleNamespace(doubt=jn.Doubt(), runs=runs))
+        for each in _Calibration._sensors(SimpleNamespace(beside={}, doubt=jn.Doubt(), runs=runs))
     } == {"a corner": ("corner", 0.0, 0.15)} | {
         f"{name} {group}": (group, 0.0, deviation)
         for name in "abc"
         for group, deviation in (("gain", 0.01), ("bias", 0.03))
     }
     sure = jn.Doubt(gain=0.0, bias=0.0, corner=0.0)
-    assert _Calibration._sensors(SimpleNamespace(doubt=sure, runs=runs)) == []
+    assert _Calibration._sensors(SimpleNamespace(beside={}, doubt=sure, runs=runs)) == []
 
 
 def test_a_pass_at_another_speed_that_slows_down_comes_later() -> None:
