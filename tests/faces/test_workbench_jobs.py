@@ -426,7 +426,9 @@ def test_uploads_are_kept_as_they_are_and_replace_nothing(workbench):
     before = {one for one in folder.rglob("*") if one.is_file()}
     assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200
     assert (folder / "new" / "run.csv").read_bytes() == content
-    assert _asked(port, "PUT", "/api/upload?path=new/run.csv", b"other")[0] == 409
+    for other in (b"other", bytes(len(content))):
+        assert _asked(port, "PUT", "/api/upload?path=new/run.csv", other)[0] == 409
+    assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200  # the same file, dropped again
     for path in ("../out.csv", "%2Fetc%2Fx.csv", "x.sh", "x.html", "x.toml", ".csv", "a%00b.csv"):
         status, answer = _asked(port, "PUT", f"/api/upload?path={path}", b"x")
         assert status in (409, 422), answer

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import filecmp
 import json
 import secrets
 from collections import OrderedDict
@@ -189,15 +190,15 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
 
     @router.put("/api/upload")
     async def upload(request: Request, path: str) -> dict[str, Any]:
-        """Put a measured file into the project as it is; one that is there is never replaced."""
+        """Put a measured file into the project as it is; one that is there is never replaced, but may come again."""
         file = project.inside(path)
         if file.suffix.lower() not in _UPLOADED:
             raise OutputError("no file of measurements", where=path, allowed=", ".join(_UPLOADED))
-        if file.exists():
+        expected, size = int(request.headers.get("content-length", "0")), 0
+        if file.exists() and file.stat().st_size != expected:
             raise OutputError("the file exists", where=path, hint="Choose another name.")
         file.parent.mkdir(parents=True, exist_ok=True)
         temporary = temporary_beside(file)
-        expected, size = int(request.headers.get("content-length", "0")), 0
         try:
             with temporary.open("wb") as stream:
                 async for part in request.stream():
@@ -205,7 +206,8 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
                     await asyncio.to_thread(stream.write, part)
             if size != expected:
                 raise OutputError("the file did not arrive whole", where=path, found=f"{size} of {expected} bytes")
-            _put_new(temporary, file)
+            if not (file.exists() and await asyncio.to_thread(filecmp.cmp, temporary, file, shallow=False)):
+                _put_new(temporary, file)
         except OSError as error:
             raise unusable(error, path) from None
         finally:
