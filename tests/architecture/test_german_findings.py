@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import re
 from functools import cache
+from itertools import chain, product
 from pathlib import Path
 
 import pytest
 
-import jounce.inspection.methods  # noqa: F401 - adds the sentences of its methods
 from jounce.core.units import Unit
+from jounce.inspection import reasons
 from jounce.inspection.findings import SENTENCES
+from jounce.inspection.limits import load_limits
+from jounce.inspection.methods import QUANTITIES
 from rules import ROOT
 from rules.finding_templates import german_of, templates_of
 
@@ -73,6 +76,35 @@ def test_what_an_inspection_finds_is_said_as_in_its_protocol() -> None:
     """Written anew where this fails: the left side of the comparison, as the catalogue's part `inspection`."""
     said = [german_of(one.en, one.de) for one in SENTENCES.values()]
     assert dict(one for one in said if one) == CATALOGUE["inspection"]
+
+
+def test_reasons_of_a_grading_are_said_as_in_its_protocol() -> None:
+    """Written anew where this fails: the left side of the comparison, as the catalogue's part `reasons`."""
+    said: dict[str, str] = {}
+    sources, limits = (("Limits", "Grenzwerte"), None), load_limits()
+    for kind, sentence in reasons._SENTENCES.items():
+        verdicts = reasons.VERDICT_WORDS.values() if "{verdict}" in sentence.en else (None,)
+        for verdict, source in product(verdicts, sources if "{limits}" in sentence.en else (None,)):
+            both = [
+                text.replace("{verdict}", str(verdict and verdict[i]))
+                .replace("{limits}", f" {source[i]}: {{source}}." if source else "")
+                .replace("{quantity} {value}", "{measured}")
+                .replace("{quantity}: {value}", "{measured}")
+                for i, text in enumerate(sentence)
+            ]
+            said |= dict([one] if kind != "finding" and (one := german_of(*both, least=5)) else [])
+    for table in (reasons.VERDICT_WORDS, reasons.SIDES, reasons.AXLES, reasons._ACROSS, reasons._DEFINITIONS):
+        said |= {one.en: one.de for one in table.values()}
+    for quantity in QUANTITIES.values():
+        said |= {quantity.english: quantity.german, f"{quantity.english} #": f"{quantity.german} #"}
+    for criterion in chain(limits.methods.values(), limits.conditions.values(), limits.differences.values()):
+        said |= {criterion.cited("en"): criterion.cited("de")}
+        said |= {band.words("en"): band.words("de") for band in criterion.bands}
+    first, last = {"from #": "ab #", "above #": "über #"}, {"up to #": "bis einschließlich #", "below #": "unter #"}
+    said |= first | last | {f"{a}, {b}": f"{first[a]}, {last[b]}" for a, b in product(first, last)}
+    said |= {"any value": "jeder Wert", "# # (#); # # (#)": "# # (#); # # (#)"}
+    whole = {one: german for one, german in said.items() if one != german or "(" in one}
+    assert whole == CATALOGUE["reasons"]
 
 
 def test_a_message_is_read_from_its_source(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -196,14 +197,127 @@ def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path
     page.get_by_role("button", name="Start from it").click()
     page.get_by_role("heading", name="My bench campaign").wait_for()
     show(page, base, "campaign?file=mine/campaign.toml&read=one.csv")
+    spring = page.locator("section.job", has=page.get_by_role("heading", name="spring", exact=True))
+    spring.get_by_label("Ignore smaller deflections").fill("3 mm")
+    page.get_by_label("Oscillating mass").fill("17 kg")
+    page.get_by_label("Folder of the results").fill("mine/again")
     page.get_by_label("what sprung.z is read as").fill("unsprung.z")
     page.get_by_label("what sprung.z is read as").press("Tab")
     page.get_by_label("Tyre pressure").fill("0.3 MPa")
     again("campaign?file=mine/campaign.toml")
     assert page.get_by_label("what sprung.z is read as").input_value() == "unsprung.z"
     assert page.get_by_label("Tyre pressure").input_value() == "0.3 MPa"
+    assert spring.get_by_label("Ignore smaller deflections").input_value() == "3 mm"
+    assert page.get_by_label("Oscillating mass").input_value() == "17 kg"
+    assert page.get_by_label("Folder of the results").input_value() == "mine/again"
     again("campaign?file=mine/campaign.toml")  # it is not saved by being restored
     assert page.get_by_label("what sprung.z is read as").input_value() == "unsprung.z"
+
+
+@pages
+def test_a_trial_that_was_left_is_taken_up_again(page: Any, project: tuple[Path, str]) -> None:
+    _, base = project
+    show(page, base, f"trial?rig={RIG}")
+    page.get_by_label("Obstacle").select_option("pothole")
+    page.get_by_label("Depth").fill("33 mm")
+    page.get_by_role("textbox", name="Speed").fill("3 m/s")
+    page.get_by_label("strut.spring.rate [N/mm], typed").fill("30")
+    page.get_by_label("another number").select_option("strut.spring.preload")
+    page.get_by_label("strut.spring.preload [N], typed").fill("20")
+    to_project(page)
+    offers(page).get_by_role("link", name=RIG).click()
+    page.wait_for_selector("html[data-ready=trial]")
+    assert page.get_by_role("textbox", name="Speed").input_value() == "1.95 m/s"
+    page.get_by_label("tyre.stiffness [N/mm], typed").fill("150")  # which is not of the draft
+    offers(page).get_by_role("button", name="Restore").click()
+    page.get_by_text("Restored.").wait_for()
+    assert page.get_by_label("Obstacle").input_value() == "pothole"
+    assert page.get_by_label("Depth").input_value() == "33 mm"
+    assert page.get_by_role("textbox", name="Speed").input_value() == "3 m/s"
+    assert page.get_by_label("strut.spring.rate [N/mm], typed").input_value() == "30"
+    command = page.get_by_label("The same on the command line")
+    command.filter(has_text="strut.spring.preload").filter(has_text="3 m/s").wait_for()
+    assert "tyre.stiffness" not in command.inner_text()
+    page.get_by_role("button", name="Keep it").click()
+    page.get_by_text("Kept as").wait_for()
+    to_project(page)
+    assert not offers(page).is_visible()  # it lies in the project
+
+
+@pages
+def test_the_head_goes_on_with_the_rig_that_is_open(page: Any, project: tuple[Path, str]) -> None:
+    _, base = project
+    head = page.get_by_role("navigation")
+
+    def leads(word: str) -> str | None:
+        found: str | None = head.get_by_role("link", name=word).get_attribute("href")
+        return found
+
+    assert leads("Kinematics") == "#/kinematics?"
+    show(page, base, f"rig?name={CORNER}")
+    assert leads("Kinematics") == f"#/kinematics?rig={CORNER}"
+    assert leads("Trial") == f"#/trial?rig={CORNER}"
+    assert leads("Rig") == "#/rig?"  # to another one
+    head.get_by_role("link", name="Ride").click()
+    page.wait_for_selector("html[data-ready=ride]")
+    assert page.get_by_label("Vehicle or rig").first.input_value() == CORNER
+    page.get_by_label("Vehicle or rig").first.select_option("kart-quarter-car")
+    assert leads("Trial") == "#/trial?rig=kart-quarter-car"
+    assert leads("Rig") == "#/rig?"  # what is shipped has no file to be edited
+    to_project(page)
+    page.reload()
+    page.wait_for_selector("html[data-ready=project]")
+    assert leads("Trial") == "#/trial?rig=kart-quarter-car"
+    show(page, base, "trial?rig=gone.toml")
+    assert leads("Kinematics") == "#/kinematics?"
+
+
+@pages
+def test_what_is_edited_is_undone(page: Any, project: tuple[Path, str]) -> None:
+    folder, base = project
+    show(page, base, f"trial?rig={RIG}")
+    spring, obstacle = page.get_by_label("strut.spring.rate [N/mm], typed"), page.get_by_label("Obstacle")
+    undo, redo = page.get_by_role("button", name="Undo"), page.get_by_role("button", name="Redo")
+    assert undo.is_disabled()
+    before = spring.input_value()
+    spring.fill("30")
+    page.locator("button:enabled", has_text="Undo").wait_for()
+    page.wait_for_timeout(400)  # a pause: what follows is another step
+    obstacle.select_option("pothole")
+    page.get_by_label("Depth").fill("33 mm")
+    undo.click()
+    assert (obstacle.input_value(), spring.input_value()) == ("half-sine", "30")
+    undo.click()
+    assert spring.input_value() == before
+    assert undo.is_disabled()
+    page.keyboard.press("Control+y")
+    redo.click()
+    assert (page.get_by_label("Depth").input_value(), spring.input_value()) == ("33 mm", "30")
+    page.get_by_role("button", name="All as they were").click()
+    undo.click()
+    assert spring.input_value() == "30"
+
+    show(page, base, f"kinematics?rig={CORNER}")
+    height = page.get_by_label(re.compile(r"^hardpoints.lower_ball_joint\[2\] \[mm\], typed"))
+    before = height.input_value()
+    height.fill(str(float(before) + 3.0))
+    undo.click()  # at once: it is a step by now
+    assert height.input_value() == before
+    redo.click()
+    assert float(height.input_value()) == float(before) + 3.0
+
+    show(page, base, "campaign")
+    page.get_by_label("Folder").fill("taken")
+    page.get_by_role("button", name="Start from it").click()
+    page.get_by_role("heading", name="My bench campaign").wait_for()
+    text = (folder / "taken" / "campaign.toml").read_text()
+    show(page, base, "campaign?file=taken/campaign.toml&read=taken/trials/01.csv")
+    page.get_by_role("button", name="Enter it into the campaign").click()
+    page.get_by_text("Entered into the campaign.").wait_for()
+    assert (folder / "taken" / "campaign.toml").read_text() != text
+    undo.click()
+    page.get_by_text("Entered into the campaign.").wait_for(state="hidden")
+    assert (folder / "taken" / "campaign.toml").read_text() == text
 
 
 def test_a_server_comes_back_where_the_browser_knows_it(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -42,4 +43,41 @@ def test_findings_of_a_rig_and_of_a_recording_are_german(browser: Any, workbench
     page.route("**/api/rig?*", lambda route: route.fulfill(status=422, json=refused))
     page.goto(f"http://127.0.0.1:{port}/#/trial?rig=steep.toml")
     assert page.get_by_role("alert").locator("[lang=en]").inner_text() == refused["error"]["text"]
+    context.close()
+
+
+def test_what_is_done_on_german_pages_is_german(browser: Any, workbench: tuple[Path, int]) -> None:
+    """Reasons of a grading, findings and progress of a campaign; nothing is left that is said to be English."""
+    _, port = workbench
+    context = browser.new_context(viewport={"width": 1280, "height": 720}, locale="de-DE")
+    context.set_default_timeout(120_000)
+    page = context.new_page()
+    page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}")
+    page.goto(f"http://127.0.0.1:{port}/#/inspection")
+    page.wait_for_selector("html[data-ready=inspection]")
+    page.get_by_text("Keine Messung zur Hand? Eine Prüfung simulieren").click()
+    page.get_by_role("button", name="Prüfung simulieren").click()
+    page.get_by_text("simulated.csv wurde geschrieben.").wait_for()
+    page.get_by_role("link", name="Auswerten").click()
+    page.locator("select:has(option[value='simulated.csv'])").first.wait_for()
+    assert page.get_by_label("Sprache des Protokolls").input_value() == "de"
+    page.get_by_role("button", name="Auswerten und bewerten").click()
+    page.get_by_role("region", name="Räder").get_by_text("grün, über dem Bestbereich").first.wait_for()
+    why = page.locator("details", has_text="Begründung")
+    why.locator("summary").click()
+    told = why.get_by_text(re.compile(r"^links: kleinster Phasenwinkel \(EGEA\) [\d.]+° ± [\d.]+°: ausreichend"))
+    told.get_by_text("(ab 35°), bestanden. Grenzwerte: EGEA SPECSUS2018, absolutes Kriterium").wait_for()
+    why.get_by_text("Unterschied links zu rechts, relative Kraftamplitude").wait_for()
+    assert why.locator("[lang=en]").all_inner_texts() == []
+
+    page.goto(f"http://127.0.0.1:{port}/#/campaign")
+    page.wait_for_selector("html[data-ready=campaign]")
+    page.get_by_text("Hier liegt noch keine Kampagne.").wait_for()
+    page.get_by_role("button", name="Damit beginnen").click()
+    page.get_by_role("button", name="Kampagne durchführen").click()
+    page.get_by_role("region", name="Urteile").wait_for()
+    careful = page.locator("ul", has_text="kein Intervall, das zählt, was dem Modell fehlt")
+    careful.wait_for()
+    assert careful.locator("[lang=en]").all_inner_texts() == []
+    page.get_by_role("rowheader", name="Versatz von Versuch 1").wait_for()
     context.close()

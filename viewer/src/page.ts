@@ -13,7 +13,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") element.addEventListener(name, value as EventListener);
     else if (typeof value === "boolean") element.toggleAttribute(name, value);
-    else element.setAttribute(name, HEARD.includes(name) ? heard(value) : value);
+    else element.setAttribute(name, HEARD.includes(name) ? (attributes.role === "region" && tr(value) !== value ? tr(value) : heard(value)) : value); // regions are words, however they begin
   }
   const own = attributes.scope === "col" || /^mark\b/.test(String(attributes.class ?? "")); // heads and verdicts are words, however they begin
   element.append(...content.map((one) => (typeof one !== "string" ? one : own && tr(one) !== one ? tr(one) : heard(one))));

@@ -100,7 +100,7 @@ def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) ->
     with only_below(project.root):
         Campaign.from_table(toml_table(text), where=path, text=text)
     written = project.write(path, text, was.digest)
-    return {"path": path, "text": written.text, "digest": written.digest}
+    return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
 
 
 def _item(value: Any) -> Any:

@@ -106,12 +106,12 @@ def _is_said(value: ast.expr, texts: Texts) -> bool:
     return (isinstance(value, ast.IfExp) and _is_text(value)) or (isinstance(value, ast.Name) and value.id in texts)
 
 
-def german_of(english: str, german: str) -> tuple[str, str] | None:
+def german_of(english: str, german: str, least: int = 12) -> tuple[str, str] | None:
     """Give a sentence with named fields as templates, the fields of the German one numbered as those of the English.
 
-    What says nothing itself, and what the German one gives from elsewhere, has none.
+    What says nothing itself, less than so many letters, and what the German one gives from elsewhere, has none.
     """
     template, names = template_of(english)
-    if len(re.sub("[^a-z]", "", template)) < 12 or not set(template_of(german)[1]) <= set(names):
+    if len(re.sub("[^a-z]", "", template)) < least or not set(template_of(german)[1]) <= set(names):
         return None
     return template, re.sub(r"\{(\w+)[^}]*\}", lambda field: f"#{names.index(field[1]) + 1}", german)

@@ -1,10 +1,11 @@
 /** Hardpoints from targets: a study written from what the page wants, searched as a job, and what it found. */
 
 import { make, written } from "../page";
-import { tr } from "../words";
+import { heard, tr } from "../words";
 import * as api from "./api";
 import { field, once, problem, type Sliders } from "./parts";
 import { part } from "./quantities";
+import { Refused } from "./refusals";
 
 export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string; along?: string }
 interface Found { id: string; state: string; said: string; share: number | null; left: number | null; begun: number; error: string | null; result: unknown }
@@ -45,9 +46,9 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
       const found = await job(begun.id);
       if (!out.isConnected) return;
       if (found.share === null) bar.removeAttribute("value"); else bar.value = found.share;
-      said.textContent = [found.said, `${written((Date.now() / 1000 - found.begun), 2)} s`, found.left ? tr("# s left", written(found.left, 2)) : ""].filter(Boolean).join(", ");
+      said.textContent = [tr(heard(found.said)), `${written((Date.now() / 1000 - found.begun), 2)} s`, found.left ? tr("# s left", written(found.left, 2)) : ""].filter(Boolean).join(", ");
       if (found.state === "done") { results(found); return; }
-      if (!["running", "cancelling"].includes(found.state)) { out.replaceChildren(problem(new Error(found.error ?? tr("The search was ended.")))); return; }
+      if (!["running", "cancelling"].includes(found.state)) { out.replaceChildren(problem(found.error ? new Refused(found.error) : new Error(tr("The search was ended.")))); return; }
       await new Promise((later) => setTimeout(later, 400));
     }
   }
@@ -65,7 +66,7 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
     const numbers = new Map(rig.numbers.map((one) => [one.path, one]));
     out.replaceChildren(make("p", { class: result.met ? "good" : "problem" }, result.met ? tr("Every target is met.") : tr("# of the targets are missed.", String(result.targets.filter((one) => !one.met).length))),
       make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("search"), tr("targets"), tr("cost, tolerances²"), tr("moved, share of the boxes"), tr("ended"), ""].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))))),
-        make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, one.ended), make("td", {}, other(one.start, one.numbers))))))),
+        make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, tr(one.ended)), make("td", {}, other(one.start, one.numbers))))))),
       make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) => make("th", { scope: "col" }, one)))),
         make("tbody", {}, ...Object.entries(result.moved).map(([path, one]) => { const known = numbers.get(path), by = known?.factor ?? 1; return make("tr", {}, make("th", { scope: "row" }, path), make("td", { class: "right" }, written(one.before * by, 5)), make("td", { class: "right" }, written(one.after * by, 5)), make("td", {}, known?.unit ?? "")); })))),
       make("p", { class: "bar" }, button, make("a", { href: `/api/jobs/${found.id}/report`, target: "_blank" }, tr("Its report"))));

@@ -2,7 +2,7 @@
 
 import { make, whenLeft, written } from "../page";
 import { asked, get, upload } from "./api";
-import { heard, tr } from "../words";
+import { heard, isGerman, tr } from "../words";
 import { copied, InTurn, problem } from "./parts";
 import { Refused } from "./refusals";
 
@@ -62,6 +62,9 @@ export function lasting(seconds: number): string {
   return whole < 3600 ? `${Math.floor(whole / 60)} min ${whole % 60} s` : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
 }
 
+/** What a job is called, in the language of the page; names of files and roads stay. */
+export const titled = (title: string) => (isGerman ? heard(title).replace(/^(.+) on (\S+) at (\S+(?: \S+)?)$/, "$1 auf $2 mit $3") : title);
+
 /** One job: what it does, how far it is, what went wrong, and what can be done about it. */
 export class JobCard {
   readonly element = make("article", { class: "job" });
@@ -75,8 +78,8 @@ export class JobCard {
   private timer = 0;
 
   constructor(public job: Job, private readonly open?: (job: Job) => void) {
-    this.bar.setAttribute("aria-label", heard(`share of ${job.title} that is done`));
-    this.element.append(make("div", { class: "bar" }, make("h3", {}, job.title), this.state, this.times), this.bar, this.said, this.told, this.actions);
+    this.bar.setAttribute("aria-label", heard(`share of ${titled(job.title)} that is done`));
+    this.element.append(make("div", { class: "bar" }, make("h3", {}, titled(job.title)), this.state, this.times), this.bar, this.said, this.told, this.actions);
     this.show(job);
   }
 
@@ -97,12 +100,12 @@ export class JobCard {
     this.shown = job.state;
     this.told.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
     const act = (text: string, does: () => Promise<unknown>, main = false) => {
-      const button = make("button", { type: "button", ...(main ? { class: "main" } : {}), "aria-label": `${text}: ${job.title}` }, text);
+      const button = make("button", { type: "button", ...(main ? { class: "main" } : {}), "aria-label": `${text}: ${titled(job.title)}` }, text);
       button.addEventListener("click", () => { button.disabled = true; does().catch((error) => { this.told.replaceChildren(problem(error)); button.disabled = false; }); });
       return button;
     };
     const opens = () => {
-      const button = make("button", { type: "button", class: "main", "aria-label": `Show the results: ${job.title}` }, "Show the results");
+      const button = make("button", { type: "button", class: "main", "aria-label": `Show the results: ${titled(job.title)}` }, "Show the results");
       button.addEventListener("click", () => this.open!(this.job));
       return button;
     };
@@ -171,10 +174,10 @@ export function undone(result: unknown): HTMLElement[] {
   return findings.filter((one) => one.severity === "problem").map((one) => problem(new Refused(one.message)));
 }
 
-/** A report in a frame of its own: its script can ask nothing here. */
-export function report(address: string, title: string): HTMLElement {
+/** A report in a frame of its own, where its script can ask nothing; German pages say which is English. */
+export function report(address: string, title: string, language = "en"): HTMLElement {
   return make("section", { class: "whole" },
-    make("div", { class: "bar" }, make("h2", {}, title), make("a", { href: address, target: "_blank", rel: "noopener" }, "open it in a tab of its own")),
+    make("div", { class: "bar" }, make("h2", {}, title), ...(isGerman && language === "en" ? [make("span", { class: "muted" }, "(englisch)")] : []), make("a", { href: address, target: "_blank", rel: "noopener" }, "open it in a tab of its own")),
     make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }));
 }
 

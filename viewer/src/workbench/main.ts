@@ -22,7 +22,7 @@ import { rig } from "./pages/rig";
 import { studies } from "./pages/studies";
 import { trial } from "./pages/trial";
 import { problem } from "./parts";
-import { address, type Page, setLive } from "./shell";
+import { address, carried, carry, type Page, setLive } from "./shell";
 
 export { key, quantity, spoken } from "./quantities";
 export { live } from "./shell";
@@ -50,11 +50,13 @@ async function show(): Promise<void> {
   document.querySelectorAll("#pages a").forEach((link) => {
     if ((link as HTMLAnchorElement).dataset.page === chosen) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
   });
+  carry(carried(chosen, new URLSearchParams(values)));
   document.title = `${tr(PAGES[chosen]!.label)} – jounce workbench`;
   document.getElementById("main")!.replaceChildren(place);
   try {
     await PAGES[chosen]!.show(place, new URLSearchParams(values));
   } catch (error) {
+    carry(""); // it may be gone
     place.replaceChildren(make("h1", {}, PAGES[chosen]!.label), problem(error), make("p", {}, make("a", { href: address("project") }, "Back to the project")));
   }
   if (place.isConnected) document.documentElement.dataset.ready = chosen;

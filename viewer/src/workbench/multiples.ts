@@ -2,7 +2,7 @@
 
 import { at, type Model, type Numbers, type Store } from "../data";
 import { colour, make, whenColoursChange, written } from "../page";
-import { localised, tr } from "../words";
+import { isGerman, localised, tr } from "../words";
 import { quantity } from "./quantities";
 
 export interface Band { quantity: string; at: number[]; low: (number | null)[]; high: (number | null)[] }
@@ -77,7 +77,7 @@ export class Multiples {
       this.moved(first + Math.min(Math.max((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0), 1) * (last - first));
     });
     const box = make("figure", { "data-words": `${name} ${quantity(name)} ${words}`.toLowerCase().replaceAll("_", " ") },
-      make("figcaption", { title: words }, make("b", {}, quantity(name)), " ", make("span", { class: "whole" }, value, make("span", { class: "unit" }, ` ${unit || "–"}`), verdict)), holder);
+      make("figcaption", { title: isGerman ? `${name}, ${quantity(name)}` : words }, make("b", {}, quantity(name)), " ", make("span", { class: "whole" }, value, make("span", { class: "unit" }, ` ${unit || "–"}`), verdict)), holder);
     return { name, lines: [], band: null, canvas, value, mark, box, verdict };
   }
 

@@ -73,6 +73,58 @@ export class InTurn {
   }
 }
 
+/** Steps back and forth through what is entered: one for all that comes without a pause. `put` enters a state again. */
+export class Steps<T> {
+  private readonly past: string[] = [];
+  private future: string[] = [];
+  private now: string;
+  private timer = 0;
+  private readonly undo = make("button", { type: "button", disabled: true }, tr("Undo"));
+  private readonly redo = make("button", { type: "button", disabled: true }, tr("Redo"));
+  readonly element = make("div", { class: "bar" }, this.undo, this.redo);
+
+  /** Ctrl+Z and Ctrl+Y below `root` do the same, but in a text that is being typed. */
+  constructor(private readonly state: () => T, private readonly put: (state: T) => void, root: HTMLElement) {
+    this.now = JSON.stringify(state());
+    this.undo.addEventListener("click", () => this.back());
+    this.redo.addEventListener("click", () => this.forth());
+    for (const one of ["input", "change", "click", "pointerup"]) root.addEventListener(one, () => this.changed());
+    root.addEventListener("keydown", (event) => {
+      const isTyped = event.target instanceof HTMLInputElement && event.target.type !== "range" && event.target.type !== "checkbox";
+      if (!(event.ctrlKey || event.metaKey) || isTyped) return;
+      if (event.key === "z" && !event.shiftKey) { event.preventDefault(); this.back(); }
+      if (event.key === "y" || (event.key === "Z" && event.shiftKey)) { event.preventDefault(); this.forth(); }
+    });
+  }
+
+  /** Something may have changed: it is a step once nothing more comes. */
+  changed(): void { clearTimeout(this.timer); this.timer = window.setTimeout(() => this.take(), PAUSE); }
+
+  private take(): void {
+    clearTimeout(this.timer);
+    const state = JSON.stringify(this.state());
+    if (state !== this.now) { this.past.push(this.now); this.future = []; this.now = state; }
+    for (const [one, other, lies] of [[this.undo, this.redo, this.past], [this.redo, this.undo, this.future]] as const) {
+      if (!lies.length && one === document.activeElement) { other.disabled = false; other.focus(); } // the keyboard goes on from there
+      one.disabled = !lies.length;
+    }
+  }
+
+  private back(): void { this.take(); this.step(this.past, this.future); }
+  private forth(): void { this.take(); this.step(this.future, this.past); }
+
+  private step(from: string[], to: string[]): void {
+    const state = from.pop();
+    if (state === undefined) return;
+    to.push(this.now);
+    this.now = state;
+    this.put(JSON.parse(state) as T);
+    this.take();
+  }
+}
+
+const PAUSE = 300; // ms
+
 /** Numbers of a rig as sliders from half to one and a half of what they are; what is not moved is not sent. */
 export class Sliders {
   readonly element = make("div", { class: "sliders" });
@@ -89,12 +141,14 @@ export class Sliders {
     for (const path of first) { const one = known.get(path); if (one) this.add(one); }
     for (const [path, value] of Object.entries(given)) if (Number.isFinite(value)) this.take(path, value);
     const back = make("button", { type: "button" }, tr("All as they were"));
-    back.addEventListener("click", () => {
-      for (const path of Object.keys(this.changes)) delete this.changes[path];
-      this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => { one.value = one.defaultValue; });
-      this.moved();
-    });
+    back.addEventListener("click", () => { this.reset(); this.moved(); });
     this.element.append(this.rows, make("div", { class: "bar" }, choice, back));
+  }
+
+  /** Puts all numbers back to what the rig says. */
+  reset(): void {
+    for (const path of Object.keys(this.changes)) delete this.changes[path];
+    this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => { one.value = one.defaultValue; });
   }
 
   /** Takes a number that was changed elsewhere (SI), and shows its slider. */

@@ -2,6 +2,7 @@
 
 import { Store } from "../data";
 import { make, written } from "../page";
+import { heard, tr } from "../words";
 import { Player } from "../player";
 import { ways, Question } from "./jobs";
 import { field } from "./parts";
@@ -29,11 +30,11 @@ function xy(points: { x: number[]; y: number[]; count: number }): HTMLElement {
   const span = (values: number[]) => { let low = Math.min(0, ...values.slice(0, 1)), high = low; for (const value of values) { low = Math.min(low, value); high = Math.max(high, value); } return high > low ? [low, high] as const : [low - 1, high + 1] as const; };
   const [x0, x1] = span(points.x), [y0, y1] = span(points.y);
   const px = (value: number) => left + (width - left - 12) * (value - x0) / (x1 - x0), py = (value: number) => height - foot - (height - foot - 10) * (value - y0) / (y1 - y0);
-  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "xy", role: "img", "aria-label": `force from ${written(y0, 3)} to ${written(y1, 3)} N over deflections from ${written(x0, 3)} to ${written(x1, 3)} mm` });
+  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "xy", role: "img", "aria-label": heard(`force from ${written(y0, 3)} to ${written(y1, 3)} N over deflections from ${written(x0, 3)} to ${written(x1, 3)} mm`) });
   picture.append(svg("path", { class: "axis", d: `M${left} 6V${height - foot}H${width - 8}` }), svg("path", { class: "zero", d: `M${px(0)} 6V${height - foot}M${left} ${py(0)}H${width - 8}` }));
   for (const value of [x0, x1]) picture.append(svg("text", { x: px(value), y: height - foot + 15, "text-anchor": value === x0 ? "start" : "end" }, written(value, 3)));
   for (const value of [y0, y1]) picture.append(svg("text", { x: left - 5, y: py(value) + 5, "text-anchor": "end" }, written(value, 3)));
-  picture.append(svg("text", { x: (left + width) / 2, y: height - 6, "text-anchor": "middle" }, "deflection, compression positive [mm]"), svg("text", { x: 13, y: height / 2, transform: `rotate(-90 13 ${height / 2})`, "text-anchor": "middle" }, "force, compression positive [N]"));
+  picture.append(svg("text", { x: (left + width) / 2, y: height - 6, "text-anchor": "middle" }, tr("deflection, compression positive [mm]")), svg("text", { x: 13, y: height / 2, transform: `rotate(-90 13 ${height / 2})`, "text-anchor": "middle" }, tr("force, compression positive [N]")));
   let path = "";
   points.x.forEach((x, k) => { path += `M${px(x).toFixed(1)} ${py(points.y[k]!).toFixed(1)}h.01`; });
   picture.append(svg("path", { class: "dots", d: path }));

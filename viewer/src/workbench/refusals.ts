@@ -13,7 +13,7 @@ const PHRASES: Record<string, string> = {
   "not a rig": "kein Fahrwerk", "not a road": "keine Straße", "not a road class": "keine Straßenklasse", "not a hardpoint": "kein Kinematikpunkt", "not a folder": "kein Ordner", "a file, not a folder": "eine Datei, kein Ordner",
   "not a standard deviation": "keine Standardabweichung", "not a distribution": "keine Verteilung", "not a number of variants": "keine Anzahl von Varianten", "not a number of searches": "keine Anzahl von Suchläufen",
   "not a name for a run": "kein Name für einen Lauf", "not a place in this project": "keine Stelle in diesem Projekt", "not a description": "keine Beschreibung", "not a date": "kein Datum",
-  "no such parameter": "keine solche Größe", "no such file": "keine solche Datei", "no such quantity": "keine solche Kenngröße", "no such job": "kein solcher Auftrag", "no such version": "keine solche Fassung",
+  "the file does not lie beside the campaign": "die Datei liegt nicht neben der Kampagne", "no such parameter": "keine solche Größe", "no such file": "keine solche Datei", "no such quantity": "keine solche Kenngröße", "no such job": "kein solcher Auftrag", "no such version": "keine solche Fassung",
   "no such place in this text": "keine solche Stelle in diesem Text", "no rack moves this wheel": "keine Zahnstange bewegt dieses Rad", "no file of measurements": "keine Messdatei", "no limit": "keine Grenze",
   "nothing to sweep": "nichts zu durchlaufen", "nothing to vary": "nichts zu verändern", "nothing is given": "nichts angegeben", "nothing to spread over": "nichts, worüber gestreut wird", "no number varies": "keine Größe verändert sich",
   "a share of zero": "ein Anteil von null", "no whole number lies within": "keine ganze Zahl liegt darin", "the mode lies outside its range": "der häufigste Wert liegt außerhalb seines Bereichs",
@@ -67,16 +67,17 @@ function limits(given: string): string {
 }
 
 const HINTS: Record<string, string> = {
-  "Choose another name, or begin it again, which replaces what is there.": "Einen anderen Namen wählen oder neu beginnen, was Vorhandenes ersetzt.", "Choose another name.": "Einen anderen Namen wählen.", "Check the path, the permissions and the space on the disk.": "Pfad, Rechte und Platz auf der Platte prüfen.",
+  "Choose another name, or begin it again, which replaces what is there.": "Einen anderen Namen wählen oder neu beginnen, was Vorhandenes ersetzt.", "Upload it there, or copy it.": "Sie dorthin laden oder kopieren.", "Choose another name.": "Einen anderen Namen wählen.", "Check the path, the permissions and the space on the disk.": "Pfad, Rechte und Platz auf der Platte prüfen.",
   "Wait for it, or choose another folder.": "Darauf warten oder einen anderen Ordner wählen.", "Wait for one of them, or cancel it.": "Auf einen warten oder ihn abbrechen.", "Load it again, and make your change there.": "Neu laden und die Änderung dort machen.", "Check the path and the name.": "Pfad und Namen prüfen.",
   "Drive for longer (duration).": "Länger fahren (Dauer).", "Fill the gap or remove the row.": "Die Lücke füllen oder die Zeile löschen.", "Fill it or remove the row.": "Sie füllen oder die Zeile löschen.", "Choose one of the project.": "Eine aus dem Projekt wählen.", "Cancel it first.": "Ihn zuerst abbrechen.", "Check spelling and case, e.g. ": "Schreibweise prüfen, z. B. ",
+  "not valid TOML: ": "kein gültiges TOML: ", "Expected newline or end of document after a statement": "nach einer Angabe fehlt ein Zeilenende", "Invalid statement": "ungültige Angabe", "Invalid value": "ungültiger Wert", "Expected '=' after a key in a key/value pair": "nach einem Schlüssel fehlt '='", "Cannot overwrite a value": "ein Wert steht schon da", "Unclosed array": "eine Liste ist nicht geschlossen", "Unclosed inline table": "eine Tabelle in einer Zeile ist nicht geschlossen", "Unterminated string": "ein Text ist nicht geschlossen", "(at end of document)": "(am Ende)", "<number>": "<Zahl>",
   "Map it with columns, or give the sample time.": "Sie mit den Spalten zuordnen oder die Abtastzeit angeben.", "Map columns to channels with columns.": "Spalten den Kanälen zuordnen.",
 };
 
 function hints(given: string): string {
   let text = given.replace(/a unit that converts to ([^.;]*?)(?=[.;]|$)/, "eine Einheit, die sich in $1 umrechnen lässt");
   for (const [english, german] of Object.entries(HINTS)) text = text.replace(english, german);
-  return text.replace(/Did you mean (.*?)\?/, (_, names: string) => `Ist ${names.replace(" or ", " oder ")} gemeint?`)
+  return text.replace(/\(at line (\d+), column (\d+)\)/, "(Zeile $1, Spalte $2)").replace(/Did you mean (.*?)\?/, (_, names: string) => `Ist ${names.replace(" or ", " oder ")} gemeint?`)
     .replace(/All (\d+): /, "Alle $1: ").replace(/Known: /, "Bekannt: ");
 }
 
@@ -91,10 +92,17 @@ export function asSaid(message: string): Node | string {
   return isGerman && text === given && heard(given) === given && /[a-z] [a-z]/.test(given) ? make("span", { lang: "en" }, given) : heard(text);
 }
 
+/** What a finding is about, where that is no name. */
+const PLACES: Record<string, string> = {
+  "linear law": "lineares Gesetz", "law": "Gesetz", "intervals": "Intervalle", "operating point": "Betriebspunkt", "tyre pressure": "Reifendruck", "trials": "Versuche", "decays": "Ausschwingversuche", "posterior": "Posterior",
+  "predictions": "Vorhersagen", "starts": "Suchläufe", "variants": "Varianten", "statistics": "Statistik", "sensitivity": "Abhängigkeiten", "spreads": "Streuungen", "closed forms": "geschlossene Formeln", "lumped model": "Ersatzmodell", "curve": "Kurve", "intercept": "Achsenabschnitt",
+};
+const placed = (place: string) => (isGerman ? place.split(": ").map((one) => PLACES[one] ?? one).join(": ") : place);
+
 /** Findings, each with how grave it is and what it is about. */
 export function advised(findings: { severity?: string; place?: string; message: string }[], tag: "p" | "li"): HTMLElement[] {
   const shown = new Map<string, HTMLElement>();
   for (const { severity, place, message } of findings)
-    shown.set(`${severity} ${place} ${message}`, make(tag, { class: severity === "problem" ? "problem" : tag === "p" ? "muted" : "" }, ...(severity ? [`${tr(severity)}: `] : []), ...(place ? [`${place}: `] : []), asSaid(message)));
+    shown.set(`${severity} ${place} ${message}`, make(tag, { class: severity === "problem" ? "problem" : tag === "p" ? "muted" : "" }, ...(severity ? [`${tr(severity)}: `] : []), ...(place ? [`${placed(place)}: `] : []), asSaid(message)));
   return [...shown.values()];
 }

@@ -14,6 +14,21 @@ export const address = (page: string, values: Record<string, string> = {}) => `#
 /** Goes to another page, unless the one that asked was left meanwhile: an answer that comes late takes nobody from where they are. */
 export function goTo(from: Node, page: string, values: Record<string, string> = {}): void { if (from.isConnected) location.hash = address(page, values); }
 
+/** Under which word the address of a page says which rig or vehicle it shows. */
+const SHOWS: Record<string, string> = { rig: "name", kinematics: "rig", trial: "rig", ride: "vehicle" }, KEY = "jounce-rig";
+
+/** What a page shows stays with whoever goes on to another page by its word in the head; that of the open page leads to the choice. */
+export function carry(name: string): void {
+  sessionStorage.setItem(KEY, name);
+  for (const link of document.querySelectorAll<HTMLAnchorElement>("#pages a")) {
+    const page = link.dataset.page!, takes = SHOWS[page];
+    const fits = takes && name && !link.hasAttribute("aria-current") && (page !== "rig" || name.endsWith(".toml")); // what is shipped has no file here
+    link.setAttribute("href", address(page, fits ? { [takes]: name } : {}));
+  }
+}
+/** The rig or vehicle that a page shows, else the one that was shown last. */
+export const carried = (page: string, values: Values): string => values.get(SHOWS[page] ?? "") ?? sessionStorage.getItem(KEY) ?? "";
+
 /** The live curves of the open page, for whoever measures them. */
 export let live: { times: number[] } | null = null;
 export function setLive(curves: { times: number[] } | null): void { live = curves; }

@@ -1,7 +1,7 @@
 /** Many variants at once: lines through parallel axes that are brushed, and a matrix of dots; the same variants are lit in both. */
 
 import { colour, make, whenColoursChange, written } from "../page";
-import { tr } from "../words";
+import { heard, tr } from "../words";
 
 export interface Column { name: string; unit: string; factor: number; is_number: boolean; values: (number | null)[] }
 
@@ -62,7 +62,7 @@ export function parallel(brushes: Brushes): HTMLElement {
   const width = SPACE * columns.length, height = TOP + HIGH + FOOT;
   const [drawing, context] = canvas(width, height);
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", `every variant as a line through ${columns.map(named).join(", ")}`);
+  drawing.setAttribute("aria-label", heard(`every variant as a line through ${columns.map(named).join(", ")}`));
   const at = (k: number) => SPACE * (k + 0.5);
   const y = (k: number, value: number) => { const [low, high] = scales[k]!; return TOP + HIGH * (1 - (value - low) / (high - low)); };
   const draw = () => {
@@ -160,7 +160,7 @@ function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
   const [drawing, context] = canvas(WIDE, TALL), [x0, x1] = ends(x.values), [y0, y1] = ends(y.values);
   const px = (value: number) => MARGIN + (WIDE - 2 * MARGIN) * (value - x0) / (x1 - x0), py = (value: number) => TALL - MARGIN - (TALL - 2 * MARGIN) * (value - y0) / (y1 - y0);
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", `${named(y)} over ${named(x)}: ${written(y0, 3)} to ${written(y1, 3)} over ${written(x0, 3)} to ${written(x1, 3)}`);
+  drawing.setAttribute("aria-label", heard(`${named(y)} over ${named(x)}: ${written(y0, 3)} to ${written(y1, 3)} over ${written(x0, 3)} to ${written(x1, 3)}`));
   const draw = () => {
     context.clearRect(0, 0, WIDE, TALL);
     context.strokeStyle = colour("edge");

@@ -13,6 +13,9 @@ import { advised, asSaid } from "../refusals";
 export const campaign: Page = { label: "Campaign", show };
 
 interface Bench { name: string; found: string[]; files: string[]; columns?: Record<string, string>; variable?: string; stroke_positive?: string; force_positive?: string; law?: string; discard_below?: string; intercept?: string; branch?: string; channel?: string; from?: string; to?: string; sample_time?: string }
+/** What was entered last: the text of the campaign before it, and the digest of that with it. */
+interface Written { path: string; before: string; digest: string }
+let written_: Written | null = null;
 interface Overview { title: string; synthetic: string; rig: string; roads: string[]; mass: string; bench: Bench[]; trials: Record<string, unknown>[]; updates: Record<string, unknown>[] }
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
@@ -43,7 +46,8 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
   const told = make("div", { "aria-live": "polite" }), go = make("button", { type: "button", class: "main" }, "Run the campaign");
   go.addEventListener("click", () => {
-    once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => goTo(place, "campaign", { job: job.id }), (error) => told.replaceChildren(problem(error)));
+    const was = entered(form);
+    once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => { drafts.done({ form: was }); goTo(place, "campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
   });
   const check = make("button", { type: "button" }, "Check it");
   check.addEventListener("click", () => {
@@ -57,22 +61,31 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     reader.scrollIntoView({ block: "start" });
   };
   let opened: Opened | null = null;
-  const drafts = new Drafts<{ entry: Typed | null }>(project, address("campaign", { file: path }), { entry: null }, () => ({ entry: opened?.state() ?? null }), ({ entry: was }) => {
-    if (!was) return;
-    open(was.file, was.form, was.fields);
-    opened!.restore(was);
-  });
-  drafts.hear(reader);
   const link = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
     const button = make("button", { type: "button", "aria-label": tr("look at #", file) }, file.split("/").pop()!);
     button.addEventListener("click", () => open(file, form, given));
     return button;
   };
   const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
+  const parts = found.bench.map((one) => part(one, found, link)), form = { out, force, where };
+  const state = () => ({ entry: opened?.state() ?? null, form: entered(form), fits: Object.fromEntries(parts.map((one) => [one.name, entered(one.controls)])) });
+  const latest = written_?.path === path ? written_ : null, undo = make("button", { type: "button" }, "Undo"), done = make("div", { "aria-live": "polite" });
+  if (latest) done.append(make("p", { class: "bar" }, make("span", { class: "good" }, "Entered into the campaign."), undo));
+  undo.addEventListener("click", () => {
+    once(undo, api.save(path, latest!.before, latest!.digest)).then(() => { written_ = null; goTo(place, "campaign", { file: path, undone: String(Date.now()) }); }, (error) => done.append(problem(error)));
+  });
+  const drafts = new Drafts<ReturnType<typeof state>>(project, address("campaign", { file: path }), state(), state, (was) => {
+    enter(form, was.form ?? {});
+    for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
+    if (!was.entry) return;
+    open(was.entry.file, was.entry.form, was.entry.fields);
+    opened!.restore(was.entry);
+  });
+  drafts.hear(place);
   place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig ${found.rig}`),
-    drafts.element, ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
+    drafts.element, done, ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
     make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
-    make("h2", {}, "Parts"), ...(found.bench.length ? found.bench.map((one) => part(one, found, link)) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
+    make("h2", {}, "Parts"), ...(parts.length ? parts.map((one) => one.element) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
     make("h2", {}, "Trials"), table("trials", ["trial", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
     make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
     make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
@@ -96,7 +109,7 @@ function table(name: string, header: string[], rows: (Node | string)[][], number
 type Link = (file: string, form: "recording" | "force-deflection", given?: Partial<Bench>) => HTMLElement;
 
 /** One measured part: its files, and what they amount to, asked at once. */
-function part(one: Bench, whole_: Overview, link: Link): HTMLElement {
+function part(one: Bench, whole_: Overview, link: Link): { name: string; element: HTMLElement; controls: Record<string, HTMLInputElement | HTMLSelectElement> } {
   const decays = one.name === "decay", form = decays ? "recording" : "force-deflection";
   const text = (value: string) => make("input", { type: "text", value });
   const discard = text(one.discard_below ?? ""), law = make("select", {}, ...["linear", "polynomial", "power", "monotone-spline"].map((word) => make("option", word === one.law ? { value: word, selected: true } : { value: word }, word)));
@@ -107,8 +120,9 @@ function part(one: Bench, whole_: Overview, link: Link): HTMLElement {
     ? { kind: "decay", ...common, channel: one.channel ?? "sprung.z", mass: mass.value, begin: from.value, end: to.value, sample_time: one.sample_time ?? "" }
     : { kind: "stiffness", ...common, force_positive: one.force_positive ?? "", law: law.value, discard_below: discard.value, intercept: intercept.value, branch: one.branch ?? "loading" }),
   (told) => [estimates(told.result as Record<string, unknown>), report(told.report, decays ? "Decay and its bend by friction" : "Fit, with the discarded zone"), ways(told)]);
-  return make("section", { class: "job" }, make("h3", {}, heard(tr(one.name))), one.found.length ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one))) : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
+  const element = make("section", { class: "job" }, make("h3", {}, heard(tr(one.name))), one.found.length ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one))) : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
     make("div", { class: "form" }, ...(decays ? [field("Oscillating mass", mass), field("From", from), field("To", to)] : [field("Law", law), field("Ignore smaller deflections", discard), field("Force at zero", intercept)]), question.button), question.place);
+  return { name: one.name, element, controls: decays ? { mass, from, to } : { law, discard, intercept } };
 }
 
 /** Estimates in the words and units of their report: key, words, unit, and what makes it of SI. */
@@ -158,7 +172,7 @@ function entry(path: string, file: string, form: "recording" | "force-deflection
     const what = use.value === "trial" ? { recording: file, ...(road.value ? { road: road.value, speed: speed.value } : { excitation: { file: support.value, datum: datum.value } }), tyre_pressure: pressure.value, use: goes.value, ...how }
       : { files: [file], replace: replace.checked, ...(use.value === "tyre" ? { pressure: pressure.value } : {}), ...(use.value === "decay" ? {} : { discard_below: discard.value }), ...how };
     const was = typed();
-    once(run, once(go, api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }))).then(() => { used(was); goTo(told, "campaign", { file: path, entered: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
+    once(run, once(go, api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }))).then(async (answer) => { written_ = await answer.json() as Written; used(was); goTo(told, "campaign", { file: path, entered: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
   });
   place.append(reading.element);
   offer();
@@ -201,7 +215,7 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   svg.setAttribute("viewBox", `0 0 ${w} ${h}`);
   svg.setAttribute("class", "xy");
   svg.setAttribute("role", "img");
-  svg.setAttribute("aria-label", `objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`);
+  svg.setAttribute("aria-label", heard(`objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`));
   line.setAttribute("d", logs.map((value, k) => `${k ? "L" : "M"}${(8 + (w - 16) * k / Math.max(1, logs.length - 1)).toFixed(1)} ${(8 + (h - 16) * (high - value) / (high - low)).toFixed(1)}`).join(""));
   line.setAttribute("class", "search");
   svg.append(line);

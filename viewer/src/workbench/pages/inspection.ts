@@ -1,7 +1,7 @@
 /** Shock-absorber inspection: records read and graded with their protocol, the history of a vehicle, and the store searched. */
 
 import { make, written } from "../../page";
-import { localised, tr } from "../../words";
+import { isGerman, localised, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import { dropZone, Question, report, type Told, ways } from "../jobs";
@@ -45,7 +45,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Store"), noStore, search_);
 }
 
-const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
+const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, tr(name))));
 
 /** Puts names into a choice that has them not. */
 function offer(choice: HTMLSelectElement, names: string[]): void {
@@ -57,7 +57,7 @@ function offer(choice: HTMLSelectElement, names: string[]): void {
 function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void, used: (was: Used) => void): { element: HTMLElement; here: () => (paths: string[]) => void; controls: Controls } {
   const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
   const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(new Date().toISOString().slice(0, 10)), by = text(""), language = make("select", {}, make("option", { value: "en" }, "English"), make("option", { value: "de" }, "Deutsch"));
+  const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(new Date().toISOString().slice(0, 10)), by = text(""), language = make("select", {}, ...[["en", "English"], ["de", "Deutsch"]].map(([value, words]) => make("option", { value: value!, lang: value!, ...(isGerman && value === "de" ? { selected: true } : {}) }, words!)));
   const look = make("button", { type: "button" }, "Look at the record"), looked = make("div", {});
   look.addEventListener("click", () => { const reading = new Reading(record.value, "recording"); looked.replaceChildren(reading.element); void reading.ask(); });
   const controls = { record, other, tester, vehicle, method, plate, date, by, language, store };
@@ -65,7 +65,7 @@ function evaluation(records: string[], rigs: string[], choices: Choices, stores:
   const question = new Question("Evaluate and grade", () => (was = entered(controls), {
     kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
     store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
-  }), (told: Told<Graded>, asked) => { used(was); if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol"), ways(told)]; });
+  }), (told: Told<Graded>, asked) => { used(was); if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol", asked.language), ways(told)]; });
   const none = make("p", { class: "empty", hidden: !!records.length }, "No record lies here yet.");
   const whole = make("section", { hidden: !records.length }, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
     make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
@@ -95,14 +95,14 @@ function graded(found: Graded): HTMLElement[] {
     const place = (x: number) => Math.floor(Math.log10(Math.abs(x * factor)));
     const decimals = Math.min(Math.max(0, Math.min(-place(doubt), 3 - place(value))), 20); // both end at one place, the doubt is rounded up
     const up = Math.ceil(doubt * factor * 10 ** decimals - 1e-9) / 10 ** decimals;
-    return localised(`${(value * factor).toFixed(decimals)} ± ${up.toFixed(decimals)}`);
+    return `${localised((value * factor).toFixed(decimals))} ± ${localised(up.toFixed(decimals))}`;
   };
   const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
   shown.push(make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" }, make("table", {},
     make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "wheel"), ...wheels.map((one) => make("th", { scope: "col", class: "right" }, name(one))), make("th", { scope: "col" }, "unit"))),
     make("tbody", {}, make("tr", {}, make("th", { scope: "row" }, tr("verdict")), ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))), make("td", {})),
       ...quantities.map(([key, words, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, tr(words)), ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))), make("td", {}, unit))),
-      ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, tr("grade #", method.toUpperCase())), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ?? "–")), make("td", {})))))));
+      ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, tr("grade #", method.toUpperCase())), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ? asSaid(one.grade[method]) : "–")), make("td", {})))))));
   const reasons = [...wheels.flatMap((one) => one.reasons.map((text) => make("li", {}, `${name(one)}: `, asSaid(text)))), ...(found.axle?.reasons ?? []).map((text) => make("li", {}, asSaid(text))),
     ...wheels.flatMap((one) => advised(one.findings.map((finding) => ({ ...finding, place: name(one) })), "li")), ...advised(found.findings ?? [], "li")];
   shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons)));

@@ -8,9 +8,10 @@ import * as api from "../api";
 import { designing, type Target } from "../designing";
 import { Drafts } from "../drafts";
 import { type Band, Multiples } from "../multiples";
-import { field, Newest, once, problem, Sliders, Ways } from "../parts";
+import { field, Newest, once, problem, Sliders, Steps, Ways } from "../parts";
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
+import { asSaid } from "../refusals";
 import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
 
 export const kinematics: Page = { label: "Kinematics", show };
@@ -111,14 +112,17 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   let quantities: { name: string; unit: string }[] = [];
   const wanted = new Targets(targets, () => quantities, () => over.value as Over, () => void ask());
 
-  const drafts = new Drafts<{ changes: Record<string, number>; targets: Target[] }>(folder, address("kinematics", { rig: name }), { changes: {}, targets: [] }, () => ({ changes: sliders.changes, targets }), (was) => {
+  const entered = () => ({ changes: sliders.changes, targets });
+  const put = (was: ReturnType<typeof entered>) => {
+    sliders.reset();
     for (const [path, value] of Object.entries(was.changes)) sliders.take(path, value);
     dragged.set(moved());
     targets.splice(0, targets.length, ...was.targets);
     wanted.list();
     return ask();
-  }, () => digest);
-  const ask = () => { drafts.changed(); return asked(); };
+  };
+  const drafts = new Drafts(folder, address("kinematics", { rig: name }), { changes: {}, targets: [] }, entered, put, () => digest), steps = new Steps(entered, put, place);
+  const ask = () => { drafts.changed(); steps.changed(); return asked(); };
   const asked = () => newest.ask(async () => {
     if (!place.isConnected) return;
     const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
@@ -144,7 +148,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       wanted.offer();
       multiples.show(model, store, extra.targets);
       pose();
-      notes.replaceChildren(...extra.notes.map((one) => make("p", { class: "muted" }, one)));
+      notes.replaceChildren(...extra.notes.map((one) => make("p", { class: "muted" }, asSaid(one))));
       legend.replaceChildren(...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) => make("li", {}, make("i", { class: `swatch ${role}` }), label, k ? ` (${tr("dashed")})` : "")));
       same.show(extra);
       view.draw();
@@ -182,7 +186,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("div", { class: "form" }, field(tr("Curves over"), over), field(tr("Compare with"), against), field(tr("Targets of a study"), chosen), field(tr("Show curves with"), filter)),
     make("div", { class: "sliders drives" }, ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map((one) => drives[one].element)),
     state, notes,
-    make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
+    make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element, steps.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
     make("h2", {}, tr("Numbers")), sliders.element, ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
     make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same.element);
   written_.textContent = before?.said ?? "";
@@ -203,7 +207,7 @@ class Targets {
   private readonly adds = make("button", { type: "submit", disabled: true }, tr("Add the target")); // until there is a quantity
   private known = "";
   constructor(private readonly targets: Target[], private readonly quantities: () => { name: string; unit: string }[], along: () => Over, private readonly changed: () => void) {
-    const how = make("select", {}, ...([["value", "="], ["at_least", "≥"], ["at_most", "≤"]] as const).map(([value, words]) => make("option", { value, title: value }, words)));
+    const how = make("select", {}, ...([["value", "="], ["at_least", "≥"], ["at_most", "≤"]] as const).map(([value, words]) => make("option", { value, title: tr(value.replace("_", " ")) }, words)));
     const value = make("input", { type: "text", value: "0 deg" }), tolerance = make("input", { type: "text", value: "0.1 deg" }), where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
     const unit = () => { const found = this.quantities().find((one) => one.name === this.quantity.value); if (found) { const text = found.unit.replace("°", "deg"); value.value = `0 ${text}`.trim(); tolerance.value = `0.1 ${text}`.trim(); } };
     this.quantity.addEventListener("change", unit);

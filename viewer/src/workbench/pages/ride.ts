@@ -6,12 +6,12 @@ import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
-import { accompany, begin, follow, JobCard, jobList, Question, report, undone, ways, whole } from "../jobs";
+import { accompany, begin, follow, JobCard, jobList, Question, report, titled, undone, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
-import { address, goTo, type Page, type Values, VEHICLES } from "../shell";
+import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
 import type { Choices } from "./inspection";
 import { inWords } from "../quantities";
-import { advised, raised } from "../refusals";
+import { advised, asSaid, raised } from "../refusals";
 
 export const ride: Page = { label: "Ride and control", show };
 
@@ -49,6 +49,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     once(go, begin({ kind: "compare", vehicle: vehicle.value, road: road.value, speed: speed.value, duration: duration.value, seed: Number(seed.value), control: chosen.length ? chosen : ["passive"], changes }))
       .then((job) => { drafts?.done({ drive: was }); goTo(place, "ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
   });
+  vehicle.addEventListener("change", () => carry(vehicle.value));
   const changed = Object.entries(changes);
   form.append(make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Duration", duration), field("Seed", seed)),
     ...(changed.length ? [make("p", { class: "muted" }, `changed (SI): ${changed.map(([path, value]) => `${path} = ${written(Number(value), 5)}`).join(", ")} `, make("a", { href: address("ride", { vehicle: vehicle.value }) }, "as it is"))] : []), controls, make("div", { class: "bar" }, go), said);
@@ -62,7 +63,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Rides over each other"), overlay());
   const [folder] = await Promise.all([api.folder(), search.loaded]), state = () => ({ drive: driven(), search: search.state() });
   if (!place.isConnected) return;
-  drafts = new Drafts(folder, address("ride", Object.fromEntries(values)), state(), state, async (was) => { enter(driving, was.drive); await search.restore(was.search); });
+  drafts = new Drafts(folder, address("ride", values.has("set") ? Object.fromEntries(values) : {}), state(), state, async (was) => { enter(driving, was.drive); await search.restore(was.search); });
   for (const one of [form, search.element]) drafts.hear(one);
   offers.replaceChildren(drafts.element);
 }
@@ -82,7 +83,7 @@ function overlay(): HTMLElement {
       draw = () => { const model = store.content.viewers[Number(over.value)]; if (model) holder.replaceChildren(new Player(model, store).element); };
       draw();
     });
-    return [...Object.entries(result.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: ${reason}`)), ...result.notes.map((text) => make("p", { class: "muted" }, text)), holder, ways(told)];
+    return [...Object.entries(result.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason))), ...result.notes.map((text) => make("p", { class: "muted" }, text)), holder, ways(told)];
   });
   const asking = make("div", { class: "form" }, field("Curves over", over), question.button), section = make("section", {}, none, boxes, asking, question.place);
   boxes.hidden = asking.hidden = true;
@@ -97,7 +98,7 @@ function overlay(): HTMLElement {
         const box = make("input", { type: "checkbox" });
         box.addEventListener("change", () => { if (box.checked) chosen.set(key, one); else chosen.delete(key); question.button.disabled = !chosen.size; });
         const changed = Object.entries(one.changes).map(([path, value]) => `, ${path} = ${typeof value === "number" ? written(value, 4) : String(value)}`).join("");
-        boxes.append(make("label", {}, box, ` ${job.title}${one.seed ? `, ${one.seed}` : ""}, ${name}${changed}`));
+        boxes.append(make("label", {}, box, ` ${titled(job.title)}${one.seed ? `, ${one.seed}` : ""}, ${name}${changed}`));
       }
     }
     none.hidden = offered.size > 0;
@@ -157,7 +158,7 @@ function pareto(rigs: string[], roads: string[], begun: (was: Searched) => void)
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {
   const first = await whole<Compared | Front>(id), results = make("div", {}), card = new JobCard(first);
-  place.replaceChildren(make("h1", {}, first.title), make("p", {}, make("a", { href: address("ride") }, "All rides")), card.element, results);
+  place.replaceChildren(make("h1", {}, titled(first.title)), make("p", {}, make("a", { href: address("ride") }, "All rides")), card.element, results);
   await accompany(place, first, (job) => card.show(job), (end) => {
     if (!end.result) return;
     results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ...undone("runs" in end.result ? end.result : null), ways(end),
@@ -176,8 +177,8 @@ function merits(found: Compared): HTMLElement[] {
       const value = one.merits[name], before = passive?.merits[name];
       const change = value !== undefined && before && one !== passive ? ` (${value >= before ? "+" : ""}${written(100 * (value / before - 1), 2)} %)` : "";
       return make("td", { class: "right" }, value !== undefined && value === best[name] && found.runs.length > 1 && value > 0 ? make("span", { class: "mark good" }, written(value * factor)) : written(value === undefined ? null : value * factor), change);
-    }), make("td", {}, Object.values(one.comfort).map((text) => tr(text)).join("; "))))))),
-  ...Object.entries(found.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: ${reason}`)),
+    }), make("td", {}, Object.values(one.comfort).map((text) => text.split(" to ").map((one) => tr(one)).join(tr(" to "))).join("; "))))))),
+  ...Object.entries(found.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason))),
   ...advised(found.runs.flatMap((one) => one.findings), "p")];
 }
 

@@ -9,7 +9,7 @@ import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem } from "../parts";
 import { address, type Page, type Values, VEHICLES } from "../shell";
 import { Brushes, type Column, type Influence, matrix, parallel, ranges, tornado } from "../variants";
-import { advised } from "../refusals";
+import { advised, asSaid } from "../refusals";
 
 export const studies: Page = { label: "Studies", show };
 
@@ -208,7 +208,7 @@ async function showSweep(place: HTMLElement, id: string | null, given: string | 
   const metrics = sweep.columns.filter((one) => !one.is_number);
   place.replaceChildren(make("h1", {}, title), back,
     make("p", { class: "muted" }, `${sweep.finished} of ${sweep.count} variants are finished`, summary && summary.ran < sweep.finished ? `; ${sweep.finished - summary.ran} have no run` : "", "."),
-    ...Object.entries(summary?.failed ?? {}).map(([reason, lost]) => make("p", { class: "problem" }, `${lost.variants} without a run (variant ${lost.first} first): ${reason}`)),
+    ...Object.entries(summary?.failed ?? {}).map(([reason, lost]) => make("p", { class: "problem" }, `${lost.variants} without a run (variant ${lost.first} first): `, asSaid(reason))),
     ...advised(summary?.findings ?? [], "p"),
     ...(summary?.metrics.length ? [make("h2", {}, "Metrics"), statistics(summary, metrics)] : []),
     ...(summary?.influences.length ? [make("h2", {}, "What they depend on"), ...metrics.flatMap((one) => { const own = summary.metrics.find((two) => two.name === one.name); return own ? [tornado(summary.influences, one, own.mean)] : []; })] : []),

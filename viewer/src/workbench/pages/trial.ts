@@ -4,7 +4,8 @@ import { make } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, Live, once, problem, Sliders } from "../parts";
+import { Drafts, enter, entered } from "../drafts";
+import { field, Live, once, problem, Sliders, Steps } from "../parts";
 import { Phase } from "../phase";
 import { address, choose, type Page, setLive, type Values, VEHICLES } from "../shell";
 
@@ -15,7 +16,7 @@ const FIRST = ["strut.spring.rate", "strut.damper.coefficient", "strut.damper.bu
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
   if (!name) { await choose(place, "trial", tr("Trial"), "rig", true, VEHICLES, values.get("record") ? { record: values.get("record")! } : {}); return; }
-  const [rig, { entries }] = await Promise.all([api.rig(name), api.project()]);
+  const [rig, { entries, folder }] = await Promise.all([api.rig(name), api.project()]);
   if (!place.isConnected) return;
   const kind = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))));
   const sizes = make("span", { class: "sizes" });
@@ -46,7 +47,9 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const press = make("button", { type: "submit" }, tr("Keep it")), keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
+    const was = state();
     once(press, api.asked("POST", "/api/keep", { ...asked(), title: title.value })).then(async (answer) => {
+      drafts.done(was); // it lies in the project by now
       const { path } = await answer.json() as { path: string };
       kept.replaceChildren(tr("Kept as "), make("a", { href: address("record", { path }) }, path), ". ", make("a", { href: address("project") }, tr("Compare it in the project")));
     }, (error) => kept.replaceChildren(problem(error)));
@@ -54,10 +57,22 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   kind.addEventListener("change", () => { offered(); void curves.ask(); });
   for (const one of [speed, duration]) one.addEventListener("change", () => void curves.ask());
   offered();
+  const controls = { kind, speed, duration, measured, begins };
+  const state = () => ({ controls: entered(controls), sizes: Object.fromEntries([...sizes.querySelectorAll("input")].map((one) => [one.name, one.value])), changes: { ...sliders.changes } });
+  const put = (was: ReturnType<typeof state>) => {
+    enter(controls, was.controls);
+    for (const one of sizes.querySelectorAll("input")) one.value = was.sizes[one.name] ?? one.value;
+    sliders.reset();
+    for (const [path, value] of Object.entries(was.changes)) sliders.take(path, value);
+    void curves.ask();
+  };
+  const drafts = new Drafts(folder, address("trial", { rig: name }), state(), state, put);
   setLive(curves);
   const form = make("div", { class: "form" }, field(tr("Obstacle"), kind), sizes, field(tr("Speed"), speed), field(tr("Duration"), duration), field(tr("Curves over"), look), field(tr("Beside a recording"), measured), since);
-  place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)), make("div", { class: "bench" },
-    make("div", { class: "controls", role: "region", "aria-label": tr("What is run") }, form, sliders.element),
+  const run = make("div", { class: "controls", role: "region", "aria-label": tr("What is run") }, form, sliders.element);
+  drafts.hear(run);
+  run.append(new Steps(state, (was) => { put(was); drafts.changed(); }, run).element);
+  place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)), drafts.element, make("div", { class: "bench" }, run,
     make("div", {}, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep)));
   await curves.ask();
 }
