@@ -541,7 +541,10 @@ def _weak(
         low, high = parameters[item.path].interval
         near = [end for end, at in ((low, item.lower), (high, item.upper)) if abs(end - at) < 0.02 * (high - low)]
         if near:
-            text = "its draws end at a bound: the bounds, not the data, say how far it may go"
+            text = (
+                "its draws end at a bound: the bounds, not the data, say how far it may go; an update holds it there, "
+                "and its values and intervals of the others are other than those of the draws"
+            )
             found.append(Finding(item.path, "warning", text, near[0]))
     return found
 

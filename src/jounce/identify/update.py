@@ -547,7 +547,10 @@ def updated(  # noqa: PLR0913 - as update_model
             shown_unit_of(trials[0].rig, item.path),
         )
         if at_bound[i]:
-            text = "ends on its bound: the data call for a value beyond it, or the model lacks something"
+            text = (
+                "ends on its bound: the data call for a value beyond it, or the model lacks something; intervals of "
+                "other values are those with it there, a posterior lets it move within its bounds"
+            )
             findings.append(Finding(item.path, "warning", text, value))
     found_beside = {
         one.name: _beside(one, scaled, variance, is_bound)
