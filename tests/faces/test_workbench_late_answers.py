@@ -321,6 +321,27 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
     assert "record=first.csv" in page.get_by_role("link", name="Evaluate it").get_attribute("href")
 
 
+def test_a_file_is_read_as_one_of_the_same_columns_was_unless_it_is_said_otherwise(page, base):
+    """Sixteen trials of a bench have the columns of the first."""
+    read = {"columns": {"time": "t [ms]", "sprung.az": "up"}, "stroke_positive": "extension"}
+    trials = [{"number": 1, "file": "one.csv", **read}, {"number": 2, "file": "two.csv", "columns": {"time": "other"}}]
+    nothing = {"title": "Bench", "synthetic": "", "rig": RIG, "roads": ["A"], "mass": "", "bench": [], "updates": []}
+    page.route("**/api/campaign?*", lambda route: route.fulfill(json={**nothing, "trials": trials}))
+    asks = Held(page, "**/api/ask")
+    columns = [{"name": name, "unit": "", "count": 9, "least": 0.0, "greatest": 1.0} for name in ("t", "up")]
+    found = {"columns": columns, "more": 0, "problem": None, "findings": [], "content": None, "points": None}
+    answer = {"result": found, "python": "", "command": "", "files": {}, "report": ""}
+    page.goto(f"{base}#/campaign?file=mine/campaign.toml&read=three.csv")
+    asks.go(answer)
+    page.get_by_role("button", name="Read it as one.csv is read").click()
+    asked = asks.come()[0].request.post_data_json
+    assert {key: asked[key] for key in read} == read
+    asks.go(answer)
+    assert page.get_by_label("what up is read as").input_value() == "sprung.az"
+    assert page.get_by_label("unit of t", exact=True).input_value() == "ms"
+    assert not page.get_by_role("button", name="Read it as").count()
+
+
 def test_what_is_moved_or_wanted_while_a_rig_is_written_is_there_after_it(page, base, workbench):
     show(page, base, f"kinematics?rig={CORNER}")
     page.get_by_label("Tolerance").fill("0.2 deg")

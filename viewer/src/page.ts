@@ -41,6 +41,13 @@ export function written(value: number | null | undefined, digits = 4): string {
   return localised(text);
 }
 
+/** A value with the ends of its interval, in digits that tell the ends apart. */
+export function withInterval(value: number, [low, high]: [number, number], digits = 4): [string, string] {
+  const apart = Math.abs(high - low), size = Math.max(Math.abs(low), Math.abs(high));
+  const enough = apart > 0 && Number.isFinite(size / apart) ? Math.min(Math.max(digits, Math.ceil(Math.log10(size / apart)) + 2), 12) : digits;
+  return [written(value, enough), `${written(low, enough)} … ${written(high, enough)}`];
+}
+
 /** The same of a value that is known to a step only: digits below it are not written. */
 export function writtenTo(value: number, step: number): string {
   if (!Number.isFinite(value) || !(step > 0)) return written(value);

@@ -50,13 +50,16 @@ export class Reading {
   private readonly mapping = make("tbody", {});
   private readonly names = make("datalist", { id: "channels-to-read" });
   private readonly question: Question<Preview>;
+  private readonly signs = new Map<"stroke_positive" | "force_positive", HTMLSelectElement>();
   private known: Preview["columns"] = [];
 
-  constructor(readonly file: string, public form: "recording" | "force-deflection", given: Partial<Fields> = {}) {
+  /** `like`: files whose way of being read is offered, where this one has their columns. */
+  constructor(readonly file: string, public form: "recording" | "force-deflection", given: Partial<Fields> = {}, private readonly like: { file: string; fields: Partial<Fields> }[] = []) {
     Object.assign(this.fields, given, { columns: { ...given.columns } });
     const sign = (key: "stroke_positive" | "force_positive", words: string[]) => {
       const select = make("select", {}, make("option", { value: "" }, "not stated"), ...words.map((word) => make("option", word === this.fields[key] ? { value: word, selected: true } : { value: word }, `positive in ${word}`)));
       select.addEventListener("change", () => { this.fields[key] = select.value; void this.ask(); });
+      this.signs.set(key, select);
       return select;
     };
     const text = (key: "variable" | "sample_time", hint: string) => {
@@ -87,7 +90,7 @@ export class Reading {
 
   private shown(found: Preview, told: { python: string; command: string; files: Record<string, string> }): HTMLElement[] {
     if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) { this.known = found.columns; this.offer(); }
-    const shown: HTMLElement[] = [];
+    const shown: HTMLElement[] = this.alike();
     if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, asSaid(found.problem)));
     shown.push(...advised(found.findings.map((one) => ({ ...one, place: "" })), "p"));
     if (found.more) shown.push(make("p", { class: "muted" }, `and ${found.more} more columns`));
@@ -98,6 +101,21 @@ export class Reading {
       void Store.open(JSON.stringify(found.content)).then(inWords).then((store) => { const model = store.content.viewers[0]; if (model) holder.replaceChildren(new Player(model, store).element); });
     }
     return [...shown, ways(told)];
+  }
+
+  /** A file of the same columns was read before: one button reads this one so, where nothing was said of it yet. */
+  private alike(): HTMLElement[] {
+    const names = new Set(this.known.map((one) => one.name));
+    const same = this.like.find((one) => one.file !== this.file && Object.values(one.fields.columns ?? {}).every((column) => names.has(column.replace(/ \[[^\]]*\]$/, ""))));
+    if (!same || Object.keys(this.fields.columns).length) return [];
+    const button = make("button", { type: "button" }, tr("Read it as # is read", same.file.split("/").pop()!));
+    button.addEventListener("click", () => {
+      this.fields.columns = { ...same.fields.columns };
+      for (const [key, select] of this.signs) select.value = this.fields[key] = same.fields[key] ?? "";
+      this.offer();
+      void this.ask();
+    });
+    return [make("p", { class: "bar" }, button)];
   }
 
   private offer(): void {

@@ -1,6 +1,6 @@
 /** A bench campaign: measurements dropped in and read, parts characterised, the model updated, every trial compared. */
 
-import { make, written } from "../../page";
+import { make, withInterval, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
@@ -106,6 +106,11 @@ function table(name: string, header: string[], rows: (Node | string)[][], number
     make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((one, k) => (k ? make("td", kind(k), one) : make("th", { scope: "row" }, one))))))));
 }
 
+/** A value and its interval, as cells. */
+function estimated(value: number, interval: [number, number] | null | undefined, factor: number, digits = 4): [string, string] {
+  return interval ? withInterval(value * factor, [interval[0] * factor, interval[1] * factor], digits) : [written(value * factor, digits), "–"];
+}
+
 type Link = (file: string, form: "recording" | "force-deflection", given?: Partial<Bench>) => HTMLElement;
 
 /** One measured part: its files, and what they amount to, asked at once. */
@@ -136,7 +141,7 @@ function estimates(found: Record<string, unknown>): HTMLElement {
   const rows = Object.entries(found).flatMap(([name, value]) => {
     const one = value as { value?: number; interval?: [number, number] } | null;
     const [words, unit, factor] = ESTIMATES[name] ?? [];
-    return words && unit && factor && one && typeof one === "object" && typeof one.value === "number" ? [[tr(words), written(one.value * factor), one.interval ? `${written(one.interval[0] * factor)} … ${written(one.interval[1] * factor)}` : "–", unit]] : [];
+    return words && unit && factor && one && typeof one === "object" && typeof one.value === "number" ? [[tr(words), ...estimated(one.value, one.interval, factor), unit]] : [];
   });
   const findings = (found.findings ?? []) as { severity: string; message: string }[];
   return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...advised(findings, "p"));
@@ -149,7 +154,8 @@ interface Opened { element: HTMLElement; state: () => Typed | null; restore: (wa
 /** A measured file: how it is read, and how it goes into the campaign, which is not run meanwhile. */
 function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview, run: HTMLButtonElement, used: (was: Typed) => void): Opened {
   const place = make("div", {}), told = make("div", { "aria-live": "polite" });
-  let reading = new Reading(file, form, given as object);
+  const like = whole_.trials.filter((one) => one.file && Object.keys((one.columns as object | undefined) ?? {}).length).reverse().map((one) => ({ file: String(one.file), fields: one as Partial<Fields> }));
+  let reading = new Reading(file, form, given as object, form === "recording" ? like : []);
   const kinds: [string, string][] = [["trial", "a trial"], ["decay", "a free decay"], ["spring", "the spring"], ["tyre", "a tyre at a pressure"]];
   const use = make("select", {}, ...kinds.map(([value, words]) => make("option", (form === "force-deflection") === (value === "spring") && (value === "trial" || value === "spring") ? { value, selected: true } : { value }, words)));
   const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint });
@@ -240,7 +246,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
       table("parameters", ["parameter", "unit", "at first", "value", "95 % interval, noise only", "bounds", "known"], Object.entries(one.parameters).map(([path, p]) => {
         const law = one.discrepancy?.parameters[path];
         const { unit, factor } = units(path);
-        return [path, unit, written(p.initial * factor), written(p.value * factor, 5), p.interval ? `${written(p.interval[0] * factor)} … ${written(p.interval[1] * factor)}` : "–", `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
+        return [path, unit, written(p.initial * factor), ...estimated(p.value, p.interval, factor, 5), `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
           p.at_bound ? make("span", { class: "mark fair" }, "at its bound") : law?.why ? make("span", { class: "mark bad" }, `not identified: ${law.why}`) : law ? make("span", { class: "mark good" }, "identified") : "–"];
       }), [2, 3, 4, 5]),
       make("h3", {}, "What the data can tell"), make("p", { class: "muted" }, `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${written(one.identifiability.condition, 3)}.`),

@@ -40,6 +40,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const points = new Points(view, (changes, done) => { if (done) void edit({ changes }); else void draw(changes); });
   const picture = make("section", { hidden: true, "aria-label": tr("The mechanism") }, make("h2", {}, tr("The mechanism")), make("p", { class: "muted" }, tr("Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.")), points.element, stage);
 
+  const moves = make("a", { href: address("kinematics", { rig: name }), hidden: true }, tr("Look at its kinematics"));
   const drafts = new Drafts(folder, own, { text: held(saved.text) }, () => ({ text: text.value }), ({ text: to }) => inTurn(async () => {
     step(text.value);
     text.value = to;
@@ -73,6 +74,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     if (text.value !== found.text) text.value = found.text;
     if (found.text !== reviewed) { difference.replaceChildren(); reviewed = null; }
     state = found;
+    if (found.rig) moves.hidden = !found.rig.spatial;
     isOld = true;
   };
   /** Shows what was taken last, once nothing is under way: an earlier answer knows nothing of what was set since. */
@@ -162,7 +164,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   save.addEventListener("click", () => void inTurn(review));
   whenColoursChange(() => { view.repaint(); });
   place.replaceChildren(make("h1", {}, name),
-    make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), make("a", { href: address("kinematics", { rig: name }) }, tr("Look at its kinematics"))),
+    make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), moves),
     drafts.element, told, make("div", { class: "bar" }, save, undo, redo), difference, unseen, picture,
     make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)));
   await edit({});
