@@ -163,7 +163,7 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     >>> table.names, table["Kraft"].unit, float(table["Weg"].in_si("m")[1]), table.remarks
     (('Weg', 'Kraft', 'Zeit'), 'N', 0.01, ('decimal commas were read as decimal points',))
     """
-    return columns_in(_text_of(Path(path)), Path(path))
+    return columns_in(text_of(Path(path)), Path(path))
 
 
 def columns_in(text: str, file: Path) -> ColumnTable:
@@ -210,7 +210,7 @@ def read_comments_csv(path: Path | str) -> tuple[str, ...]:
     >>> read_comments_csv(file)
     ("axle = 'front'",)
     """
-    return _leading_comments(_text_of(Path(path)).splitlines())[0]
+    return _leading_comments(text_of(Path(path)).splitlines())[0]
 
 
 def parse_header(header: str) -> list[tuple[str, str]]:
@@ -244,7 +244,8 @@ def _check_memory(size: int, file: Path) -> None:
         )
 
 
-def _text_of(file: Path) -> str:
+def text_of(file: Path) -> str:
+    """Text of a file of columns; what is binary, missing or larger than the memory is refused."""
     _check_memory(existing_file(file, RecordingError).stat().st_size, file)
     content = file.read_bytes()
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))

@@ -27,7 +27,7 @@ from jounce.core.columns import (
     columns_in,
     name_and_unit,
     parse_header,
-    read_columns_csv,
+    text_of,
 )
 from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
@@ -37,6 +37,7 @@ from jounce.core.types import Array
 from jounce.core.workbooks import sheets_of
 from jounce.recordings.hdf5 import announcement, check_size, held_rows
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
+from jounce.recordings.labview import FIRST, plain_columns
 from jounce.recordings.matlab import read_matrices
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
 from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
@@ -188,8 +189,26 @@ def _renamed(table: ColumnTable, header: str) -> ColumnTable:
     example="time [s], sprung.az [m/s^2]",
 )
 def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
-    """Comma, semicolon or tab separated columns."""
-    return SignalTable(_renamed(read_columns_csv(path), options.header))
+    """Comma, semicolon or tab separated columns; also the text of LabVIEW, whatever its suffix."""
+    text = text_of(path)
+    if text.startswith(FIRST):
+        text = plain_columns(text, path)
+    return SignalTable(_renamed(columns_in(text, path), options.header))
+
+
+@reader(
+    "lvm",
+    "LabVIEW measurement file (text), one segment",
+    (".lvm",),
+    source="Specification for the LabVIEW Measurement File, National Instruments",
+    example="columns={'sprung.az': 'Acceleration'}, with the units of its header",
+)
+def _read_lvm(path: Path, options: ReaderOptions) -> SignalTable:
+    """Channels of the segment with their ``Y_Unit_Label``; time as written, or from ``X0`` and ``Delta_X``."""
+    text = text_of(path)
+    if not text.startswith(FIRST):
+        raise RecordingError("not a LabVIEW measurement file", where=str(path), allowed=f"a file that begins {FIRST!r}")
+    return SignalTable(_renamed(columns_in(plain_columns(text, path), path), options.header))
 
 
 @reader(

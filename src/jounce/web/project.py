@@ -23,7 +23,7 @@ _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
 _ROW = re.compile(rb"^\s*[-+]?[\d.][\d.,eE+-]*[\s;,]+[-+]?\.?\d", re.MULTILINE)
 RECORDS = (
     ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".xlsx", ".xlsm",
-    ".tdms", ".uff", ".uf", ".unv",
+    ".tdms", ".lvm", ".uff", ".uf", ".unv",
 )  # fmt: skip
 """Suffixes of files that were measured, or simulated: those of all readers."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)

@@ -1,0 +1,89 @@
+"""LabVIEW measurement files: text with tagged headers, made into the plain table that it holds.
+
+Of the grammar that National Instruments publish one segment is read: names, units, start and step of its channels, with
+one column of X values, with one for each channel where these are the same, or with none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from jounce.core.errors import RecordingError
+
+FIRST = "LabVIEW Measurement"
+_END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
+_ALLOWED = "one segment after the header, with equal steps of all channels"
+
+
+def plain_columns(text: str, file: Path) -> str:
+    r"""Give the table of a LabVIEW measurement file as text, each row on its line: ``time [s]`` and the channels.
+
+    Raises RecordingError for a file that was cut off, has several segments, or whose channels differ in their steps.
+
+    >>> head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\n\nChannels\t1\n"
+    >>> segment = "Y_Unit_Label\tg\nX0\t0.5\nDelta_X\t0.25\n***End_of_Header***\nX_Value\tbody\tComment\n\t1.5\n\t2.0\n"
+    >>> plain_columns(head + segment, Path("a.lvm")).split("\n")[-3:]
+    ['time [s]\tbody [g]', '0.5\t1.5', '0.75\t2.0']
+    """
+    lines = text.splitlines()
+    ends = [i for i, line in enumerate(lines) if line.startswith(_END)]
+    if len(ends) != 2 or len(lines) < ends[1] + 3:
+        found = "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
+        hint = "Write a file for each, or all in one segment." if len(ends) > 2 else "Is the file whole?"
+        raise RecordingError("no table of one segment", where=str(file), found=found, allowed=_ALLOWED, hint=hint)
+    separator = "," if _tags(lines[: ends[0]], "\t").get("Separator", _comma(lines)) == ["Comma"] else "\t"
+    whole, own = _tags(lines[: ends[0]], separator), _tags(lines[ends[0] + 1 : ends[1]], separator)
+    mark = whole.get("Decimal_Separator", ["."])[0]
+    names = lines[ends[1] + 1].rstrip(separator).split(separator)
+    kept = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
+    if len({_number(x, mark, file) for x in own.get("Delta_X", [])}) > 1 or len(set(own.get("X0", []))) > 1:
+        raise RecordingError("channels begin or step differently", where=str(file), allowed=_ALLOWED)
+    if any(dimension != "Time" for dimension in own.get("X_Dimension", [])):
+        raise RecordingError("no signals over time", where=f"{file}: X_Dimension", allowed="Time")
+    units = own.get("Y_Unit_Label", [])
+    units = [*units, *[""] * (len(kept) - len(units))]
+    heads = [
+        names[i] + (f" [{unit}]" if unit and "[" not in names[i] else "") for i, unit in zip(kept, units, strict=False)
+    ]
+    start, step = (_number(own.get(tag, [""])[0] or "0", mark, file) for tag in ("X0", "Delta_X"))
+    rows = list(_rows(lines[ends[1] + 2 :], separator, kept, mark, start, step))
+    return "\n".join([*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *rows])
+
+
+def _comma(lines: Sequence[str]) -> list[str]:
+    """What the line of the separator says where tabs do not separate."""
+    return next((["Comma"] for line in lines[:20] if line.startswith("Separator,Comma")), ["Tab"])
+
+
+def _tags(lines: Sequence[str], separator: str) -> dict[str, list[str]]:
+    """Tags of a header with what follows them; what special blocks say is left out."""
+    found, special = dict[str, list[str]](), False
+    for line in lines:
+        special = (special or line.startswith(_SPECIAL)) and not line.startswith(_SPECIAL_END)
+        tag, *values = line.rstrip(separator).split(separator)
+        if tag and not special:
+            found.setdefault(tag, values)
+    return found
+
+
+def _number(cell: str, mark: str, file: Path) -> float:
+    try:
+        return float(cell.replace(mark, "."))
+    except ValueError:
+        raise RecordingError("not a number in the header", where=str(file), found=cell) from None
+
+
+def _rows(
+    lines: Sequence[str], separator: str, kept: Sequence[int], mark: str, start: float, step: float
+) -> Iterator[str]:
+    """Rows of the table: time, then the channels; where no time is written it follows from the step."""
+    count = 0
+    for line in lines:
+        cells = line.split(separator)
+        if not line.strip():
+            yield ""
+            continue
+        instant = cells[0] if cells[0].strip() else f"{start + count * step:.12g}".replace(".", mark)
+        count += 1
+        yield separator.join([instant, *(cells[i] for i in kept if i < len(cells))])
