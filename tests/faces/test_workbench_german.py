@@ -39,6 +39,10 @@ def test_findings_of_a_rig_and_of_a_recording_are_german(browser: Any, workbench
     reading.get_by_text("Der Kanal ist konstant (0.001); war der Aufnehmer angeschlossen?").wait_for()
     reading.get_by_text("Spalten, die kein bekannter Kanal sind, wurden weggelassen: temperature").wait_for()
     assert reading.locator("[lang=en]").count() == 0
+    (folder / "few.toml").write_text('schema = "jounce.rig/1"\nmodel = "quarter-car"\n[sprung]\nmass = "16 kq"\n')
+    page.goto(f"http://127.0.0.1:{port}/#/trial?rig=few.toml")
+    page.get_by_role("alert").get_by_text("few.toml, Zeile 4: sprung.mass: falsche Einheit").wait_for()
+    assert "tyre: der Schlüssel fehlt und hat keinen Vorgabewert." in page.get_by_role("alert").inner_text()
     refused = {"error": {"text": "the wheels of this rig are of cheese"}}  # no words that a page could know
     page.route("**/api/rig?*", lambda route: route.fulfill(status=422, json=refused))
     page.goto(f"http://127.0.0.1:{port}/#/trial?rig=steep.toml")
