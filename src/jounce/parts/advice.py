@@ -17,7 +17,7 @@ from jounce.parts.leverage import (
     static_tyre_deflection,
 )
 from jounce.parts.rig import Rig, questions
-from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, WheeledAxle
+from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, QuarterCar, WheeledAxle
 
 AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
 
@@ -77,7 +77,8 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
         checks = checks[:4] if rig.lacks else checks  # what it does not say cannot be wrong
         found = list(_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
-        found = [*_estimated(rig), *(_vehicle(rig) if isinstance(rig, AnyVehicle) else ())]
+        lumped = _vehicle(rig) if isinstance(rig, AnyVehicle) else _at_rest(rig) if isinstance(rig, QuarterCar) else ()
+        found = [*_estimated(rig), *lumped]
     asked_of = rig.parameters().keys() - {item.place for item in found}  # not of what stands in for what is left out
     found += [_warn(path, asked, value) for path, asked, value in questions(rig) if path in asked_of]
     start = f"{where}: " if where else ""
@@ -348,6 +349,17 @@ def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) ->
                 "The coefficient is that of one wheel; is its unit right?"
             )
             yield _warn(f"{name}.damping_coefficient", text, ratio)
+
+
+def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
+    """A gap that was measured from the standing car: here it counts from the undeformed spring."""
+    spring, stop = rig.strut.spring, rig.strut.bump_stop
+    if stop is None or spring.rate is None:
+        return
+    rest = (rig.sprung.mass * rig.gravity / np.cos(rig.strut.angle) - spring.preload) / spring.rate
+    if stop.gap < rest:
+        text = f"the stop is closed at rest, where the springs are deflected by about {1e3 * rest:.4g} mm."
+        yield _warn("strut.bump_stop.gap", text, stop.gap)
 
 
 def _axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:

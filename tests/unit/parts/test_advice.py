@@ -317,3 +317,12 @@ def test_choices_may_be_estimated():
     rig = load("formula-student-front").with_changes({"estimated": ["strut.on", "strut.onn", "guide"]})
     said = [finding.message for finding in rig_findings(rig) if finding.place.endswith("estimated")]
     assert said == ["'strut.onn' names no parameter and no part of this rig."]
+
+
+def test_a_quarter_car_upon_its_stop_is_told():
+    """Gaps are measured at standing cars; this one counts from the undeformed spring."""
+    rig = load("kart-quarter-car")
+    rest = rig.sprung.mass * rig.gravity / np.cos(rig.strut.angle) / rig.strut.spring.rate
+    for gap, places in ((0.9 * rest, ["strut.bump_stop.gap"]), (1.1 * rest, [])):
+        given = rig.with_changes({"strut.bump_stop": {"gap": gap, "rate": 60e3}})
+        assert [finding.place for finding in rig_findings(given)] == places
