@@ -347,10 +347,12 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
         from scipy.stats import qmc
 
         found = qmc.LatinHypercube(numbers, seed=seed).random(count)
-    return np.asarray(np.clip(found, 1e-12, 1.0 - 1e-12), dtype=float)
+    return np.asarray(np.minimum(np.maximum(found, 1e-12), 1.0 - 1e-12), dtype=float)
 
 
 _BITS = 30
+_FIRST = 1024  # points laid out one after the other: as many steps of their own as doublings would take cost more
+_TURNS = np.array([(i & -i).bit_length() - 1 for i in range(1, _FIRST)])  # along which direction each moves
 _PLACES = 2 ** np.arange(_BITS - 1, -1, -1)
 _BELOW, _DIAGONAL = np.tri(_BITS, k=-1), np.eye(_BITS)
 
@@ -360,8 +362,8 @@ def _sobol(numbers: int, count: int, seed: int) -> Array:
 
     SciPy's engine, made anew for each seed, takes as long as two dozen variants of a small model, half of it for what
     is not the points. Its directions are the same for all seeds and read from it once. A triangle of random bits mixes
-    the bits of each direction, then the points are laid out by Gray's code: again as many as there are, the last one
-    first, moved along the next direction.
+    the bits of each direction, then the points are laid out by Gray's code: the first thousand each a step from the one
+    before, then again as many as there are, the last one first, moved along the next direction.
     """
     doublings = max((count - 1).bit_length(), 1)
     random = np.random.default_rng(seed)
@@ -371,7 +373,10 @@ def _sobol(numbers: int, count: int, seed: int) -> Array:
     along = (_PLACES @ mixed).astype(np.uint32)
     found = np.empty((numbers, count), dtype=np.uint32)
     found[:, 0] = shift
-    for i in range(doublings):
+    first = min(count, _FIRST)
+    np.take(along, _TURNS[: first - 1], axis=1, out=found[:, 1:first])
+    np.bitwise_xor.accumulate(found[:, :first], axis=1, out=found[:, :first])
+    for i in range(_FIRST.bit_length() - 1, doublings):
         old = 2**i
         new = found[:, old : 2 * old]
         np.bitwise_xor(found[:, old - new.shape[1] : old][:, ::-1], along[:, i, None], out=new)

@@ -72,7 +72,8 @@ class Work:
     def run(self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None) -> xr.Dataset:
         """Run variants, given by their values (SI) by path; ``first`` is the number of the first one."""
         count = len(next(iter(columns.values())))
-        results = _Results(self.metrics, self.channels, count, self.study.few_of(self.metrics, self.channels, count))
+        few = self.study.few_of(self.metrics, self.channels, count)
+        results = _Results(self.metrics, self.channels, count, few, _Frame(self.study, columns, first))
         groups = list(self.study.groups(columns))
         small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
         if small:
@@ -90,7 +91,7 @@ class Work:
                     group.fill(results, columns, own, 1)
 
             _shared(small, fill, workers)
-        return results.dataset(self.study, columns, first, self.design)
+        return results.dataset(self.design)
 
 
 def prepared(
@@ -118,6 +119,41 @@ def prepared(
 
 
 @dataclass(frozen=True)
+class _Frame:
+    """What stands around results, and does not follow from them: it can be made while they are computed."""
+
+    study: Study
+    columns: Mapping[str, Array]
+    first: int
+
+    def make(self) -> None:
+        """Make all of it."""
+        _ = self.axes, self.beside, self.outside
+
+    @cached_property
+    def axes(self) -> xr.Dataset:
+        """Numbers of the variants."""
+        return _numbered(self.first, len(next(iter(self.columns.values()))))
+
+    @cached_property
+    def beside(self) -> dict[str, xr.Variable]:
+        """The numbers that vary."""
+        study = self.study
+        return {path: _along_variants(column, study.number(path)[1], path) for path, column in self.columns.items()}
+
+    @cached_property
+    def outside(self) -> int:
+        """How many variants have a number outside what its description allows."""
+        return self.study.outside(self.columns)
+
+
+def _along_variants(values: Array, unit: str, long_name: str) -> xr.Variable:
+    import xarray as xr
+
+    return xr.Variable(("variant",), values, {"units": unit, "long_name": long_name}, fastpath=True)
+
+
+@dataclass(frozen=True)
 class _Results:
     """Arrays of results, filled group by group."""
 
@@ -125,14 +161,15 @@ class _Results:
     channels: list[str]
     count: int
     few: FewChannels | None
+    frame: _Frame
 
     @cached_property
     def numbers(self) -> Array:
         return np.full((self.count, len(self.metrics)), np.nan)
 
     @cached_property
-    def reasons(self) -> list[str]:
-        return [""] * self.count
+    def reasons(self) -> NDArray[np.object_]:
+        return np.full(self.count, "", dtype=object)  # texts of their own length: one long one is not that of all
 
     @cached_property
     def courses(self) -> list[Array | None]:
@@ -151,20 +188,15 @@ class _Results:
         """What controllers found."""
         return Tally()
 
-    def dataset(
-        self, study: Study, columns: Mapping[str, Array], first: int, design: Mapping[str, str | int]
-    ) -> xr.Dataset:
+    def dataset(self, design: Mapping[str, str | int]) -> xr.Dataset:
         import xarray as xr
 
-        def variable(along: tuple[str, ...], values: Any, unit: str, long_name: str) -> xr.Variable:
-            return xr.Variable(along, values, {"units": unit, "long_name": long_name}, fastpath=True)
-
+        study, axes = self.frame.study, self.frame.axes
         found: dict[str, xr.Variable] = {}
         for i, metric in enumerate(self.metrics):
-            found[metric.text] = variable(("variant",), self.numbers[:, i].copy(), metric.unit, metric.long_name)
-        axes = _numbered(first, self.count)
+            found[metric.text] = _along_variants(self.numbers[:, i].copy(), metric.unit, metric.long_name)
         if self.channels:
-            given = columns.get("trial.duration", [study.trial.duration])
+            given = self.frame.columns.get("trial.duration", [study.trial.duration])
             times = study.settings.times(float(given[0]))
             axes = axes.assign_coords(time=xr.Variable(("time",), times, {"units": "s"}))
         for i, name in enumerate(self.channels):
@@ -172,15 +204,18 @@ class _Results:
             for row, course in zip(values, self.courses, strict=True):
                 if course is not None:
                     row[: course.shape[1]] = course[i]
-            found[name] = variable(("variant", "time"), values, study.units[name], study.long_names[name])
-        reasons = np.array(self.reasons, dtype=object)  # texts of their own length: one long one is not that of all
+            about = {"units": study.units[name], "long_name": study.long_names[name]}
+            found[name] = xr.Variable(("variant", "time"), values, about, fastpath=True)
         about = {"long_name": "why it has no run"}
-        found["reason"] = xr.Variable(("variant",), reasons, about, fastpath=True)
-        beside = {path: variable(("variant",), column, study.number(path)[1], path) for path, column in columns.items()}
-        outside = {"outside": study.outside(columns)}
-        attributes = {"rig": str(getattr(study.rig, "model", "")), **self.tally, **outside, **design}
+        found["reason"] = xr.Variable(("variant",), self.reasons, about, fastpath=True)
+        attributes = {
+            "rig": str(getattr(study.rig, "model", "")),
+            **self.tally,
+            "outside": self.frame.outside,
+            **design,
+        }
         attributes |= self.found.attributes()
-        return dataset(found, axes, attributes, beside)
+        return dataset(found, axes, attributes, self.frame.beside)
 
 
 @lru_cache(2)
@@ -292,12 +327,16 @@ class Study:
 
     def outside(self, columns: Mapping[str, Array]) -> int:
         """How many variants have a number outside what its description allows."""
-        found = np.zeros(len(next(iter(columns.values()))), dtype=bool)
+        found: NDArray[np.bool_] | None = None
         for path, column in columns.items():
             limit = self.limit(path)
             least, most = limit.limits
-            found |= (column < least) | (column > most) | (limit.above is not None and column == least)
-        return int(np.sum(found))
+            low, high = float(column.min()), float(column.max())
+            if high <= most and (low > least if limit.above is not None else low >= least):
+                continue
+            beyond = (column < least) | (column > most) | (limit.above is not None and column == least)
+            found = beyond if found is None else found | beyond
+        return 0 if found is None else int(np.sum(found))
 
     def columns(self, variants: Variants) -> dict[str, Array]:
         """Values of every variant, SI."""
@@ -389,18 +428,19 @@ class _Group:
     def fill(
         self, results: _Results, columns: Mapping[str, Array], rows: NDArray[np.int64], threads: int | None
     ) -> None:
-        own = {path: column[rows] for path, column in _of_the_rig(columns).items()}
+        own = _of_the_rig(columns)
+        if len(rows) < results.count:
+            own = {path: column[rows] for path, column in own.items()}
         if self.reason:
             for row in rows:
                 results.reasons[row] = self.reason
             return
-        described = np.full(len(rows), self.control is not None or any(path in MOVES_TRACKS for path in own))
-        if not described.any():
-            described = self._forbidden(own, len(rows))
-        for i in np.flatnonzero(described).tolist():
-            changes = {path: float(column[i]) for path, column in own.items()}
-            self._alone(results, int(rows[i]), partial(self._run, changes, results.few))
-        own, rows = {path: column[~described] for path, column in own.items()}, rows[~described]
+        described = self._described(own, len(rows))
+        if described is not None:
+            for i in np.flatnonzero(described).tolist():
+                changes = {path: float(column[i]) for path, column in own.items()}
+                self._alone(results, int(rows[i]), partial(self._run, changes, results.few))
+            own, rows = {path: column[~described] for path, column in own.items()}, rows[~described]
         if not len(rows):
             return
         parameters = self._parameters(own, len(rows))
@@ -429,10 +469,12 @@ class _Group:
             found[:, self.study.compiled.facts.parameters.index(path)] = column
         return found
 
-    def _forbidden(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_]:
-        """Which variants the description does not allow; they are left to say why."""
+    def _described(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
+        """Which variants need a description of their own, None for none: those that it forbids are to say why."""
+        if self.control is not None or any(path in MOVES_TRACKS for path in own):
+            return np.ones(count, dtype=bool)
         if self.study.allows_all(own):
-            return np.zeros(count, dtype=bool)
+            return None
         rows = zip(*(column.tolist() for column in own.values()), strict=True)
         return np.array([not self.study.is_allowed(own, row) for row in rows], dtype=bool)
 
@@ -449,7 +491,8 @@ class _Group:
         kept = [study.compiled.output_names.index(name) for name in names]
         channels = list(dict.fromkeys([*kept, *limits]))
         layout = self._layout(channels)
-        sums = sums_side_by_side(layout, parameters, threads) if layout is not None else None
+        make = results.frame.make
+        sums = sums_side_by_side(layout, parameters, threads, make) if layout is not None else None
         if sums is None:
             return np.ones(len(rows), dtype=bool)
         careful = sums.alone.copy()
@@ -460,12 +503,14 @@ class _Group:
                 <= limit
             )
         sound = ~careful
+        count = int(np.count_nonzero(sound))
         for i, metric in enumerate(results.metrics):
-            j = names.index(metric.channel)
-            parts = (sums.mean, sums.square, sums.least, sums.most, sums.rest)
-            found = of_sums(metric.word, *(part[:, j] for part in parts))
-            results.numbers[rows[sound], i] = found[sound]
-        results.tally["side_by_side"] += int(np.count_nonzero(sound))
+            found = of_sums(metric.word, sums, names.index(metric.channel))
+            if count == results.count:
+                results.numbers[:, i] = found
+            else:
+                results.numbers[rows[sound], i] = found[sound]
+        results.tally["side_by_side"] += count
         return careful
 
     def _layout(self, channels: Sequence[int]) -> Layout | None:

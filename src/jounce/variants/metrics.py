@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.core.types import Array
 from jounce.recordings.schema import channels_of
 from jounce.ride.weighting import WEIGHTINGS, weighted
+
+if TYPE_CHECKING:
+    from jounce.variants.side_by_side import Sums
 
 WORDS = {
     "rms": "root mean square about the value at rest",
@@ -92,13 +96,14 @@ def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
     return DescriptionError(error.what, where=error.where, allowed=error.allowed, hint=hint)
 
 
-def of_sums(word: str, mean: Array, square: Array, least: Array, most: Array, rest: Array) -> Array:
-    """Metric of every variant from what was summed about the value at rest."""
+def of_sums(word: str, sums: Sums, channel: int) -> Array:
+    """Metric of every variant from what was summed of a channel about its value at rest."""
     if word == "rms":
-        return np.sqrt(square)
+        return np.asarray(np.sqrt(sums.square[:, channel]))
     if word == "range":
-        return most - least
-    return rest + {"mean": mean, "min": least, "max": most}[word]
+        return np.asarray(sums.most[:, channel] - sums.least[:, channel])
+    found = {"mean": "mean", "min": "least", "max": "most"}[word]
+    return np.asarray(sums.rest[:, channel] + getattr(sums, found)[:, channel])
 
 
 def of_course(metric: RunMetric, values: Array, rest: float, output_step: float) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -35,16 +35,35 @@ class Sums:
     """What was found of each variant and channel: mean, mean square, least and greatest value about ``rest``.
 
     All have one row a variant; ``rest`` is the value at rest. ``alone`` tells which variants have nothing here: they
-    rest in other contacts, or cannot be followed at the common step. ``events`` counts what switched.
+    rest in other contacts, or cannot be followed at the common step. ``events`` counts what switched. ``sums`` are
+    those of so many ``samples`` as the code leaves them.
     """
 
-    mean: Array
-    square: Array
-    least: Array
-    most: Array
+    sums: Array
+    samples: int
     rest: Array
     alone: NDArray[np.bool_]
     events: NDArray[np.int64]
+
+    @property
+    def mean(self) -> Array:
+        """Mean about the value at rest."""
+        return np.asarray(self.sums[:, 0 :: lanes.SUMS] / self.samples)
+
+    @property
+    def square(self) -> Array:
+        """Mean square about the value at rest."""
+        return np.asarray(self.sums[:, 1 :: lanes.SUMS] / self.samples)
+
+    @property
+    def least(self) -> Array:
+        """Least value about the value at rest."""
+        return self.sums[:, 2 :: lanes.SUMS]
+
+    @property
+    def most(self) -> Array:
+        """Greatest value about the value at rest."""
+        return self.sums[:, 3 :: lanes.SUMS]
 
 
 @dataclass(frozen=True)
@@ -61,8 +80,13 @@ class Layout:
     rooms: list[lanes.Work] = field(default_factory=list, compare=False)
 
 
-def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = None) -> Sums | None:
-    """Follow variants, one row of parameter values (SI) each; None where these are not for it, or too few."""
+def sums_side_by_side(
+    layout: Layout, parameters: Array, threads: int | None = None, meanwhile: Callable[[], object] | None = None
+) -> Sums | None:
+    """Follow variants, one row of parameter values (SI) each; None where these are not for it, or too few.
+
+    ``meanwhile`` is what else is to be done: this thread does it while the others wake up.
+    """
     count = len(parameters)
     if count < LEAST or np.any(parameters[:, list(layout.zero)] != 0.0):
         return None
@@ -84,10 +108,8 @@ def sums_side_by_side(layout: Layout, parameters: Array, threads: int | None = N
         layout.rooms.append(room)
 
     workers = min(threads or processors(), max(count // _FEW, 1))
-    share(_spans(count, layout.work.room.kept.shape[1], workers), take, workers)
-    total, square, least, most = (sums[:, i :: lanes.SUMS] for i in range(lanes.SUMS))
-    samples = layout.samples
-    return Sums(total / samples, square / samples, least, most, rest, alone == 1, events)
+    share(_spans(count, layout.work.room.kept.shape[1], workers), take, workers, meanwhile)
+    return Sums(sums, layout.samples, rest, alone == 1, events)
 
 
 def lay_out(

@@ -28,11 +28,16 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def share(items: Iterable[Item], take: Callable[[Iterator[Item]], None], workers: int) -> None:
+def share(
+    items: Iterable[Item],
+    take: Callable[[Iterator[Item]], None],
+    workers: int,
+    meanwhile: Callable[[], object] | None = None,
+) -> None:
     """Have threads, this one among them, take items from one iterator until there are none left.
 
     ``take`` is called once in each of them. Where one fails, it leaves nothing to the others, and its error is raised
-    when all are done.
+    when all are done. What is to be done ``meanwhile`` this thread does while the others wake up.
 
     >>> found = []
     >>> share(range(4), lambda some: found.extend(i * i for i in some), 2)
@@ -54,6 +59,8 @@ def share(items: Iterable[Item], take: Callable[[Iterator[Item]], None], workers
     for _ in range(workers - 1):
         _hand_over(work)
     try:
+        if meanwhile is not None:
+            meanwhile()
         work()
         errors = [done.get() for _ in range(workers)]
     finally:

@@ -64,7 +64,7 @@ def test_spreads_have_their_ends_and_moments(make):
     assert found["height"].var() == pytest.approx((0.09 + 0.01 + 0.09 - (0.03 - 0.09 - 0.03)) / 18.0, rel=0.05)
 
 
-@pytest.mark.parametrize("count", [1, 2, 7, 8, 1000])
+@pytest.mark.parametrize("count", [1, 2, 7, 8, 1000, 1024, 1025, 5000])
 @pytest.mark.parametrize(("numbers", "seed"), [(1, 0), (2, 3), (12, 2**70)])
 @pytest.mark.filterwarnings("ignore:The balance properties:UserWarning")
 def test_points_of_a_sobol_sequence_are_those_of_scipy_to_the_last_bit(numbers, seed, count):

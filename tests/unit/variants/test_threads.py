@@ -124,3 +124,24 @@ def test_a_process_that_is_bound_to_a_processor_uses_no_more():
     finally:
         os.sched_setaffinity(0, before)
     assert processors() == len(before)
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_what_is_to_be_done_meanwhile_is_done_once_before_this_thread_takes_items(workers):
+    done = []
+    share(
+        range(9), lambda some: done.extend((threading.get_ident(), i) for i in some), workers, lambda: done.append("m")
+    )
+    assert done.count("m") == 1
+    assert sorted(i for _, i in (one for one in done if one != "m")) == list(range(9))
+    own = [k for k, one in enumerate(done) if one != "m" and one[0] == threading.get_ident()]
+    assert all(k > done.index("m") for k in own)
+
+
+def test_an_error_meanwhile_leaves_nothing_to_the_others():
+    with pytest.raises(ValueError, match="meanwhile"):
+        share(range(100), lambda some: [time.sleep(0.001) for _ in some], 2, _fails)
+
+
+def _fails():
+    raise ValueError("meanwhile")
