@@ -16,7 +16,7 @@ from jounce.inspection.findings import SENTENCES
 from jounce.inspection.limits import load_limits
 from jounce.inspection.methods import QUANTITIES
 from rules import ROOT
-from rules.finding_templates import german_of, templates_of
+from rules.finding_templates import german_of, progress_of, templates_of
 
 CATALOGUE: dict[str, dict[str, str]] = json.loads(
     (ROOT / "viewer" / "src" / "workbench" / "findings.json").read_text(encoding="utf-8")
@@ -105,6 +105,18 @@ def test_reasons_of_a_grading_are_said_as_in_its_protocol() -> None:
     said |= {"any value": "jeder Wert", "# # (#); # # (#)": "# # (#); # # (#)"}
     whole = {one: german for one, german in said.items() if one != german or "(" in one}
     assert whole == CATALOGUE["reasons"]
+
+
+def test_what_a_job_says_as_it_goes_on_has_its_german() -> None:
+    commands = ("campaign", "design", "inspection", "ride", "sweep")
+    files = [LIBRARY / "kernel" / "native.py", LIBRARY / "kernel" / "call.py", LIBRARY / "report" / "render.py"]
+    files += [LIBRARY / "cli" / f"{name}.py" for name in commands]
+    files += [file for name in ("campaign", "design", "ride", "variants") for file in (LIBRARY / name).glob("*.py")]
+    said = {template for file in files for template in progress_of(file)}
+    assert {"loading", "simulating # variants: # %", "compiling the loop # (once on this machine)"} <= said
+    known = (ROOT / "viewer" / "src" / "workbench" / "german.ts").read_text(encoding="utf-8")
+    german = re.findall(r'"((?:[^"\\]|\\.)*)": "', known)
+    assert [one for one in sorted(said) if not any(_fits(one, english) for english in german)] == []
 
 
 def test_a_message_is_read_from_its_source(tmp_path: Path) -> None:

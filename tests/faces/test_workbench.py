@@ -734,7 +734,6 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
 
     page.get_by_role("link", name="Kinematics").first.click()
     ready("kinematics")
-    page.get_by_role("link", name=name).click()
     page.get_by_text("curves computed and drawn").wait_for(timeout=60_000)
     page.get_by_label("hardpoints.upper_ball_joint[2] [mm]", exact=True).press("ArrowRight")
     page.get_by_text("as it is (dashed)").wait_for()

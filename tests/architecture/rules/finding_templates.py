@@ -35,6 +35,21 @@ def templates_of(file: Path, but: Collection[str] = ()) -> set[str]:
     return {re.sub("#+", "#", one) for one in found if one.strip("#:;. ")}
 
 
+def progress_of(file: Path) -> set[str]:
+    """Every text with which a module says how far it is, as templates."""
+    found: set[str] = set()
+    for scope in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(scope, ast.FunctionDef):
+            texts: Texts = {}
+            for _, name, value in _texts(scope):
+                texts.setdefault(name, []).append(value)
+            for call in ast.walk(scope):
+                if isinstance(call, ast.Call) and _called(call) in ("told", "progress", "say") and len(call.args) == 1:
+                    what = call.args[0]
+                    found |= set(_said(what.body if isinstance(what, ast.Lambda) else what, texts))
+    return {re.sub("#+", "#", one) for one in found if one.strip("#:;. ")}
+
+
 def _called(call: ast.Call) -> str:
     return getattr(call.func, "id", getattr(call.func, "attr", ""))
 
@@ -95,6 +110,8 @@ def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
         return [*_said(value.body, texts), *_said(value.orelse, texts)]
     if isinstance(value, ast.Call) and _called(value) == "format" and isinstance(value.func, ast.Attribute):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.func.value, texts)]
+    if isinstance(value, ast.Call) and _called(value) == "replace" and isinstance(value.func, ast.Attribute):
+        return _said(value.func.value, texts)
     if isinstance(value, ast.Name) and value.id in texts:
         each = texts[value.id]
         left = [texts | {value.id: [other for other in each if other is not one]} for one in each]

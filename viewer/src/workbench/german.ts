@@ -142,7 +142,7 @@ translate({
   "bench: decay": "Prüfstand: Ausschwingen",
   "update # of #: #": "Abgleich # von #: #",
   "compare strategy # of #: #": "vergleicht Abgleich # von #: #",
-  "compare trial # of #: #": "vergleicht Versuch # von #: #",
+  "compare trial # of #: trial #": "vergleicht Versuch # von #: Versuch #",
   "compare: lumped model": "vergleicht: Ersatzmodell",
   "write: results": "schreibt: Ergebnisse",
   "write: files": "schreibt: Dateien",
@@ -162,4 +162,6 @@ translate({
   "compiling the model (once on this machine)": "übersetzt das Modell (einmal auf diesem Rechner)", "compiling the loop # (once on this machine)": "übersetzt die Schleife # (einmal auf diesem Rechner)", "simulating # variants": "simuliert # Varianten",
   "no more steps": "keine Schritte mehr", "no direction makes it better": "keine Richtung macht ihn besser", "no step makes it better": "kein Schritt macht ihn besser",
   "Entered into the campaign.": "In die Kampagne eingetragen.", "all targets are met": "alle Ziele sind erreicht",
+  "searching design # of about #: # judged": "sucht Entwurf # von etwa #: # beurteilt", "searching the best design: # judged": "sucht den besten Entwurf: # beurteilt", "searching design # of # of the front: # judged": "sucht Entwurf # von # der Front: # beurteilt",
+  "compiling the model (in every process: #)": "übersetzt das Modell (in jedem Prozess: #)", "#: # trials that could be run": "#: # mögliche Versuche", "driving the quarter car of the index": "fährt das Viertelfahrzeug des Index", "importing #": "liest # ein", "testing": "prüft",
 });
