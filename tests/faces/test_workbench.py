@@ -7,6 +7,7 @@ import ctypes
 import http.client
 import importlib.util
 import json
+import logging
 import shlex
 import socket
 import subprocess
@@ -838,3 +839,19 @@ def test_a_server_at_work_is_not_stopped_to_look_for_garbage(monkeypatch):
     given_back = threading.Event()
     with serving._within_bounds(given_back.set):
         assert not given_back.wait(0.1)
+
+
+@pytest.mark.parametrize(
+    ("message", "error", "is_said"),
+    [
+        ("Exception in ASGI application\n", asyncio.CancelledError("Task cancelled"), False),
+        ("Cancel %s running task(s), timeout graceful shutdown exceeded", None, False),
+        ("Exception in ASGI application\n", ValueError("a mistake of ours"), True),
+        ("[Errno 98] address already in use", None, True),
+    ],
+)
+def test_a_server_that_ends_says_nothing_of_requests_that_it_cuts_off(message, error, is_said) -> None:
+    """Ctrl-C while a campaign was begun printed fifty lines of calls."""
+    about = (type(error), error, None) if error else None
+    record = logging.LogRecord("uvicorn.error", logging.ERROR, "", 1, message, (1,) if "%" in message else (), about)
+    assert serving._is_trouble(record) is is_said

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import ctypes
 import gc
 import importlib
+import logging
 import os
 import secrets
 import socket
@@ -61,6 +63,7 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     require("websockets", "web")
     config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="websockets-sansio",
                             timeout_graceful_shutdown=1)  # fmt: skip
+    logging.getLogger("uvicorn.error").addFilter(_is_trouble)
     try:
         with compiling_apart(), _within_bounds(trim):
             uvicorn.Server(config).run(sockets=[listening])
@@ -68,6 +71,12 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
         pass  # its ordinary end
     finally:
         listening.close()
+
+
+def _is_trouble(record: logging.LogRecord) -> bool:
+    """Whether a line of the server's log is worth a look: requests that its end cuts off are not."""
+    is_cut_off = record.exc_info is not None and isinstance(record.exc_info[1], asyncio.CancelledError)
+    return not (is_cut_off or "timeout graceful shutdown exceeded" in str(record.msg))
 
 
 _ARENAS, _LARGE, _TRIMMED = (-8, 1), (-3, 1 << 16), (-1, 1 << 20)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
