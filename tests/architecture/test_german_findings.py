@@ -92,7 +92,7 @@ def test_reasons_of_a_grading_are_said_as_in_its_protocol() -> None:
                 .replace("{quantity}: {value}", "{measured}")
                 for i, text in enumerate(sentence)
             ]
-            said |= dict([one] if kind != "finding" and (one := german_of(*both, least=5)) else [])
+            said |= dict([one] if kind != "finding" and (one := german_of(both[0], both[1], least=5)) else [])
     for table in (reasons.VERDICT_WORDS, reasons.SIDES, reasons.AXLES, reasons._ACROSS, reasons._DEFINITIONS):
         said |= {one.en: one.de for one in table.values()}
     for quantity in QUANTITIES.values():
