@@ -36,6 +36,17 @@ def centre_of(vehicle):
     return total / mass_of(vehicle)
 
 
+def test_a_car_whose_front_wheels_hang_in_the_air_at_design_does_not_stand_on_its_nose():
+    """Full steps of Newton's method tip it over; it comes down on its wheels, with the loads that their places ask."""
+    ends = [f"{end}.corner.hardpoints.wheel_centre[2]" for end in ("front", "rear")]
+    rest = jn.equilibrium(CAR.with_changes(dict(zip(ends, (0.236, 0.219), strict=True))))
+    assert abs(rest["body.pitch"]) < 0.03
+    front, rear = (rest[f"{end}_left.tyre.force"] + rest[f"{end}_right.tyre.force"] for end in ("front", "rear"))
+    assert front + rear == pytest.approx(mass_of(CAR) * CAR.gravity, rel=1e-9)
+    level = jn.equilibrium(CAR)
+    assert front == pytest.approx(2.0 * level["front_left.tyre.force"], rel=0.02)
+
+
 def forces(run, at=-1):
     return {corner: float(run[f"{corner}.tyre.force"][at]) for corner in CORNERS}
 

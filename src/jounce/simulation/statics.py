@@ -23,6 +23,9 @@ _FAR = 1e3  # m: a step that long means that nothing holds the weight
 _UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely
 _HEAVE = "sprung.distance"  # the coordinate that lowers a whole rig onto its tyre
 _STRIDE = 0.05  # m or rad
+_STRIDES = 200
+_TOGGLE = 10.0  # times the lever of a strut, near a dead point of the linkage
+_SLOWEST, _QUICKEST = 1.0, 1e16  # 1/s^2
 _PROJECTIONS = 3
 _UNBALANCED = 1e-6  # m/s^2
 _ROUNDINGS = 8.0  # how many times the rounding of one product a balance of many may be off
@@ -274,22 +277,76 @@ def _sinking(facts: Facts) -> tuple[Array, Array, Array]:
 
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:
-    """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance."""
+    """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance.
+
+    What comes to rest past a toggle, its springs pulled where they were pushed, is no suspension any more.
+    """
     n_q, n_v = compiled.facts.counts
-    modes = compiled.sides(x, u, p)
-    for _ in range(_ITERATIONS):
+    first, modes, pace = x, compiled.sides(x, u, p), _SLOWEST
+    for _ in range(_STRIDES if compiled.facts.projects else _ITERATIONS):
         now = _balance(compiled, x, u, p, modes)
         step = (_solve if compiled.facts.projects else _solve_square)(now.matrix, -now.residual)
         if step is None or _largest(step[:n_v]) > _FAR:
             return None
-        if compiled.facts.projects:  # a mechanism curves: go on in short steps, and close its loops after each
-            step[:n_v] *= _STRIDE / max(_STRIDE, _largest(step[:n_v]))
+        if compiled.facts.projects and (_largest(step[:n_v]) > _STRIDE or now.leaves_open(x, step)):
+            # A mechanism curves: it goes on in short steps, and closes its loops after each.
+            found = _with_inertia(now, n_v, pace)
+            if found is None:
+                return None
+            step, pace = found
         x = _closed(compiled, x + now.moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
         settled = (sides == modes).all() and _is_small(step[:n_v], x[:n_q]) and _is_small(step[n_v:], x[n_q + n_v :])
         modes = sides
         if settled:
-            return _rest(compiled, x, u, p, modes)
+            toggled = pace != _SLOWEST and _is_past_toggle(compiled, first, x, u, p, modes)
+            return None if toggled else _rest(compiled, x, u, p, modes)
+    return None
+
+
+def _is_past_toggle(compiled: Compiled, first: Array, x: Array, u: Array, p: Array, modes: Array) -> bool:
+    """Whether a wheel has travelled far, and its strut is longer where it should be shorter, or has hardly a lever."""
+    before, after = (_struts(compiled, at, u, p, modes) for at in (first, x))
+    for (lever, *start), (levered, *end) in zip(before, after, strict=True):
+        travel, shorter = end[0] - start[0], end[1] - start[1]
+        if abs(travel) > _STRIDE and (lever * travel * shorter < 0.0 or abs(levered) > _TOGGLE * abs(lever)):
+            return True
+    return False
+
+
+def _struts(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> list[tuple[float, float, float]]:
+    """Each strut's shortening for a rise of its wheel against the body [1], that rise and its deflection (m)."""
+    names, now = compiled.output_names, _balance(compiled, x, u, p, modes)
+    lift, _ = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
+    along = compiled.slopes("x", x, u, p, modes)["output"] @ lift[:, len(now.free) : 2 * len(now.free)]
+    values, found = compiled.evaluate("output", x, u, p, modes), []
+    for place in (name.removesuffix("strut.velocity") for name in names if name.endswith("strut.velocity")):
+        needed = [f"{place}{word}" for word in ("unsprung.vz", "sprung.vz", "unsprung.z", "sprung.z")]
+        if not set(needed) <= set(names):
+            continue
+        wheel, body, up, down = (names.index(name) for name in needed)
+        parting, velocity = along[wheel] - along[body], along[names.index(f"{place}strut.velocity")]
+        lever = float(velocity @ parting / (parting @ parting))
+        found.append((lever, float(values[up] - values[down]), float(values[names.index(f"{place}strut.deflection")])))
+    return found
+
+
+def _with_inertia(now: _Balance, n_v: int, pace: float) -> tuple[Array, float] | None:
+    """A step of an implicit integration from rest that keeps within a stride, and its pace, for the next one.
+
+    It goes where the mechanism would go. Newton's own direction leads, where a motion is held weakly, far away to poses
+    in which no motion from here ends, such as a car that stands on its nose; up to the top, where one falls; and where
+    nothing holds a wheel off the road nowhere. A pace (1/s^2) is one over the square of the time that a step takes;
+    with that at which a motion falls in it every step goes downhill.
+    """
+    rows, least = np.arange(len(now.free)), 2.0 * max(now.growth, 0.0)
+    while pace < _QUICKEST:
+        matrix = now.matrix.copy()
+        matrix[rows, now.free] -= least + pace
+        step = _solve(matrix, -now.residual)
+        if step is not None and _largest(step[:n_v]) <= _STRIDE:
+            return step, max(0.25 * pace, 2.0 * _SLOWEST)
+        pace *= 2.0
     return None
 
 
@@ -352,6 +409,21 @@ class _Balance:
     matrix: Array
     residual: Array
 
+    @property
+    def growth(self) -> float:
+        """Square of the largest rate at which a free motion falls, 1/s^2; negative where all are held."""
+        slope = self.slope[self.rows[: len(self.free)]] @ self.moved[:, : len(self.motions)] @ self.motions
+        return float(np.max(np.linalg.eigvals(slope).real, initial=-np.inf))
+
+    def rounding(self, size: Array) -> float:
+        """How far rounding alone may leave the balance open for coordinates of some sizes, m/s^2."""
+        return _ROUNDINGS * _EPSILON * _largest(np.abs(self.slope[self.rows]) @ size)
+
+    def leaves_open(self, x: Array, step: Array) -> bool:
+        """Whether a step balances less than it should: nothing holds some motion, and something drives it."""
+        left = _largest(self.matrix @ step + self.residual)
+        return left > _UNBALANCED * (1.0 + _largest(self.residual)) + self.rounding(np.maximum(np.abs(x), _PLACES))
+
 
 def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> _Balance:
     """Equations of rest: accelerations of the free motions and loops must vanish, and rates of internal states."""
@@ -378,8 +450,7 @@ def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equ
     # Behind very stiff bushings the last bit of a place is worth more than the absolute limit. A mechanism's
     # coordinates count from the design pose: what is rounded there is places about a metre from the origin.
     size = np.maximum(np.abs(x), _PLACES) if compiled.facts.projects else np.abs(x)
-    rounding = _EPSILON * _largest(np.abs(now.slope[now.rows]) @ size)
-    if _largest(now.residual) > _UNBALANCED + _ROUNDINGS * rounding:
+    if _largest(now.residual) > _UNBALANCED + now.rounding(size):
         return None
     lift, pick = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
     reduced = pick @ now.slope @ lift
