@@ -19,6 +19,7 @@ import pytest
 from jounce.cli.reply import followed_by, progress
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import always_below, existing_file
+from jounce.web.jobs import _is_over
 from jounce.web.project import Project
 from jounce.web.tasks import doing_of, task_of
 
@@ -627,3 +628,12 @@ def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
         with pytest.raises(DescriptionError):
             entered(project, path, use, wrong)
     assert (tmp_path / path).read_text() == text
+
+
+def test_what_a_page_asks_is_not_waited_for_when_the_server_ends(tmp_path: Path) -> None:
+    """Ctrl-C waited for the whole patience of a question, two minutes and more, as nobody works on it any more."""
+    closing = threading.Event()
+    closing.set()
+    begun = time.monotonic()
+    assert _is_over(tmp_path, 60.0, closing) is False
+    assert time.monotonic() - begun < 30.0

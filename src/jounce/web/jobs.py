@@ -43,6 +43,7 @@ class Jobs:
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self.ended: dict[str, dict[str, Any]] = {}
         self.ready: subprocess.Popen[bytes] | None = None
+        self.closing = threading.Event()  # the server ends: nobody hears an answer any more
         self.lock, self.read, self.known = threading.Lock(), 0.0, []  # type: tuple[Any, float, list[dict[str, Any]]]
 
     def begin(self, task: AnyTask) -> dict[str, Any]:
@@ -75,7 +76,7 @@ class Jobs:
                 _started(folder, waited=True)
             else:
                 self._apart(folder)
-            if not _is_over(folder, doing.patience):
+            if not _is_over(folder, doing.patience, self.closing):
                 (folder / CANCEL).touch()
                 found = f"more than {doing.patience:.0f} s"
                 raise DescriptionError("this takes too long", where=doing.title, found=found)
@@ -118,6 +119,7 @@ class Jobs:
 
     def end(self) -> None:
         """End what waits; jobs go on."""
+        self.closing.set()
         if self.ready is not None:
             with self.ready:
                 self.ready.kill()
@@ -294,8 +296,8 @@ def _waiting() -> subprocess.Popen[bytes]:
     )
 
 
-def _is_over(folder: Path, patience: float) -> bool:
-    """Wait until the work on a folder has ended, however that was; False where it goes on."""
+def _is_over(folder: Path, patience: float, closing: threading.Event) -> bool:
+    """Wait until the work on a folder has ended, however that was; False where it goes on, or nobody waits."""
     end, free = time.monotonic() + patience, 0
     while time.monotonic() < end:
         if (folder / END).exists():
@@ -306,7 +308,8 @@ def _is_over(folder: Path, patience: float) -> bool:
         free = 0 if held is None else free + 1
         if free > _FREE:  # longer than one that begins leaves it
             return True
-        time.sleep(_LOOKED / 5.0)
+        if closing.wait(_LOOKED / 5.0):
+            break
     return False
 
 
