@@ -419,7 +419,7 @@ _POINTS = 8  # of Gauss and Legendre in each panel
 _NEAR = np.array([0.4 * 2.5**k for k in range(9)])  # half widths of a resonance at which panels end
 _FAR = 0.3  # of its frequency, beyond which a resonance needs no panels of its own
 _PERIODS = 0.4  # of the waves between front and rear that a panel may hold
-_SMALL = 200_000  # terms summed at once: small products stay on one core, and several cores would only wait
+_SMALL = 16_000  # terms of one product: small ones stay on one core, and several cores would only wait for each other
 
 
 @cache
@@ -477,7 +477,7 @@ class Inverse:
     def times(self, b: Array) -> Complex:
         """Inverse times vectors b, shape (members, n): shape (members, n, f)."""
         moved = self._shares * (self.eigen.inverse @ b[:, :, None])
-        found = self.eigen.vectors @ moved
+        found = _in_parts(self.eigen.vectors, moved)
         for k in np.flatnonzero(~self.eigen.is_sound):
             found[k] = np.linalg.solve(self._shifted(int(k)), b[k][:, None])[:, :, 0].T
         return np.asarray(found)
@@ -485,7 +485,7 @@ class Inverse:
     def before(self, c: Array) -> Complex:
         """C, shape (members, m, n), times the inverse: shape (members, m, n, f)."""
         seen = (c @ self.eigen.vectors)[:, :, :, None] * self._shares[:, None]
-        found = _turned(self.eigen.inverse)[:, None] @ seen
+        found = _in_parts(_turned(self.eigen.inverse)[:, None], seen)
         for k in np.flatnonzero(~self.eigen.is_sound):
             found[k] = np.moveaxis(np.linalg.solve(_turned(self._shifted(int(k))), c[k].T), (0, 2), (2, 0))
         return np.asarray(found)
@@ -562,7 +562,7 @@ class BandVariance:
             d, f = _groups(self.model.d, source), _groups(self.model.f, source)
             found.append(
                 [
-                    ((self.model.C @ moved[g] + f[g][:, :, None]) * self._s[:, None, :] + d[g][:, :, None])
+                    ((_in_parts(self.model.C, moved[g]) + f[g][:, :, None]) * self._s[:, None, :] + d[g][:, :, None])
                     * waves[:, g, None, :]
                     for g in range(len(source))
                 ]
@@ -606,14 +606,12 @@ class BandVariance:
         if self.band.coherence is not None:
             answer = answer + self.band.coherence[:, None, :] * self._responses[1 - i].conj()
         answer = 2.0 * answer * self._weights
-        members, outputs, count = answer.shape
         waves, n = self._waves[i], self.model.A.shape[-1]
         rates = waves * self._s[:, None, :]
         state = sum(moved * rates[:, g, None, :] for g, moved in enumerate(self._moved[i]))
         late = np.stack([np.sum(answer * self._s[:, None, :] * part, axis=2).real for part in self._by_group[i]], -1)
         driven = np.concatenate([state, rates], axis=1)
-        led = (seen * answer[:, :, None, :]).reshape(members, outputs * n, count)
-        inner = _summed_products(led, driven).reshape(members, outputs, n, -1)
+        inner = _summed_products(seen * answer[:, :, None, :], driven[:, None])
         outer = _summed_products(answer, np.concatenate([driven, waves], axis=1))
         end = driven.shape[1]
         return _Pull(inner[..., :n], inner[..., n:], outer[..., :n], outer[..., end:], outer[..., n:end], late)
@@ -641,13 +639,25 @@ def _groups(table: Array, source: Source) -> list[Array]:
     return [table[..., list(group.wheels)].sum(axis=-1) for group in source]
 
 
+def _in_parts(left: Array | Complex, right: Complex) -> Complex:
+    """Matrices (..., i, j) times those of many columns (..., j, f), some columns at once."""
+    rows, inner = left.shape[-2:]
+    step = max(8, _SMALL // (rows * inner))
+    if step >= right.shape[-1]:
+        return np.asarray(left @ right)
+    found = np.empty((*right.shape[:-2], rows, right.shape[-1]), dtype=complex)
+    for first in range(0, right.shape[-1], step):
+        np.matmul(left, right[..., first : first + step], out=found[..., first : first + step])
+    return found
+
+
 def _summed_products(left: Complex, right: Complex) -> Array:
-    """Real part of the sums over f of left (members, i, f) times right (members, j, f): shape (members, i, j)."""
-    total: Array = np.zeros((len(left), left.shape[1], right.shape[1]))
-    step = max(16, _SMALL // (left.shape[1] * right.shape[1]))
-    for first in range(0, left.shape[2], step):
+    """Real part of the sums over f of left (..., i, f) times right (..., j, f): shape (..., i, j)."""
+    total: Array = np.zeros((*left.shape[:-1], right.shape[-2]))
+    step = max(8, _SMALL // (left.shape[-2] * right.shape[-2]))
+    for first in range(0, left.shape[-1], step):
         part = slice(first, first + step)
-        total += (left[:, :, part] @ _turned(right[:, :, part])).real
+        total += (left[..., part] @ _turned(right[..., part])).real
     return total
 
 
