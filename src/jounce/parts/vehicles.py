@@ -190,6 +190,21 @@ class Vehicle(Rig):
         return {corner: _place(corner, self.wheelbase) for corner in self.corners}
 
 
+def track_widths(rig: object) -> list[float]:
+    """Distance in m between left and right wheels of the front and of the rear axle; none where there is one side.
+
+    >>> from jounce.parts import load
+    >>> track_widths(load("audi-a6-full-car")), track_widths(load("audi-a6-half-car-4dof"))
+    ([1.54, 1.54], [])
+    """
+    if not isinstance(rig, FullCar | FullCar3D):
+        return []
+    axles = rig.front, rig.rear
+    return [
+        one.track if isinstance(one, FullAxle) else 2.0 * abs(one.corner.hardpoints.wheel_centre[1]) for one in axles
+    ]
+
+
 def _place(corner: str, wheelbase: float) -> Place:
     side = 1 if corner.endswith("left") else -1 if corner.endswith("right") else 0
     return Place(wheelbase if corner.startswith("rear") else 0.0, side)

@@ -14,7 +14,7 @@ from jounce.core.types import Array, Complex
 from jounce.mechanics.facts import ROAD, is_road
 from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unknown_path
-from jounce.parts.vehicles import Place, Vehicle
+from jounce.parts.vehicles import Place, Vehicle, track_widths
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import find_equilibrium, for_small_motions, rests_for_small_motions
 
@@ -319,15 +319,7 @@ def _geometry(rig: Rig, wheels: Sequence[str]) -> Array:
 
 def _track_width(rig: Rig) -> float:
     """Mean distance between left and right wheels, m; 0 where there is only one side."""
-    widths = []
-    for name in ("front", "rear"):
-        axle = getattr(rig, name, None)
-        corner = getattr(axle, "corner", None)
-        if corner is not None:
-            widths.append(2.0 * abs(corner.hardpoints.wheel_centre[1]))
-        else:
-            widths.append(getattr(axle, "track", 0.0))
-    return float(np.mean(widths))
+    return float(np.mean(track_widths(rig) or [0.0]))
 
 
 def _road_columns(compiled: Compiled) -> list[int]:

@@ -21,6 +21,7 @@ from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.parts.rig import questions
+from jounce.parts.vehicles import track_widths
 from jounce.recordings.formats import RecordingFormat
 from jounce.roads.measured import (
     Forces,
@@ -440,6 +441,8 @@ FASTEST = 15.0
 """Hz that the points of a road should at least resolve: about where wheels hop."""
 FEWEST_OUTPUTS = 4
 """Samples of the result while an obstacle passes; with fewer its peaks are missed."""
+_AS_FAR = 0.05
+"""By which share the tracks of a road may lie nearer to each other, or farther, than the wheels."""
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
@@ -489,7 +492,22 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
                 'the right one is other_track(), or side = "right" in a file.'
             )
             found.append(Finding("trial: road", "note", text))
+        found += _apart(trial, rig)
     return found
+
+
+def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+    """Tracks of one road that are not as far apart as the wheels: how alike they are decides on roll."""
+    widths = track_widths(rig)
+    for name, road in (("road", trial.road), ("right", trial.right)):
+        if widths and isinstance(road, Iso8608) and road.side == "right":
+            wide = 0.5 * sum(widths)
+            if abs(road.track - wide) > _AS_FAR * wide:
+                text = (
+                    f"its tracks are {road.track:.4g} m apart and the wheels {wide:.4g} m, "
+                    f"which makes the body roll by another amount; give both tracks track = {wide:.4g}."
+                )
+                yield Finding(f"trial: {name}", "note", text, road.track)
 
 
 def road_findings(road: Road, place: str = "") -> list[Finding]:

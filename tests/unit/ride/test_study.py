@@ -206,7 +206,9 @@ def test_spectra_are_those_of_the_body_and_of_every_tyre() -> None:
     assert next(iter(Ride("passive", short, ride.metrics, {}).spectra())) == "sprung.az"
 
 
-def test_the_track_of_a_mechanism_is_that_of_its_front_wheels() -> None:
+def test_both_tracks_of_a_road_are_as_far_apart_as_the_front_wheels() -> None:
     car = jn.load("sedan-full-car-3d")
-    assert study._track(car) == pytest.approx(2.0 * abs(car.front.corner.hardpoints.wheel_centre[1]))
-    assert study._track(car) == pytest.approx(1.6, abs=0.01)
+    trial = jn.iso_trial(car, "C", "20 m/s", duration="1 s").trial
+    apart = 2.0 * abs(car.front.corner.hardpoints.wheel_centre[1])
+    assert trial.road.track == trial.right.track == pytest.approx(apart)
+    assert apart == pytest.approx(1.6, abs=0.01)

@@ -10,6 +10,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.parts import load
+from jounce.parts.vehicles import track_widths
 from jounce.roads import HalfSine, Iso8608, Step, Table, Train, Trial
 from jounce.roads.measured import HIGHEST, _check_heights, check_source
 from jounce.roads.profile import _advanced, passes, periodic_places
@@ -85,6 +86,17 @@ def test_both_sides_on_one_track_are_told() -> None:
     assert text.startswith("the left and the right wheels meet the same track")
     assert said(Trial(road=road, speed=20.0, duration=2.0), load("audi-a6-half-car-4dof")) == []
     assert said(Trial(road=road, speed=20.0, duration=2.0)) == []
+
+
+def test_tracks_that_are_not_as_far_apart_as_the_wheels_are_told() -> None:
+    for car in map(load, ("audi-a6-full-car", "formula-student-car")):
+        wide = 0.5 * sum(track_widths(car))
+        for share, told in ((0.94, True), (0.96, False), (1.04, False), (1.06, True)):
+            road = Iso8608(class_="C", length=60.0, track=share * wide)
+            found = said(Trial(road=road, right=road.other_track(), speed=20.0, duration=2.0), car)
+            assert [place for place, text in found if "tracks are" in text] == ["trial: right"] * told
+    apart = Iso8608(class_="C", length=60.0, track=0.5)
+    assert said(Trial(road=apart.other_track(), speed=20.0, duration=2.0), load("audi-a6-half-car-4dof")) == []
 
 
 def test_times_of_obstacles_and_courses() -> None:
