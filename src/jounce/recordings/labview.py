@@ -13,18 +13,21 @@ from jounce.core.errors import RecordingError
 
 FIRST = "LabVIEW Measurement"
 _END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
+_DIGITS = 13  # of a count
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
-def plain_columns(text: str, file: Path) -> str:
+def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     r"""Give the table of a LabVIEW measurement file as text, each row on its line: ``time [s]`` and the channels.
 
+    With it how many samples of each channel the header announces, where it does.
     Raises RecordingError for a file that was cut off, has several segments, or whose channels differ in their steps.
 
     >>> head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\n\nChannels\t1\n"
     >>> segment = "Y_Unit_Label\tg\nX0\t0.5\nDelta_X\t0.25\n***End_of_Header***\nX_Value\tbody\tComment\n\t1.5\n\t2.0\n"
-    >>> plain_columns(head + segment, Path("a.lvm")).split("\n")[-3:]
-    ['time [s]\tbody [g]', '0.5\t1.5', '0.75\t2.0']
+    >>> table, announced = plain_columns(head + segment, Path("a.lvm"))
+    >>> table.split("\n")[-3:], announced
+    (['time [s]\tbody [g]', '0.5\t1.5', '0.75\t2.0'], None)
     """
     lines = text.splitlines()
     ends = [i for i, line in enumerate(lines) if line.startswith(_END)]
@@ -48,7 +51,9 @@ def plain_columns(text: str, file: Path) -> str:
     ]
     start, step = (_number(own.get(tag, [""])[0] or "0", mark, file) for tag in ("X0", "Delta_X"))
     rows = list(_rows(lines[ends[1] + 2 :], separator, kept, mark, start, step))
-    return "\n".join([*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *rows])
+    announced = [int(count) for count in own.get("Samples", []) if count.isdecimal() and len(count) < _DIGITS]
+    table = "\n".join([*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *rows])
+    return table, max(announced, default=None)
 
 
 def _comma(lines: Sequence[str]) -> list[str]:

@@ -192,7 +192,7 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     """Comma, semicolon or tab separated columns; also the text of LabVIEW, whatever its suffix."""
     text = text_of(path)
     if text.startswith(FIRST):
-        text = plain_columns(text, path)
+        return _labview(text, path, options)
     return SignalTable(_renamed(columns_in(text, path), options.header))
 
 
@@ -208,7 +208,18 @@ def _read_lvm(path: Path, options: ReaderOptions) -> SignalTable:
     text = text_of(path)
     if not text.startswith(FIRST):
         raise RecordingError("not a LabVIEW measurement file", where=str(path), allowed=f"a file that begins {FIRST!r}")
-    return SignalTable(_renamed(columns_in(plain_columns(text, path), path), options.header))
+    return _labview(text, path, options)
+
+
+def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
+    plain, announced = plain_columns(text, path)
+    table = _renamed(columns_in(plain, path), options.header)
+    held = len(table.columns[0].values)
+    findings = announcement("Samples", announced or 0, held, str(path), refused=False)
+    if announced is not None and held > announced:
+        more = f"the header announces {announced} samples and the file holds {held}: rows were added to it"
+        findings.append(Finding(f"{path}: Samples", "warning", more, float(held)))
+    return SignalTable(table, findings=tuple(findings))
 
 
 @reader(

@@ -78,6 +78,29 @@ def csv_decimal_commas() -> Sample:
 
 
 @_sample
+def lvm() -> Sample:
+    return Sample("lvm", "a.lvm", _lvm("One", ".").encode())
+
+
+@_sample
+def lvm_without_times() -> Sample:
+    return Sample("lvm", "n.lvm", _lvm("No", ",").encode())
+
+
+def _lvm(columns: str, mark: str) -> str:
+    """A text file of LabVIEW in the grammar of its specification: tabs, one segment of two channels."""
+    lines = ["LabVIEW Measurement", "Writer_Version\t2", "Reader_Version\t2", "Separator\tTab"]
+    lines += [f"Decimal_Separator\t{mark}", "Multi_Headings\tNo", f"X_Columns\t{columns}", "Time_Pref\tRelative"]
+    lines += ["Date\t2026/01/01", "***End_of_Header***", "", "Channels\t2", f"Samples\t{ROWS}\t{ROWS}"]
+    lines += ["Y_Unit_Label\tm\tN", "X_Dimension\tTime\tTime", "X0\t0\t0", "Delta_X\t0.005\t0.005".replace(".", mark)]
+    lines += ["***End_of_Header***\t\t", "X_Value\tstrut.stroke\tstrut.force\tComment"]
+    for t, x, f in zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True):
+        first = repr(t) if columns == "One" else ""
+        lines.append(f"{first}\t{x!r}\t{f!r}".replace(".", mark))
+    return "\r\n".join([*lines, ""])
+
+
+@_sample
 def netcdf() -> Sample:
     from jounce.recordings import recording, write_recording
 

@@ -67,6 +67,18 @@ def test_what_is_no_one_table_is_refused(tmp_path, how, said):
         read_recording(written(tmp_path / "run.lvm", **how))
 
 
+@pytest.mark.parametrize(
+    ("columns", "told", "said"),
+    [("One", 38, "rows were added to it"), ("No", 41, "it was cut off; what is there was read"), ("No", 40, None)],
+)
+def test_other_numbers_of_rows_than_the_header_announces_are_told(tmp_path, columns, told, said):
+    file = written(tmp_path / "run.lvm", columns=columns)
+    file.write_text(file.read_text().replace("Samples\t40\t40", f"Samples\t{told}\t{told}"))
+    record, findings = read_recording(file)
+    assert record.sizes["time"] == 40
+    assert [one.message.rpartition(": ")[2] for one in findings] == ([said] if said else [])
+
+
 def test_a_file_that_ends_in_its_header_and_another_text_are_refused(tmp_path):
     whole = written(tmp_path / "run.lvm").read_text()
     (tmp_path / "cut.lvm").write_text(whole[: whole.rindex("X_Dimension")])
