@@ -395,6 +395,21 @@ def test_minutes_of_clicks_break_nothing_and_hold_no_memory(server, workbench, b
 
 
 @pytest.mark.pages
+def test_a_finer_travel_draws_its_ways_whole(workbench, browser):
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900})
+    opened.go(f"kinematics?rig={RIG}")
+    travel = opened.page.get_by_label("Wheel travel, bump positive: ")
+    for step in ("4 mm", "0.4 mm"):
+        drawn = opened.page.evaluate("jounce.live.times.length")
+        travel.fill(f"-20 mm:20 mm:{step}")
+        travel.press("Tab")
+        until(opened.page, f"jounce.live.times.length > {drawn}")
+        opened.page.evaluate(DRAWN)
+    opened.context.close()
+    assert opened.troubles == []
+
+
+@pytest.mark.pages
 def test_the_mechanism_rolls_with_the_body(workbench, browser):
     """In front view what the body holds goes up where its left side does; the sweep itself is in the body's axes."""
     opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900})

@@ -317,8 +317,14 @@ export class MechanismView {
 
   /** Other places of the same mechanism: only its ways are drawn anew, all else moves. */
   private redraw(m: Mechanism): void {
-    for (const [i, line] of this.pathGroup.children.entries())
-      ((line as Line).geometry as BufferGeometry).setFromPoints(way(i ? m.contact : m.points[m.wheel.centre]!));
+    for (const [i, child] of this.pathGroup.children.entries()) {
+      const line = child as Line, places = way(i ? m.contact : m.points[m.wheel.centre]!);
+      if (line.geometry.getAttribute("position").count !== places.length) {  // buffers keep their size
+        line.geometry.dispose();
+        line.geometry = new BufferGeometry();
+      }
+      line.geometry.setFromPoints(places);
+    }
   }
 
   private build(m: Mechanism): void {
