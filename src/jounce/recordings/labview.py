@@ -40,7 +40,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     mark = whole.get("Decimal_Separator", ["."])[0]
     names = lines[ends[1] + 1].rstrip(separator).split(separator)
     kept = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
-    if len({_number(x, mark, file) for x in own.get("Delta_X", [])}) > 1 or len(set(own.get("X0", []))) > 1:
+    if any(len({_number(x, mark, file) for x in own.get(tag, [])}) > 1 for tag in ("X0", "Delta_X")):
         raise RecordingError("channels begin or step differently", where=str(file), allowed=_ALLOWED)
     if any(dimension != "Time" for dimension in own.get("X_Dimension", [])):
         raise RecordingError("no signals over time", where=f"{file}: X_Dimension", allowed="Time")

@@ -378,23 +378,30 @@ def _built(compiled: Compiled) -> _Graphs:
 
 
 class _Each:
-    """A function of vectors, called for many rows (members, size) at once: results (members, rows, columns)."""
+    """A function of vectors, called for many rows (members, size) at once: results (members, rows, columns).
+
+    Each thread takes what it works in for itself, and leaves it for the next call.
+    """
 
     def __init__(self, name: str, given: list[Any], results: list[Any]) -> None:
         import casadi as ca
 
         self._function = ca.Function(name, given, results)
-        self._ready: dict[int, tuple[Any, Any, list[Array], list[Array]]] = {}
+        self._ready: dict[int, list[tuple[Any, Any, list[Array], list[Array]]]] = {}
 
     def __call__(self, *given: Array) -> list[Array]:
-        count = len(given[0])
-        if count not in self._ready:
-            self._ready[count] = self._of(count)
-        _, call, into, found = self._ready[count]
+        free = self._ready.setdefault(len(given[0]), [])
+        try:
+            room = free.pop()
+        except IndexError:
+            room = self._of(len(given[0]))
+        _, call, into, found = room
         for place, values in zip(into, given, strict=True):
             place[:] = values
         call()
-        return [np.swapaxes(part, 1, 2).copy() for part in found]
+        results = [np.swapaxes(part, 1, 2).copy() for part in found]
+        free.append(room)
+        return results
 
     def _of(self, count: int) -> tuple[Any, Any, list[Array], list[Array]]:
         """Rows side by side are columns one after the other, as CasADi has them: nothing is turned round."""

@@ -216,3 +216,33 @@ def test_chance_of_a_finite_run() -> None:
     assert StationaryResponse.chance(flat, "still", 25.0) is None
     assert StationaryResponse.chance(flat, "b", 25.0) is None
     assert StationaryResponse.chance(SimpleNamespace(frequency=None, spectra={}), "a", 25.0) is None
+
+
+class _Interrupted:
+    """Values while which are read something else is done, as by another thread."""
+
+    def __init__(self, values, meanwhile):
+        self.values, self.meanwhile = values, meanwhile
+
+    def __len__(self):
+        return len(self.values)
+
+    def __array__(self, dtype=None, copy=None):
+        self.meanwhile()
+        return self.values
+
+
+def test_calls_of_one_function_do_not_share_what_they_work_in():
+    """Two threads that judge cars of one kind at once took each other's numbers, once in thirty calls."""
+    import casadi as ca
+
+    from jounce.ride.family import _Each
+
+    x, y = ca.SX.sym("x", 2), ca.SX.sym("y")
+    each = _Each("each", [x, y], [x * y])
+    other = np.array([[5.0, 7.0]]), np.array([[11.0]])
+    meanwhile = []
+    y_given = _Interrupted(np.array([[3.0]]), lambda: meanwhile.append(each(*other)[0]))
+    (found,) = each(np.array([[1.0, 2.0]]), y_given)
+    np.testing.assert_array_equal(found[0, :, 0], [3.0, 6.0])
+    np.testing.assert_array_equal(meanwhile[0][0, :, 0], [55.0, 77.0])
