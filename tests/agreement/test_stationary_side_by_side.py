@@ -12,6 +12,7 @@ from jounce.ride import covariance, family
 from jounce.ride.covariance import Analysis, Signal
 from jounce.ride.family import Families, LinearFamily, Matrices
 from jounce.ride.surface import Surface, surface
+from jounce.simulation.statics import find_equilibrium
 
 SHARES = np.array([1.0, 0.83, 1.21])[:, None]
 QUARTER = ("audi-a6-quarter-car", ("strut.damper.coefficient", "sprung.mass"), ("sprung.az", "strut.deflection"))
@@ -108,6 +109,18 @@ def test_linear_models_side_by_side(name, paths) -> None:
             for i, value in enumerate(given):
                 room = 1e-8 * size / abs(value)
                 assert getattr(found.along, part)[k, i] == pytest.approx(steep[i], rel=1e-7, abs=room), (part, i)
+
+
+def test_slopes_of_a_mechanism_whose_best_free_speeds_change_from_pose_to_pose() -> None:
+    """Models on both sides are compared in the same states, whichever would be the best ones there."""
+    rig, path = jn.load("kart-double-wishbone"), "hardpoints.lower_ball_joint[1]"
+    compiled, value = LinearFamily(rig).compiled, rig.parameters()[path]
+    numbers = [compiled.parameter_values({**rig.parameters(), path: (1.0 + k * 1e-3) * value}) for k in (-2, 2)]
+    assert len({tuple(find_equilibrium(compiled, p, compiled.inputs(0.0)).free) for p in numbers}) == 2
+    slopes = jn.stationary(rig, "C", 20.0, parameters=[path]).slopes[path]
+    behind, ahead = (jn.stationary(rig.with_changes({path: (1.0 + k * 1e-4) * value}), "C", 20.0) for k in (-1, 1))
+    for channel in ("sprung.az", "tyre.force"):
+        assert slopes[channel] == pytest.approx((ahead[channel] - behind[channel]) / (2e-4 * value), rel=1e-6), channel
 
 
 def test_rigs_that_differ_are_taken_one_by_one(monkeypatch) -> None:

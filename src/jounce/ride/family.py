@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import JounceError
 from jounce.core.types import Array, Complex
@@ -16,7 +17,7 @@ from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle, track_widths
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.statics import find_equilibrium, for_small_motions, rests_for_small_motions
+from jounce.simulation.statics import find_equilibrium, for_small_motions, in_terms_of, rests_for_small_motions
 
 _STEP = 1e-3  # relative, of differences for mechanisms
 _DEPENDENT = 1e5  # condition of the eigenvectors beyond which they are not used
@@ -263,7 +264,7 @@ class Families:
 
     def _by_differences(self, p: Array, *, slopes: bool) -> tuple[Matrices, Matrices]:
         """Model of one member and its slopes."""
-        model, pose = self._numeric(p)
+        model, (pose, free) = self._numeric(p)
         weights = (1.0, -8.0, 8.0, -1.0)
         found: list[Matrices] = []
         for place in self._places if slopes else ():
@@ -273,7 +274,7 @@ class Families:
                 moved = p.copy()
                 if place is not None:
                     moved[place] += count * step
-                sides.append(self._numeric(moved, pose)[0])
+                sides.append(self._numeric(moved, pose, free)[0])
             found.append(
                 Matrices(
                     *(
@@ -284,23 +285,30 @@ class Families:
             )
         return model, side_by_side(found) if found else _none_of(model[None])[0]
 
-    def _numeric(self, p: Array, pose: Array | None = None) -> tuple[Matrices, Array]:
-        """Model about equilibrium, sought from a pose, and the pose found."""
+    def _numeric(
+        self, p: Array, pose: Array | None = None, free: NDArray[np.intp] | None = None
+    ) -> tuple[Matrices, tuple[Array, NDArray[np.intp]]]:
+        """Model about equilibrium, sought from a pose, in terms of some ``free`` speeds; the pose, and those speeds.
+
+        Models that are to be compared need the same: which are the best ones changes from pose to pose.
+        """
         compiled = self.first.compiled
         u = compiled.inputs(0.0)
         equilibrium = find_equilibrium(compiled, p, u, pose)
         equilibrium = for_small_motions(compiled, equilibrium, p, u)
+        free = equilibrium.free if free is None else free
+        lift, pick = in_terms_of(compiled, equilibrium, free)
         where = (equilibrium.x, u, p, equilibrium.modes)
         across, along = compiled.slopes("x", *where), compiled.slopes("u", *where)
         columns = _road_columns(compiled)
         parts = [
-            equilibrium.pick @ across["rate"] @ equilibrium.lift,
-            equilibrium.pick @ along["rate"][:, columns],
-            across["output"] @ equilibrium.lift,
+            pick @ across["rate"] @ lift,
+            pick @ along["rate"][:, columns],
+            across["output"] @ lift,
             along["output"][:, columns],
             compiled.evaluate("output", *where),
         ]
-        return self._shaped(parts), equilibrium.x[: compiled.facts.counts[0]]
+        return self._shaped(parts), (equilibrium.x[: compiled.facts.counts[0]], free)
 
 
 def _none_of(model: Matrices) -> Matrices:

@@ -119,6 +119,15 @@ def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array)
     return rest if found is None else found
 
 
+def in_terms_of(compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]) -> tuple[Array, Array]:
+    """Give ``lift`` and ``pick`` of a state of rest for some speeds as the ``free`` ones, such as another state's."""
+    (n_q, n_v), count = compiled.facts.counts, len(rest.free)
+    if np.array_equal(free, rest.free):
+        return rest.lift, rest.pick
+    motions = rest.lift[n_q : n_q + n_v, count : 2 * count]
+    return _lift(rest.slope, n_q, n_v, free, np.asarray(motions @ np.linalg.inv(motions[free]), dtype=np.float64))
+
+
 Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]
 """Rates (members, n, 1), their slopes (members, n, n) and switches (members, k, 1) of many x, u, p and m."""
 
