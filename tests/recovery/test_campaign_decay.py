@@ -79,6 +79,21 @@ def test_a_firm_damper_upon_a_soft_tyre_is_recovered(tmp_path, friction, within)
     assert not [one for one in found.findings if friction == 0.0 and "check mass" in one.message]
 
 
+def test_a_body_that_comes_to_rest_faster_than_any_damper_lets_it_is_told(tmp_path):
+    """One mass of its own: with a coefficient of 1.9 kN s/m, where the racer's body falls with 1.7 at most."""
+    rate, time = 38e3 * np.cos(np.radians(12.0)) ** 2, np.arange(800) * 1e-3
+    share = 105e3 / (rate + 105e3)
+    pole = np.sqrt(rate * share / 62.0) * (-0.75 + 0.66j)
+    lines = [f"{t:.4f}, {z:.7f}" for t, z in zip(time, -8.0 * np.exp(pole * time).real, strict=True)]
+    (tmp_path / "decay.csv").write_text("\n".join(["time [s], sprung.z [mm]", *lines]))
+    found, _ = characterise(RACER, Bench(decay={"files": ["decay.csv"]}), tmp_path)
+    (used,) = [choice for choice in found.damping_choices if choice.is_used]
+    by_share = 1.0 / (share * np.cos(np.radians(12.0))) ** 2
+    assert used.at_strut.value == pytest.approx(used.seen.value * by_share, rel=1e-9)
+    assert used.at_strut.standard_error == pytest.approx(used.seen.standard_error * by_share, rel=1e-9)
+    assert [one.place for one in found.findings if "comes to rest faster" in one.message] == ["bench.decay"]
+
+
 @pytest.mark.parametrize("method", ["viscous-and-coulomb", "logarithmic-decrement"])
 def test_the_way_to_damping_is_chosen(tmp_path, method):
     """A strut with dry friction: the decrement takes it for viscous damping; both ways are kept beside each other."""

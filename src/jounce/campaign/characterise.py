@@ -357,16 +357,16 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
         time, signal = data["time"].to_numpy(), data[table.channel].to_numpy()
         asked: dict[str, Any] = {"mass": seen_at.sprung_mass, "quantity": _quantity(table.channel)}
         asked |= {"begin": table.from_, "end": table.to, "name": file.name}
-        stiffness = seen_at.wheel_rate
+        stiffness: float | None = seen_at.wheel_rate
         if on_tyre:
             plain = fit_decay(time, signal, quadratic_drag="no", **asked)
-            stiffness = seen_at.swing(seen_at.damping_behind(plain.damping_coefficient.value)[0])[1]
+            stiffness = seen_at.stiffness_behind(plain.damping_coefficient.value)
         results.append(fit_decay(time, signal, stiffness=stiffness, quadratic_drag=table.quadratic_drag, **asked))
     found.decays = tuple(results)
     found.decay = combine_decays(results) if len(results) > 1 else results[0]
     found.findings += [Finding(f"bench.decay: {f.place}", f.severity, f.message, f.value) for f in found.decay.findings]
     has_coefficient = "strut.damper.coefficient" in values
-    refer: Callable[[float], tuple[float, float]] = seen_at.damping_behind if on_tyre else lambda seen: (seen, 1.0)
+    refer: Callable[[float], tuple[float, float]] = seen_at.referred if on_tyre else lambda seen: (seen, 1.0)
     found.damping_choices = _damping_choices(found.decay, seen_at, refer if has_coefficient else None, table.method)
     if not has_coefficient:
         text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
@@ -376,6 +376,13 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     assert at_strut is not None
     if not math.isfinite(at_strut.value):
         raise RecordingError("the decays have too few swings for a logarithmic decrement", where="bench.decay.method")
+    seen = next(choice.seen for choice in found.damping_choices if choice.is_used)
+    if on_tyre and seen_at.damping_behind(seen.value) is None:
+        text = (
+            "the body comes to rest faster than any damper between it and a wheel on its tyre lets it: the damping is "
+            "referred by the share of the strut in the deflection, which is rough; block the hub"
+        )
+        found.findings.append(Finding("bench.decay", "warning", text, seen.value))
     found.replaced.append(
         Replaced(
             "strut.damper.coefficient",
@@ -462,31 +469,50 @@ class _AtWheel:
         pole = upper[int(np.argmin(np.abs(upper)))]
         return -2.0 * self.sprung_mass * float(pole.real), self.sprung_mass * float(abs(pole)) ** 2
 
-    def damping_behind(self, seen: float) -> tuple[float, float]:
-        """Damping at the wheel (N s/m) whose swing one mass with a coefficient (N s/m) has, and its slope (1).
+    def stiffness_behind(self, seen: float) -> float | None:
+        """Stiffness (N/m) by which that mass swings with a coefficient (N s/m); None where no damping gives that."""
+        found = self.damping_behind(seen)
+        return None if found is None else self.swing(found[0])[1]
+
+    def referred(self, seen: float) -> tuple[float, float]:
+        """Damping at the wheel (N s/m) behind that of one mass (N s/m), and its slope (1).
 
         What falls faster than any damping lets the body fall is referred by the share of the strut in the deflection.
         """
-        from scipy.optimize import brentq
+        return self.damping_behind(seen) or (seen / self._share**2, 1.0 / self._share**2)
 
-        share = self.tyre_rate / (self.wheel_rate + self.tyre_rate)
-        rough = seen / share**2
+    @property
+    def _share(self) -> float:
+        """Share of the strut in what the body sinks under a load."""
+        return self.tyre_rate / (self.wheel_rate + self.tyre_rate)
+
+    def damping_behind(self, seen: float) -> tuple[float, float] | None:
+        """Least damping at the wheel (N s/m) whose swing one mass with a coefficient (N s/m) has, and its slope (1).
+
+        None where there is none: the body's swing falls at most so fast, or ends, and another one is the slowest.
+        """
+        from scipy.optimize import brentq
 
         def excess(damping: float) -> float:
             found = self.swing(damping)[0]
             return (found if math.isfinite(found) else -math.inf) - seen
 
-        least = excess(0.0)
+        rough, least = seen / self._share**2, excess(0.0)
         if least >= 0.0:  # the tyre damps as much
-            return -least / share**2, 1.0 / share**2
+            return -least / self._share**2, 1.0 / self._share**2
         tried = rough * np.linspace(0.05, 2.0, 40)
         above = [float(one) for one in tried if excess(float(one)) > 0.0]
         if not above:
-            return rough, 1.0 / share**2
+            return None
         value = float(brentq(excess, 0.0, above[0]))
+        if abs(excess(value)) > _SAME_SWING * seen:
+            return None
         step = 1e-4 * value
         rise = (excess(value + step) - excess(value - step)) / (2.0 * step)
         return value, 1.0 / rise
+
+
+_SAME_SWING = 1e-6  # by which share the swing that was looked for may be missed
 
 
 def _at_wheel(rig: Rig) -> _AtWheel:
