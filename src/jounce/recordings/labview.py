@@ -14,6 +14,7 @@ from jounce.core.errors import RecordingError
 FIRST = "LabVIEW Measurement"
 _END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
 _DIGITS = 13  # of a count
+_SAME_TIME = 1e-3  # of the step
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
@@ -41,7 +42,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     names = lines[ends[1] + 1].rstrip(separator).split(separator)
     kept = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
     if any(len({_number(x, mark, file) for x in own.get(tag, [])}) > 1 for tag in ("X0", "Delta_X")):
-        raise RecordingError("channels begin or step differently", where=str(file), allowed=_ALLOWED)
+        raise _apart(str(file))
     if any(dimension != "Time" for dimension in own.get("X_Dimension", [])):
         raise RecordingError("no signals over time", where=f"{file}: X_Dimension", allowed="Time")
     units = own.get("Y_Unit_Label", [])
@@ -50,7 +51,9 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
         names[i] + (f" [{unit}]" if unit and "[" not in names[i] else "") for i, unit in zip(kept, units, strict=False)
     ]
     start, step = (_number(own.get(tag, [""])[0] or "0", mark, file) for tag in ("X0", "Delta_X"))
-    rows = list(_rows(lines[ends[1] + 2 :], separator, kept, mark, start, step))
+    first = ends[1] + 2
+    _check_times(lines[first:], names, separator, mark, step, file, first)
+    rows = list(_rows(lines[first:], separator, kept, mark, start, step))
     announced = [int(count) for count in own.get("Samples", []) if count.isdecimal() and len(count) < _DIGITS]
     table = "\n".join([*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *rows])
     return table, max(announced, default=None)
@@ -79,6 +82,22 @@ def _number(cell: str, mark: str, file: Path) -> float:
         raise RecordingError("not a number in the header", where=str(file), found=cell) from None
 
 
+def _apart(where: str, found: str | None = None) -> RecordingError:
+    return RecordingError("channels begin or step differently", where=where, found=found, allowed=_ALLOWED)
+
+
+def _check_times(
+    lines: Sequence[str], names: Sequence[str], separator: str, mark: str, step: float, file: Path, before: int
+) -> None:
+    """Refuse times of a channel that are others than those of the first, whatever the header says of the steps."""
+    others = [i for i, name in enumerate(names) if name == "X_Value"][1:]
+    for number, line in enumerate(lines if others else (), start=before + 1):
+        cells = line.split(separator)
+        for own in (cells[i] for i in others if i < len(cells) and cells[i] != cells[0] and cells[i] and cells[0]):
+            if abs(_number(own, mark, file) - _number(cells[0], mark, file)) > _SAME_TIME * step:
+                raise _apart(f"{file}, line {number}", f"{cells[0]} and {own} s")
+
+
 def _rows(
     lines: Sequence[str], separator: str, kept: Sequence[int], mark: str, start: float, step: float
 ) -> Iterator[str]:
@@ -89,6 +108,6 @@ def _rows(
         if not line.strip():
             yield ""
             continue
-        instant = cells[0] if cells[0].strip() else f"{start + count * step:.12g}".replace(".", mark)
+        instant = cells[0] if cells[0].strip() else f"{start + count * step:.15g}".replace(".", mark)
         count += 1
         yield separator.join([instant, *(cells[i] for i in kept if i < len(cells))])

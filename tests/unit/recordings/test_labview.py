@@ -67,6 +67,23 @@ def test_what_is_no_one_table_is_refused(tmp_path, how, said):
         read_recording(written(tmp_path / "run.lvm", **how))
 
 
+def test_channels_whose_times_differ_are_refused_whatever_the_header_says(tmp_path):
+    file = written(tmp_path / "run.lvm", columns="Multi")
+    lines = file.read_text().splitlines()
+    cells = lines[-1].split("\t")
+    lines[-1] = "\t".join([*cells[:2], "0.3400000", *cells[3:]])
+    file.write_text("\n".join(lines))
+    with pytest.raises(RecordingError, match=f"line {len(lines)}: channels begin or step.*0.2890000 and 0.34"):
+        read_recording(file)
+
+
+def test_times_that_count_from_a_far_past_follow_from_their_step(tmp_path):
+    file = written(tmp_path / "run.lvm", columns="No")
+    file.write_text(file.read_text().replace("0.2500000", "3660000000.0"))
+    record, _ = read_recording(file)
+    assert np.diff(record["time"].to_numpy()) == pytest.approx(np.full(39, 1e-3), abs=1e-6)
+
+
 @pytest.mark.parametrize(
     ("columns", "told", "said"),
     [("One", 38, "rows were added to it"), ("No", 41, "it was cut off; what is there was read"), ("No", 40, None)],
