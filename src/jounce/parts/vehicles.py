@@ -190,19 +190,20 @@ class Vehicle(Rig):
         return {corner: _place(corner, self.wheelbase) for corner in self.corners}
 
 
-def track_widths(rig: object) -> list[float]:
-    """Distance in m between left and right wheels of the front and of the rear axle; none where there is one side.
+def track_width(rig: object) -> float:
+    """Distance in m between left and right wheels, the mean of front and rear axle; 0 where there is one side.
 
     >>> from jounce.parts import load
-    >>> track_widths(load("audi-a6-full-car")), track_widths(load("audi-a6-half-car-4dof"))
-    ([1.54, 1.54], [])
+    >>> track_width(load("audi-a6-full-car")), track_width(load("audi-a6-half-car-4dof"))
+    (1.54, 0.0)
     """
     if not isinstance(rig, FullCar | FullCar3D):
-        return []
-    axles = rig.front, rig.rear
-    return [
-        one.track if isinstance(one, FullAxle) else 2.0 * abs(one.corner.hardpoints.wheel_centre[1]) for one in axles
-    ]
+        return 0.0
+    front, rear = (
+        one.track if isinstance(one, FullAxle) else 2.0 * abs(one.corner.hardpoints.wheel_centre[1])
+        for one in (rig.front, rig.rear)
+    )
+    return 0.5 * (front + rear)
 
 
 def _place(corner: str, wheelbase: float) -> Place:

@@ -15,7 +15,7 @@ from jounce.core.types import Array, Complex
 from jounce.mechanics.facts import ROAD, is_road
 from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unknown_path
-from jounce.parts.vehicles import Place, Vehicle, track_widths
+from jounce.parts.vehicles import Place, Vehicle, track_width
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import find_equilibrium, for_small_motions, in_terms_of, rests_for_small_motions
 
@@ -322,12 +322,7 @@ def _places(rig: Rig, wheels: Sequence[str]) -> tuple[Place, ...]:
 
 
 def _geometry(rig: Rig, wheels: Sequence[str]) -> Array:
-    return np.array([*(place.behind for place in _places(rig, wheels)), _track_width(rig)])
-
-
-def _track_width(rig: Rig) -> float:
-    """Mean distance between left and right wheels, m; 0 where there is only one side."""
-    return float(np.mean(track_widths(rig) or [0.0]))
+    return np.array([*(place.behind for place in _places(rig, wheels)), track_width(rig)])
 
 
 def _road_columns(compiled: Compiled) -> list[int]:

@@ -16,7 +16,7 @@ from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
-from jounce.parts.vehicles import track_widths
+from jounce.parts.vehicles import track_width
 from jounce.recordings.schema import channels_of
 from jounce.ride.metrics import RideMetrics, ride_metrics
 from jounce.ride.spectra import Spectrum, power_spectrum
@@ -104,7 +104,7 @@ def iso_trial(
     left = Iso8608(class_=class_, length=velocity * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
     right: Road | None = None
     if isinstance(rig, FullCar | FullCar3D):
-        left = left.model_copy(update={"track": track_widths(rig)[0]})
+        left = left.model_copy(update={"track": track_width(rig)})
         right = left.other_track()
     return RideTrial(Trial(road=left, right=right, speed=velocity, duration=lasting), settling)
 
@@ -182,7 +182,7 @@ def _wheelbase(rig: Rig) -> float:
 def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
     """The road under the left and the right wheels."""
     if isinstance(rig, FullCar | FullCar3D) and isinstance(road, Crg):
-        half = 0.5 * track_widths(rig)[0]
+        half = 0.5 * track_width(rig)
         left, right = (road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0))
         try:
             left.profile()

@@ -21,7 +21,7 @@ from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.parts.rig import questions
-from jounce.parts.vehicles import track_widths
+from jounce.parts.vehicles import track_width
 from jounce.recordings.formats import RecordingFormat
 from jounce.roads.measured import (
     Forces,
@@ -498,16 +498,16 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
 
 def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     """Tracks of one road that are not as far apart as the wheels: how alike they are decides on roll."""
-    widths = track_widths(rig)
+    wide = track_width(rig)
     for name, road in (("road", trial.road), ("right", trial.right)):
-        if widths and isinstance(road, Iso8608) and road.side == "right":
-            wide = 0.5 * sum(widths)
-            if abs(road.track - wide) > _AS_FAR * wide:
-                text = (
-                    f"its tracks are {road.track:.4g} m apart and the wheels {wide:.4g} m, "
-                    f"which makes the body roll by another amount; give both tracks track = {wide:.4g}."
-                )
-                yield Finding(f"trial: {name}", "note", text, road.track)
+        if not wide or not isinstance(road, Iso8608) or road.side != "right":
+            continue
+        if abs(road.track - wide) > _AS_FAR * wide:
+            text = (
+                f"its tracks are {road.track:.4g} m apart and the wheels {wide:.4g} m, "
+                f"which makes the body roll by another amount; give both tracks track = {wide:.4g}."
+            )
+            yield Finding(f"trial: {name}", "note", text, road.track)
 
 
 def road_findings(road: Road, place: str = "") -> list[Finding]:

@@ -24,7 +24,7 @@ from jounce.ride.covariance import (
     relative,
     sources_of,
 )
-from jounce.ride.family import Eigen, Families, LinearFamily, Matrices, _track_width, side_by_side, without_unreached
+from jounce.ride.family import Eigen, Families, LinearFamily, Matrices, side_by_side, without_unreached
 from jounce.ride.stationary import StationaryResponse, stationary, with_spectra
 from jounce.ride.surface import surface
 
@@ -153,10 +153,6 @@ def test_neutral_motions_that_are_driven_stay_and_are_refused():
         check_stable(np.linalg.eigvals(kept.A))
     with pytest.raises(SimulationError, match=r"eigenvalue 2 \+1j"):
         check_stable(np.array([[-1.0 + 0j, -2.0], [2.0 + 1.0j, 2.0 - 1.0j]]))
-
-
-def test_sides_are_as_far_apart_as_the_hardpoints_say() -> None:
-    assert _track_width(jn.load("sedan-full-car-3d")) == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
 
 
 def test_where_wheels_stand() -> None:

@@ -15,6 +15,7 @@ from jounce.recordings import recording
 from jounce.ride import study
 from jounce.ride.stationary import linear_findings
 from jounce.ride.study import Ride, _merits, all_controls
+from jounce.roads.trial import trial_findings
 
 TIME = np.arange(0.0, 10.0 + 5e-4, 1e-3)
 WAVE = np.sin(2.0 * np.pi * 5.0 * TIME)
@@ -206,9 +207,11 @@ def test_spectra_are_those_of_the_body_and_of_every_tyre() -> None:
     assert next(iter(Ride("passive", short, ride.metrics, {}).spectra())) == "sprung.az"
 
 
-def test_both_tracks_of_a_road_are_as_far_apart_as_the_front_wheels() -> None:
+def test_both_tracks_of_a_road_are_as_far_apart_as_the_wheels_in_the_mean() -> None:
     car = jn.load("sedan-full-car-3d")
     trial = jn.iso_trial(car, "C", "20 m/s", duration="1 s").trial
-    apart = 2.0 * abs(car.front.corner.hardpoints.wheel_centre[1])
-    assert trial.road.track == trial.right.track == pytest.approx(apart)
-    assert apart == pytest.approx(1.6, abs=0.01)
+    assert trial.road.track == trial.right.track == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
+    car = jn.load("audi-a6-full-car").with_changes({"front.track": "1.4 m", "rear.track": "1.7 m"})
+    trial = jn.iso_trial(car, "C", "20 m/s", duration="1 s").trial
+    assert trial.road.track == pytest.approx(1.55)
+    assert [str(one) for one in trial_findings(trial, car)] == []

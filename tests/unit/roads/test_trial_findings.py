@@ -10,7 +10,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.parts import load
-from jounce.parts.vehicles import track_widths
+from jounce.parts.vehicles import track_width
 from jounce.roads import HalfSine, Iso8608, Step, Table, Train, Trial
 from jounce.roads.measured import HIGHEST, _check_heights, check_source
 from jounce.roads.profile import _advanced, passes, periodic_places
@@ -90,7 +90,7 @@ def test_both_sides_on_one_track_are_told() -> None:
 
 def test_tracks_that_are_not_as_far_apart_as_the_wheels_are_told() -> None:
     for car in map(load, ("audi-a6-full-car", "formula-student-car")):
-        wide = 0.5 * sum(track_widths(car))
+        wide = track_width(car)
         for share, told in ((0.94, True), (0.96, False), (1.04, False), (1.06, True)):
             road = Iso8608(class_="C", length=60.0, track=share * wide)
             found = said(Trial(road=road, right=road.other_track(), speed=20.0, duration=2.0), car)
