@@ -104,6 +104,20 @@ def test_a_speed_of_zero_that_is_given_is_no_running_motion():
         np.testing.assert_allclose(run["fall.distance"], -0.0981, rtol=1e-9)
 
 
+@pytest.mark.parametrize(("angle", "rests", "falls"), [(0.4, 0.0, False), (2.5, np.pi, True)])
+def test_a_pendulum_that_rests_upside_down_is_told(angle, rests, falls):
+    mechanism = jn.mechanics.Mechanism()
+    bob = mechanism.body("bob", 2.0, (0.0, 0.0, -0.5), (0.1, 0.1, 0.1))
+    mechanism.revolute("pivot", mechanism.ground, bob, at=ORIGIN, axis=Y)
+    slide = mechanism.body("slide", 1.0, ORIGIN)
+    mechanism.prismatic("drift", mechanism.ground, slide, axis=Y)  # nothing moves it: it does not fall
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.1)
+    assert float(run["pivot.angle"][0]) == pytest.approx(rests, abs=1e-9)
+    told = [text for text in run.attrs["findings"] if "balanced on a top" in text]
+    assert [text.split(": ")[1] for text in told] == ["pivot.angle"] * falls
+
+
 def test_what_nothing_holds_is_named():
     mechanism = jn.mechanics.Mechanism()
     mechanism.prismatic("fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z)

@@ -25,7 +25,7 @@ from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, long
 from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.settings import COARSEST, MAX_STEPS, Method, RunSettings
 from jounce.simulation.singular_configurations import Begin, run_through
-from jounce.simulation.statics import free_motions
+from jounce.simulation.statics import falling, free_motions
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -90,6 +90,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     at_rest : bool
         Start in equilibrium near the start, with the tracks held. Speeds given in ``start`` are kept, and the
         equilibrium is that of all else; what nothing decides (a car's place on a level road) stays where it starts.
+        The nearest one may be a top from which it falls: a finding says so.
     check : bool
         Raise when the run does not reach its end.
 
@@ -144,6 +145,9 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             notes.append(
                 [Finding(", ".join(neutral), "note", "nothing decides where it rests; it stays where it started")]
             )
+        if not running and (names := falling(compiled, first, u, p)):
+            text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
+            notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))

@@ -26,6 +26,8 @@ _STRIDE = 0.05  # m or rad
 _STRIDES = 200
 _TOGGLE = 10.0  # times the lever of a strut, near a dead point of the linkage
 _SLOWEST, _QUICKEST = 1.0, 1e16  # 1/s^2
+_DRIFTS = 1e-6, 1e-9  # 1/s^2, and of what holds the best: what falls no quicker is neutral but for rounding
+_SHARE_OF_FALL = 0.1  # of the quickest speed of a fall: slower ones are not named
 _PROJECTIONS = 3
 _UNBALANCED = 1e-6  # m/s^2
 _ROUNDINGS = 8.0  # how many times the rounding of one product a balance of many may be off
@@ -126,6 +128,19 @@ def in_terms_of(compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]) -
         return rest.lift, rest.pick
     motions = rest.lift[n_q : n_q + n_v, count : 2 * count]
     return _lift(rest.slope, n_q, n_v, free, np.asarray(motions @ np.linalg.inv(motions[free]), dtype=np.float64))
+
+
+def falling(compiled: Compiled, x: Array, u: Array, p: Array) -> list[str]:
+    """Speeds of the motion in which a mechanism falls the quickest from a state of rest; none where nothing falls."""
+    still = np.zeros_like(u)
+    still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
+    now = _balance(compiled, x, still, p, compiled.sides(x, still, p))
+    values, vectors = np.linalg.eig(now.pull)
+    quickest = int(np.argmax(values.real)) if values.size else 0
+    if not values.size or values[quickest].real <= max(_DRIFTS[0], _DRIFTS[1] * float(np.max(np.abs(values)))):
+        return []
+    motion = np.abs(now.motions @ vectors[:, quickest])
+    return [compiled.facts.speeds[i] for i in np.flatnonzero(motion > _SHARE_OF_FALL * np.max(motion))]
 
 
 Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]
@@ -419,10 +434,14 @@ class _Balance:
     residual: Array
 
     @property
+    def pull(self) -> Array:
+        """Accelerations of the free motions for small ones of them, 1/s^2: a negative one holds what it moves."""
+        return np.asarray(self.slope[self.rows[: len(self.free)]] @ self.moved[:, : len(self.motions)] @ self.motions)
+
+    @property
     def growth(self) -> float:
         """Square of the largest rate at which a free motion falls, 1/s^2; negative where all are held."""
-        slope = self.slope[self.rows[: len(self.free)]] @ self.moved[:, : len(self.motions)] @ self.motions
-        return float(np.max(np.linalg.eigvals(slope).real, initial=-np.inf))
+        return float(np.max(np.linalg.eigvals(self.pull).real, initial=-np.inf))
 
     def rounding(self, size: Array) -> float:
         """How far rounding alone may leave the balance open for coordinates of some sizes, m/s^2."""
