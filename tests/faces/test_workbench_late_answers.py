@@ -442,3 +442,33 @@ def test_a_card_of_a_job_takes_no_older_news_and_opens_its_results_as_often_as_a
         with page.context.expect_page() as opened:
             opens.click()
         opened.value.close()
+
+
+@pytest.mark.parametrize(
+    ("name", "page_of", "number", "unit", "used"),
+    [
+        (RIG, "trial", "sprung.mass", "kg", "strut.spring.rate [N/mm], typed"),
+        (CORNER, "kinematics", "hardpoints.tie_rod_outer[2]", "mm", "Rack travel, to the left positive [mm], typed"),
+    ],
+)
+def test_numbers_whose_file_was_changed_under_their_page_are_told_and_loaded_again(
+    page, base, workbench, name, page_of, number, unit, used
+):
+    file = workbench[0] / name
+    was, rig = file.read_bytes(), jn.load(file)
+    show(page, base, f"{page_of}?rig={name}")
+    field, told = (
+        page.get_by_label(f"{number} [{unit}], typed", exact=True),
+        page.get_by_text(f"{name} was changed meanwhile"),
+    )
+    before = float(field.input_value())
+    assert not told.count()
+    jn.save(rig.with_changes({number: 1.25 * rig.parameters()[number]}), file, force=True)
+    typed(page.get_by_label(used), "19")
+    told.wait_for()
+    assert float(field.input_value()) == before
+    page.get_by_role("button", name="Load it again").click()
+    until(page, lambda: field.count() == 1 and float(field.input_value()) == 1.25 * before)
+    page.get_by_text("drawn in").wait_for()
+    assert not told.count()
+    file.write_bytes(was)

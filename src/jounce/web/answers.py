@@ -7,6 +7,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 from typing import TYPE_CHECKING, Any
 
 import tomlkit
@@ -80,6 +81,11 @@ def rig_in(project: Project, name: str, text: str) -> Rig:
         return rig_from_table(table, where=str(file), text=text)
 
 
+def digest_of(rig: Rig) -> str:
+    """Digest of what a rig says, by which a page notices that the file behind its numbers was changed."""
+    return sha256(rig.model_dump_json().encode()).hexdigest()
+
+
 def described(rig: Rig, name: str) -> dict[str, Any]:
     """Numbers of a rig by path: value (SI), unit, and the unit and factor that it is shown in."""
     from jounce.core.display import display_unit
@@ -95,6 +101,7 @@ def described(rig: Rig, name: str) -> dict[str, Any]:
     return {
         "name": name,
         "model": getattr(rig, "model", type(rig).__name__),
+        "digest": digest_of(rig),
         "spatial": _is_spatial(rig),
         "numbers": numbers,
         "findings": to_plain(rig_findings(rig)),
@@ -124,7 +131,7 @@ def simulated(
     runs = {label: _run(rig, on) for label, rig in rigs.items()}
     if measured:
         runs[measured] = _measured(project, measured, begins, on)
-    ways = _ways_of(name, changes, trial, on, measured)
+    ways = {"digest": digest_of(rigs["as it is"]), **_ways_of(name, changes, trial, on, measured)}
     if spectra:
         from jounce.report.recordings import curve_viewer
         from jounce.web.spectra import spectra_of

@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.web.answers import ONE, Changes, Shown, arguments, changed_by, rig_of, set_by, variants
+from jounce.web.answers import ONE, Changes, Shown, arguments, changed_by, digest_of, rig_of, set_by, variants
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -64,6 +64,7 @@ def swept(project: Project, asked: Question) -> Shown:
     viewer = curve_viewer({"": runs}, list(asked.channels) or None, rig=first)
     wanted = [*_studied(project, asked.study), *asked.targets]
     more = {
+        "digest": digest_of(rigs["as it is"]),
         "centres": _centres(next(iter(runs.values())), viewer),
         "targets": _bands(first, wanted, asked.over, viewer),
         "notes": [_note(label, run) for label, run in runs.items() if run.attrs.get("status") != "completed"],

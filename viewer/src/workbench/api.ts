@@ -8,7 +8,7 @@ export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
 export interface Checked { kind: string; what: string; problems: Error[]; notes: string[] }
 export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
-export interface Rig { name: string; model: string; spatial: boolean; numbers: RigNumber[]; findings: { place: string; severity: string; message: string }[] }
+export interface Rig { name: string; model: string; digest: string; spatial: boolean; numbers: RigNumber[]; findings: { place: string; severity: string; message: string }[] }
 export interface Problem { path: string; line: number; text: string }
 /** What a file was before it was written anew: its name, and when that was (s since 1970). */
 export interface Version { name: string; replaced: number }
@@ -16,6 +16,8 @@ export interface Version { name: string; replaced: number }
 export interface Form { text: string; values: unknown; model: string; problems: Problem[]; rig: Rig | null; changed: string[] }
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
 export interface Answer { python: string; command: string; files: Record<string, string> }
+/** The digest of the rig as it is saved, of whose numbers those that are sent are changes. */
+export interface OfRig { digest: string }
 
 export const asked = (method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> =>
   sent(path, { method, ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } }) });

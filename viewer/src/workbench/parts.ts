@@ -6,7 +6,7 @@ import { Player } from "../player";
 import { tr } from "../words";
 import { inWords } from "./quantities";
 import { asSaid, Refused } from "./refusals";
-import { type Answer, type Rig, type RigNumber } from "./api";
+import { type Answer, type OfRig, type Rig, type RigNumber } from "./api";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
   return make("label", { class: "field" }, make("span", {}, label), control, ...(note ? [make("small", {}, note)] : []));
@@ -34,6 +34,19 @@ export function copied(title: string, text: string): HTMLElement {
 /** The same by other ways, to copy. */
 export function ways({ python, command, files }: Answer): HTMLElement[] {
   return [copied(tr("The same in Python"), python), copied(tr("The same on the command line"), command), ...Object.entries(files).map(([name, content]) => copied(name, content))];
+}
+
+/** Says that the file of a rig was changed since its numbers were put on the page, wherever an answer comes from another one. */
+export class Outdated {
+  readonly element = make("div", { "aria-live": "polite" });
+  constructor(private readonly rig: Rig) {}
+  show({ digest }: OfRig): void {
+    if (digest === this.rig.digest) { this.element.replaceChildren(); return; }
+    if (this.element.firstChild) return;
+    const again = make("button", { type: "button" }, tr("Load it again"));
+    again.addEventListener("click", () => dispatchEvent(new HashChangeEvent("hashchange")));
+    this.element.append(make("p", { class: "problem" }, tr("# was changed meanwhile: the curves are those of the file as it is by now, the numbers on this page are not.", this.rig.name)), make("div", { class: "bar" }, again));
+  }
 }
 
 /** The same by other ways, of what changes often: only its texts are exchanged. */

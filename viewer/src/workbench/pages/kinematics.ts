@@ -8,7 +8,7 @@ import * as api from "../api";
 import { designing, type Target } from "../designing";
 import { Drafts } from "../drafts";
 import { type Band, Multiples } from "../multiples";
-import { field, Newest, once, problem, Sliders, Steps, Ways } from "../parts";
+import { field, Newest, once, Outdated, problem, Sliders, Steps, Ways } from "../parts";
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";
@@ -66,7 +66,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const reach = isSmall ? 20 : 50, newest = new Newest(), times: number[] = [];
   setLive({ times });
 
-  const state = make("p", { class: "state", role: "status" }), notes = make("div", {}), same = new Ways();
+  const state = make("p", { class: "state", role: "status" }), notes = make("div", {}), same = new Ways(), outdated = new Outdated(rig);
   const over = make("select", {}, ...([["travel", tr("wheel travel")], ...(hasRack ? [["rack", tr("rack travel")]] : []), ["roll", tr("roll of the body")]] as [Over, string][]).map(([value, words]) => make("option", { value }, words)));
   const changed = (isRange: boolean, which: Over) => { if (which === over.value && !isRange) pose(); else void ask(); };
   const drives: Record<Over, Drive> = {
@@ -133,7 +133,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         travel: now === "roll" ? "" : text(drives.travel), rack: hasRack ? text(drives.rack) : "", roll: now === "roll" ? text(drives.roll) : "",
       })));
       if (!place.isConnected) return;
-      const extra = store.content as unknown as Extra & api.Answer, model = store.content.viewers[0]!, scene = model.scenes[0]!, x = store.get(scene.x);
+      const extra = store.content as unknown as Extra & api.Answer & api.OfRig, model = store.content.viewers[0]!, scene = model.scenes[0]!, x = store.get(scene.x);
       centres = extra.centres;
       swept = now;
       last = { low: x[0] as number, high: x[x.length - 1] as number };
@@ -151,6 +151,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       notes.replaceChildren(...extra.notes.map((one) => make("p", { class: "muted" }, asSaid(one))));
       legend.replaceChildren(...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) => make("li", {}, make("i", { class: `swatch ${role}` }), label, k ? ` (${tr("dashed")})` : "")));
       same.show(extra);
+      outdated.show(extra);
       view.draw();
       times.push(performance.now() - began);
       state.textContent = tr("# curves computed and drawn", String(quantities.length)) + ` ${tr("in")} ${written(times[times.length - 1]!, 2)} ms`;
@@ -185,7 +186,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   place.replaceChildren(make("h1", {}, tr("Kinematics of #", name)), ...(isOwn ? [make("p", { class: "bar" }, make("a", { href: address("rig", { name }) }, tr("To its file")))] : []), drafts.element,
     make("div", { class: "form" }, field(tr("Curves over"), over), field(tr("Compare with"), against), field(tr("Targets of a study"), chosen), field(tr("Show curves with"), filter)),
     make("div", { class: "sliders drives" }, ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map((one) => drives[one].element)),
-    state, notes,
+    outdated.element, state, notes,
     make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element, steps.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
     make("h2", {}, tr("Numbers")), sliders.element, ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
     make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same.element);

@@ -5,7 +5,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { Drafts, enter, entered } from "../drafts";
-import { field, Live, once, problem, Sliders, Steps } from "../parts";
+import { field, Live, once, Outdated, problem, Sliders, Steps } from "../parts";
 import { Phase } from "../phase";
 import { address, choose, type Page, setLive, type Values, VEHICLES } from "../shell";
 
@@ -39,7 +39,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const offset = () => { since.hidden = !measured.value; };
   const phase = new Phase(() => void curves.ask());
   const curves = new Live((channels) => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value, numbers: [...channels, ...phase.channels] }));
-  curves.shown = (model, store) => { const isTime = model.x.unit === "s"; phase.element.hidden = !isTime; if (isTime) phase.show(model, store); }; // of what came, not of what is wanted by now
+  const outdated = new Outdated(rig);
+  curves.shown = (model, store) => { outdated.show(store.content as unknown as api.OfRig); const isTime = model.x.unit === "s"; phase.element.hidden = !isTime; if (isTime) phase.show(model, store); }; // of what came, not of what is wanted by now
   curves.moved = (place) => { if (!phase.element.hidden) phase.mark(place); };
   for (const one of [look, measured, begins]) one.addEventListener("change", () => { offset(); void curves.ask(); });
   offset();
@@ -73,7 +74,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   drafts.hear(run);
   run.append(new Steps(state, (was) => { put(was); drafts.changed(); }, run).element);
   place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)), drafts.element, make("div", { class: "bench" }, run,
-    make("div", {}, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep)));
+    make("div", {}, outdated.element, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep)));
   await curves.ask();
 }
 
