@@ -79,11 +79,12 @@ def test_moves_of_the_body_are_those_of_springs_and_tyres_under_the_transfer(axl
     share = 0.0 if axle == "front" else float(found["anti_squat"][0])
     assert float(found[driven][0]) == pytest.approx(transfer * (1.0 - share) / rate + transfer / tyre, rel=1e-6)
     third = {
-        "third_spring": {"spring": {"rate": 40e3}, "on": "lower_arm"},
+        "third_spring": {"spring": {"rate": 40e3, "preload": 3e3}, "on": "lower_arm"},
         "hardpoints.third_spring_end": [0.0, 0.4, 0.3],
     }
     stiff = rig.with_changes(third)
     both = jn.sweep_travel(stiff, 0.0, vehicle=jn.AxleLayout(**car, mass=MASS))
-    more = float(both["third_wheel_rate"][0]) / lift.mean() ** 2
-    wanted = transfer * (1.0 - float(found[names[1]][0])) / (rate + more) + transfer / tyre
+    near = jn.sweep_travel(stiff, step * np.array([-1.0, 1.0]))
+    rate = float(np.diff(near["heave_force"].to_numpy() / lift)[0]) / (2.0 * step * lift.mean())
+    wanted = transfer * (1.0 - float(found[names[1]][0])) / rate + transfer / tyre
     assert float(both[names[0]][0]) == pytest.approx(wanted, rel=1e-6)

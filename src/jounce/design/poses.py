@@ -42,8 +42,9 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
 
     Bodies follow their hardpoints as rigid ones, but for an ``upright`` whose motion is given because its points move
     on it; the wheel's camber and toe follow the body that carries it. The springs keep their free length, as do dampers
-    with a stiffness, and the stops their places: preload, offset and gaps count from the new design length. A torsion
-    bar has wound up by as much as its arm has turned. A Z-bar carries no torque in the new design, as in the old one.
+    with a stiffness, and the stops their places: preload, offset and gaps count from the new design length; a damper's
+    ``displacement_coupling``, which has no offset of its own, sees the stroke from there. A torsion bar has wound up by
+    as much as its arm has turned. A Z-bar carries no torque in the new design, as in the old one.
     """
     table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
     before = rig.hardpoints.given()

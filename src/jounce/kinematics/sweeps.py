@@ -263,11 +263,11 @@ def moves_per_g(vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[s
         return {}
     transfer = 0.5 * vehicle.mass * GRAVITY * vehicle.centre_of_mass_height / vehicle.wheelbase  # N, of a wheel
     rate = rows["wheel_rate_contact"]
-    if "heave_rate" in rows:  # what works while both wheels move alike does so at the ratio of the wheel centre
-        rate = (
-            rate
-            + (rows["heave_rate"] - rows["wheel_rate"]) * (rows["motion_ratio_contact"] / rows["motion_ratio"]) ** 2
-        )
+    if "heave_rate" in rows:  # what works while both wheels move alike is known where it acts on the wheel centre
+        force, at_centre = (rows[f"heave_{name}"] - rows[f"wheel_{name}"] for name in ("force", "rate"))
+        rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the patch for one of the wheel centre
+        growth = rows["motion_ratio_gradient"] - rise**2 * rows["motion_ratio_contact_gradient"]
+        rate = rate + (at_centre - force * growth / rows["motion_ratio"]) / rise**2
     tyre = transfer / rows["tyre_stiffness"] if "tyre_stiffness" in rows else 0.0
     shares_of: list[Array | float] = [taken[name] for name in vehicle.effects]
     shares_of += [0.0] * (2 - len(shares_of))
