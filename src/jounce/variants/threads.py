@@ -5,9 +5,13 @@ To start a thread and to see it off takes as long as it works on a hundred varia
 
 from __future__ import annotations
 
+import contextlib
+import math
 import os
 import threading
 from collections.abc import Callable, Iterable, Iterator
+from functools import cache
+from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import TypeVar
 
@@ -22,10 +26,31 @@ if hasattr(os, "register_at_fork"):
 def processors() -> int:
     """How many processors this process may use: those of the machine, or fewer where it is bound to some.
 
+    A container that may use as much time as some processors have counts as these.
+
     >>> processors() >= 1
     True
     """
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return max(1, math.ceil(min(there, time_share())))
+
+
+@cache
+def time_share(groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/proc/self/cgroup")) -> float:
+    """How many processors' time the control groups of this process may use; infinite where nothing limits it.
+
+    That of version 2: ``cpu.max`` has the time and the period in which it may be used, for the group and those above.
+    """
+    try:
+        path = next(line for line in own.read_text().splitlines() if line.startswith("0::")).removeprefix("0::/")
+    except (OSError, StopIteration):
+        return math.inf
+    least = math.inf
+    for folder in (groups / path, *(groups / path).parents):
+        with contextlib.suppress(OSError, ValueError):  # no limit here, or "max"
+            most, period = map(int, (folder / "cpu.max").read_text().split())
+            least = min(least, most / period)
+    return least
 
 
 def share(

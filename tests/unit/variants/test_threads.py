@@ -1,5 +1,6 @@
 """Threads that share work: each item is taken once, errors are heard, and threads serve again."""
 
+import math
 import os
 import threading
 import time
@@ -116,14 +117,32 @@ def test_who_is_interrupted_while_it_waits_leaves_nothing_to_the_others(monkeypa
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_getaffinity"), reason="processes are bound to processors on Linux")
-def test_a_process_that_is_bound_to_a_processor_uses_no_more():
+def test_a_process_that_is_bound_to_a_processor_uses_no_more(monkeypatch):
     before = os.sched_getaffinity(0)
+    monkeypatch.setattr(threads, "time_share", lambda: math.inf)
     try:
         os.sched_setaffinity(0, {min(before)})
         assert processors() == 1
     finally:
         os.sched_setaffinity(0, before)
     assert processors() == len(before)
+
+
+@pytest.mark.parametrize(
+    ("above", "here", "found", "used"),
+    [(None, None, math.inf, 8), ("max", "max", math.inf, 8), ("200000", "max", 2.0, 2), ("max", "50000", 0.5, 1)],
+)
+def test_a_container_with_little_time_counts_as_few_processors(tmp_path, monkeypatch, above, here, found, used):
+    own = tmp_path / "own"
+    own.write_text("1:cpu:/other\n0::/box/job\n")
+    (tmp_path / "box" / "job").mkdir(parents=True)
+    for folder, limit in (("box", above), ("box/job", here)):
+        if limit is not None:
+            (tmp_path / folder / "cpu.max").write_text(f"{limit} 100000\n")
+    assert threads.time_share(tmp_path, own) == found
+    monkeypatch.setattr(threads, "time_share", lambda: found)
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(8)), raising=False)
+    assert processors() == used
 
 
 @pytest.mark.parametrize("workers", [1, 3])
