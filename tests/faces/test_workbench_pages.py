@@ -120,11 +120,26 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         parts.get_by_role("button", name="look at campaign/measured/soft spring.csv").wait_for()
         assert 'stroke_positive = "extension"' in (folder / "campaign" / "campaign.toml").read_text()
 
+        text = page.get_by_label("text of campaign/campaign.toml")
+        for written, told in (("[[[", "not valid TOML"), ("high_path", "high_path")):
+            page.get_by_text("The campaign's file", exact=True).click()
+            text.fill(text.input_value().replace("high_pass", written, 1))
+            page.get_by_role("button", name="Save", exact=True).click()
+            page.get_by_role("alert").filter(has_text=told).wait_for()  # and its text is there to be mended
+            assert written in text.input_value()
+            page.get_by_role("button", name="Undo").click()
+            page.get_by_role("heading", name="Trials").wait_for()
+        page.get_by_text("The campaign's file", exact=True).click()
+        text.fill(text.input_value().replace('title = "My', 'title = "Our'))
+        page.get_by_role("button", name="Save", exact=True).click()
+        page.get_by_role("heading", name="Our bench campaign").wait_for()
+
         page.get_by_role("button", name="Run the campaign").click()
         page.get_by_role("heading", name="Verdicts").wait_for()
         assert page.get_by_role("region", name="verdicts").get_by_text("holds").first.is_visible()
         page.get_by_role("heading", name="Every update on every trial").wait_for()
         page.get_by_role("heading", name="The last search").wait_for()
+        page.get_by_role("link", name="drive it: campaign/results/rig-").wait_for()
         page.frame_locator("iframe[title=Report]").get_by_role("heading", name="Validation").wait_for()
         page.reload()
         page.get_by_role("heading", name="Verdicts").wait_for()

@@ -13,8 +13,8 @@ import { advised, asSaid } from "../refusals";
 export const campaign: Page = { label: "Campaign", show };
 
 interface Bench { name: string; found: string[]; files: string[]; columns?: Record<string, string>; variable?: string; stroke_positive?: string; force_positive?: string; law?: string; discard_below?: string; intercept?: string; branch?: string; channel?: string; from?: string; to?: string; sample_time?: string }
-/** What was entered last: the text of the campaign before it, and the digest of that with it. */
-interface Written { path: string; before: string; digest: string }
+/** What was written last: the text of the campaign before it, and the digest of that with it; and in which words that is told. */
+interface Written { path: string; before: string; digest: string; said?: string }
 let written_: Written | null = null;
 interface Overview { title: string; synthetic: string; rig: string; roads: string[]; mass: string; bench: Bench[]; trials: Record<string, unknown>[]; updates: Record<string, unknown>[] }
 
@@ -40,7 +40,22 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
 }
 
 async function showFile(place: HTMLElement, path: string, read: string): Promise<void> {
-  const [found, project] = await Promise.all([api.get<Overview>(`/api/campaign?${api.query({ path })}`), api.folder()]);
+  const [saved, project] = await Promise.all([api.file(path), api.folder()]), own = textOf(path, saved, place);
+  const latest = written_?.path === path ? written_ : null, undo = make("button", { type: "button" }, "Undo"), done = make("div", { "aria-live": "polite" });
+  if (latest) done.append(make("p", { class: "bar" }, make("span", { class: "good" }, latest.said ?? "Entered into the campaign."), undo));
+  undo.addEventListener("click", () => {
+    once(undo, api.save(path, latest!.before, latest!.digest)).then(() => { written_ = null; goTo(place, "campaign", { file: path, undone: String(Date.now()) }); }, (error) => done.append(problem(error)));
+  });
+  let found: Overview;
+  try { found = await api.get<Overview>(`/api/campaign?${api.query({ path })}`); } catch (error) { // it can be mended here
+    const drafts = new Drafts<{ text: string }>(project, address("campaign", { file: path }), own.state(), own.state, own.restore, () => saved.digest);
+    own.used = () => drafts.done();
+    drafts.hear(place);
+    own.element.open = true;
+    place.replaceChildren(make("h1", {}, path), make("p", {}, make("a", { href: address("campaign") }, "All campaigns")), drafts.element, done, problem(error), own.element);
+    return;
+  }
+  if (!place.isConnected) return;
   const folder = path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "";
   const inside = (name: string) => (folder ? `${folder}/${name}` : name);
   const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
@@ -68,26 +83,24 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   };
   const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
   const parts = found.bench.map((one) => part(one, found, link)), form = { out, force, where };
-  const state = () => ({ entry: opened?.state() ?? null, form: entered(form), fits: Object.fromEntries(parts.map((one) => [one.name, entered(one.controls)])) });
-  const latest = written_?.path === path ? written_ : null, undo = make("button", { type: "button" }, "Undo"), done = make("div", { "aria-live": "polite" });
-  if (latest) done.append(make("p", { class: "bar" }, make("span", { class: "good" }, "Entered into the campaign."), undo));
-  undo.addEventListener("click", () => {
-    once(undo, api.save(path, latest!.before, latest!.digest)).then(() => { written_ = null; goTo(place, "campaign", { file: path, undone: String(Date.now()) }); }, (error) => done.append(problem(error)));
-  });
+  const state = () => ({ entry: opened?.state() ?? null, form: entered(form), ...own.state(), fits: Object.fromEntries(parts.map((one) => [one.name, entered(one.controls)])) });
   const drafts = new Drafts<ReturnType<typeof state>>(project, address("campaign", { file: path }), state(), state, (was) => {
     enter(form, was.form ?? {});
     for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
+    if (was.text !== undefined) own.restore(was);
     if (!was.entry) return;
     open(was.entry.file, was.entry.form, was.entry.fields);
     opened!.restore(was.entry);
-  });
+  }, () => (own.isTyped() ? saved.digest : "")); // what else is entered goes with any text
+  own.used = () => drafts.done(own.state());
   drafts.hear(place);
-  place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig ${found.rig}`),
+  place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig `, ...(/^[^@]+\.toml$/.test(found.rig) && !found.rig.includes("..") ? [make("a", { href: address("rig", { name: inside(found.rig) }) }, found.rig)] : [found.rig])),
     drafts.element, done, ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
     make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
     make("h2", {}, "Parts"), ...(parts.length ? parts.map((one) => one.element) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
     make("h2", {}, "Trials"), table("trials", ["trial", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
     make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
+    own.element,
     make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
     dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", () => {
       const before = reader.firstChild;
@@ -98,6 +111,21 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       };
     }), come, reader);
   if (read) open(read, "recording");
+}
+
+/** The text of a campaign, for all that has no form: to take trials out, turn a sensor, free other parameters. Whatever it says can be written, and taken back. */
+function textOf(path: string, file: api.Text, place: HTMLElement): { element: HTMLDetailsElement; state: () => { text: string }; restore: (was: { text: string }) => void; isTyped: () => boolean; used: () => void } {
+  const area = make("textarea", { spellcheck: "false", "aria-label": tr("text of #", path), rows: "24" }), save = make("button", { type: "button", disabled: true }, "Save"), told = make("div", { "aria-live": "polite" });
+  area.value = file.text;
+  const before = area.value, isTyped = () => area.value !== before, offer = () => { save.disabled = !isTyped(); };
+  area.addEventListener("input", offer);
+  const element = make("details", {}, make("summary", {}, "The campaign's file"), make("p", { class: "muted" }, "Trials that are not to count, a sensor that is upside down (orientation = -1), other free parameters: what is saved here is read at once, and can be taken back."), area, make("div", { class: "bar" }, save), told);
+  const own = { element, isTyped, state: () => ({ text: area.value }), restore: (was: { text: string }) => { area.value = was.text; element.open = true; offer(); }, used: () => {} };
+  save.addEventListener("click", () => {
+    const now = area.value;
+    once(save, api.save(path, now, file.digest)).then(({ digest }) => { written_ = { path, before: file.text, digest, said: "Saved." }; if (area.value === now) own.used(); goTo(place, "campaign", { file: path, saved: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
+  });
+  return own;
 }
 
 function table(name: string, header: string[], rows: (Node | string)[][], numbers: number[] = []): HTMLElement {
@@ -195,9 +223,10 @@ interface Compared { channels: Record<string, { nrmse: number | null; r2: number
 interface Results {
   synthetic: string; findings: { place: string; severity: string; message: string }[];
   characterisation: { replaced: { path: string; described: number; measured: number; standard_error: number | null; source: string }[] };
-  updates: { name: string; objective_before: number; objective_after: number; reduction_percent: number; evaluations: number; parameters: Record<string, Estimated>; identifiability: { parameters: string[]; sensitivity: number[]; rank: number; condition: number; correlation: number[][]; findings: { message: string; place: string }[] }; trials: number[]; comparisons: { number: number; is_fitted: boolean; before: Compared | null; after: Compared | null }[]; discrepancy: { parameters: Record<string, { value: number; interval: [number, number]; why: string }> } | null }[];
+  updates: { name: string; objective_before: number; objective_after: number; reduction_percent: number; evaluations: number; parameters: Record<string, Estimated>; identifiability: { parameters: string[]; sensitivity: number[]; rank: number; condition: number | null; correlation: number[][]; findings: { message: string; place: string }[] }; trials: number[]; comparisons: { number: number; is_fitted: boolean; before: Compared | null; after: Compared | null }[]; discrepancy: { parameters: Record<string, { value: number; interval: [number, number]; why: string }> } | null }[];
   trials: { number: number; use: string; speed: number | null; verdict: string; channels: Record<string, { nrmse: number | null; r2: number | null; iso18571: number | null }>; before: Compared | null }[];
 }
+const RANK = ["problem", "warning", "note"]; // what may make a verdict wrong comes first
 const TONE: Record<string, string> = { holds: "good", "holds partly": "fair" };
 const tone = (verdict: string) => TONE[verdict] ?? (/not|fail/.test(verdict) ? "bad" : "fair");
 
@@ -209,7 +238,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     card.show(job);
     if (card.job.steps?.length) live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
   }, (end) => {
-    if (end.result) results.replaceChildren(...answer(end.result, units), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
+    if (end.result) results.replaceChildren(...answer(end.result, units), updated(String(end.asked.out)), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
   });
 }
 
@@ -235,6 +264,18 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   return make("section", { class: "job" }, make("h3", {}, runs ? "The search goes on" : "The last search"), figure, make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "parameters" }, make("table", {}, make("thead", {}, make("tr", {}, ...["parameter", "unit", "lower bound", "", "upper bound", "at first", "now", ""].map((one, k) => make("th", { scope: "col", ...([2, 4, 5, 6].includes(k) ? { class: "right" } : {}) }, one)))), make("tbody", {}, ...rows))));
 }
 
+/** The rigs that a campaign wrote, to go on with. */
+function updated(folder: string): HTMLElement {
+  const section = make("section", { hidden: true }), list = make("ul", {});
+  section.append(make("h2", {}, "Updated rigs"), list);
+  void api.project().then(({ entries }) => {
+    const rigs = entries.filter((one) => one.kind === "rig" && one.path.startsWith(`${folder}/`));
+    list.append(...rigs.map(({ path }) => make("li", {}, make("a", { href: address("rig", { name: path }) }, path), " · ", make("a", { href: address("trial", { rig: path }), "aria-label": `${tr("drive it")}: ${path}` }, tr("drive it")))));
+    section.hidden = !rigs.length;
+  }, () => {}); // the results stand all the same
+  return section;
+}
+
 function answer(found: Results, units: Units): HTMLElement[] {
   const mean = (one: Compared | null) => { const all = Object.values(one?.channels ?? {}).map((channel) => channel.nrmse).filter((value): value is number => value !== null); return all.length ? all.reduce((a, b) => a + b) / all.length : null; };
   const shown: HTMLElement[] = [];
@@ -249,7 +290,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
         return [path, unit, written(p.initial * factor), ...estimated(p.value, p.interval, factor, 5), `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
           p.at_bound ? make("span", { class: "mark fair" }, "at its bound") : law?.why ? make("span", { class: "mark bad" }, `not identified: ${law.why}`) : law ? make("span", { class: "mark good" }, "identified") : "–"];
       }), [2, 3, 4, 5]),
-      make("h3", {}, "What the data can tell"), make("p", { class: "muted" }, `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${written(one.identifiability.condition, 3)}.`),
+      make("h3", {}, "What the data can tell"), make("p", { class: "muted" }, `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}.`),
       table("identifiability", ["unknown", "sensitivity", "most alike"], one.identifiability.parameters.map((name, k) => {
         const row = one.identifiability.correlation[k] ?? [], best = row.reduce((at, value, i) => (i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at), -1);
         return [name, written(one.identifiability.sensitivity[k], 3), best >= 0 ? `${one.identifiability.parameters[best]} (${written(row[best], 2)})` : "–"];
@@ -258,7 +299,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
   const numbers = [...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number)))];
   if (numbers.length) shown.push(make("h2", {}, "Every update on every trial"), make("p", { class: "muted" }, "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked."),
     table("every update on every trial", ["update", ...numbers.map((one) => `trial ${one}`)], found.updates.map((one) => [one.name, ...numbers.map((number) => { const two = one.comparisons.find((three) => three.number === number); return two ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? tr(", fitted") : ""}${two.after?.verdict ? `: ${tr(two.after.verdict)}` : ""}` : "–"; })])));
-  if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...advised(found.findings, "li")));
+  if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...advised([...found.findings].sort((one, other) => RANK.indexOf(one.severity) - RANK.indexOf(other.severity)), "li")));
   return shown;
 }
 
