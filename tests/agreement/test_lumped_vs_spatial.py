@@ -138,16 +138,18 @@ def test_a_third_damper_is_added_to_the_law_of_the_damper():
         _damper(rig.with_changes(hysteretic), found)
 
 
-def test_what_springs_beside_the_strut_carry_is_known_from_the_hardpoints():
+def test_what_is_carried_beside_the_spring_is_known_from_the_hardpoints():
     """Ratios of the levers at design are those of the kinematics; the spring is left with the rest of the weight."""
-    from jounce.parts.leverage import carried_beside_strut, static_spring_force, third_ratio, torsion_ratio
+    from jounce.parts.leverage import carried_beside_spring, static_spring_force, third_ratio, torsion_ratio
 
-    for rig in (RIGS["kart, springs beside the strut"], RIGS["kart, springs beside the strut"].mirrored()):
+    plain = RIGS["kart, springs beside the strut"]
+    gas = plain.with_changes({"strut.damper": GAS, "third_spring.damper": {**GAS, "offset": 90.0}})
+    for rig in (plain, plain.mirrored(), gas):
         row = jn.sweep_travel(rig, 0.0).isel(wheel_travel=0)
         assert torsion_ratio(rig) == pytest.approx(float(row["torsion_bar_motion_ratio"]), rel=1e-10)
         assert third_ratio(rig) == pytest.approx(float(row["third_spring_motion_ratio"]), rel=1e-10)
         beside = float(row["heave_force"] - row["spring_force"] * row["motion_ratio"])
-        assert carried_beside_strut(rig) == pytest.approx(beside, rel=1e-10)
+        assert carried_beside_spring(rig) == pytest.approx(beside, rel=1e-10)
         alone = static_spring_force(KART) - static_spring_force(rig)
         assert alone * float(row["motion_ratio"]) == pytest.approx(beside, rel=1e-10)
 

@@ -27,8 +27,8 @@ from jounce.core.types import Array
 from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.elements import BilinearDamper, Damper, LinearDamper, MapDamper, TanhDamper, VelocityTable
-from jounce.parts.leverage import body_motion, force_at
+from jounce.parts.elements import BilinearDamper, Damper, LinearDamper, VelocityTable
+from jounce.parts.leverage import body_motion, damper_at, force_at, still_damper
 from jounce.parts.variants import LARGEST
 from jounce.simulation import Mode, equilibrium
 
@@ -266,7 +266,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
     sprung, unsprung = found.effective_masses
     stop, stop_force, stop_rate = _stop(corner, found)
     damper = _damper(corner, found)
-    gas, gas_rate = _still(damper, ratio * found.travel)
+    gas, gas_rate = still_damper(damper, ratio * found.travel)
     rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2 - gas_rate
     static = (found.wheel_force - stop_force * found.motion_ratio) / ratio - gas
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
@@ -359,14 +359,7 @@ def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
 
 def _damper(rig: Corner, found: Lumping) -> Damper:
     """Damper as a lumped rig describes it, the third one with it; of a map the row at its length at rest."""
-    damper: Damper | VelocityTable | MapDamper = rig.strut.damper
-    if isinstance(damper, MapDamper):
-        length = rig.hardpoints.length("damper") - found.damper_ratio * found.travel
-        forces = [
-            float(np.interp(length, damper.length, [row[j] for row in damper.force]))
-            for j in range(len(damper.velocity))
-        ]
-        damper = VelocityTable(velocity=damper.velocity, force=tuple(forces))
+    damper = damper_at(rig.strut.damper, rig.hardpoints.length("damper") - found.damper_ratio * found.travel)
     third = None if rig.third_spring is None else rig.third_spring.damper
     if third is None or found.third_ratio == 0.0:
         return damper
@@ -375,20 +368,6 @@ def _damper(rig: Corner, found: Lumping) -> Damper:
     velocities = np.unique(np.round(np.concatenate([one[0], other[0] / share]), 12))
     both = _through(one, velocities) + 0.5 * share * _through(other, share * velocities)
     return VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist()))
-
-
-def _still(damper: Damper, deflection: float) -> tuple[float, float]:
-    """Force (N) and stiffness (N/m) of a lumped damper at rest at a deflection (m)."""
-    if isinstance(damper, LinearDamper | BilinearDamper):
-        return 0.0, 0.0
-    if isinstance(damper, VelocityTable):
-        return float(_through(_law_points(damper, ""), np.zeros(1))[0]), 0.0
-    force, stiffness = damper.offset + damper.stiffness * deflection, damper.stiffness
-    if isinstance(damper, TanhDamper):
-        lagged = np.tanh(damper.slope * damper.displacement_coupling * deflection)
-        force += damper.force * float(lagged)
-        stiffness += damper.force * damper.slope * damper.displacement_coupling * float(1.0 - lagged**2)
-    return force, stiffness
 
 
 def _law_points(damper: Damper | VelocityTable, where: str) -> tuple[Array, Array]:

@@ -10,7 +10,7 @@ from jounce.core.findings import Finding, Severity
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.elements import MapDamper, VelocityTable
 from jounce.parts.leverage import (
-    carried_beside_strut,
+    carried_beside_spring,
     motion_ratio,
     spring_force,
     static_spring_force,
@@ -255,11 +255,11 @@ def _statics(rig: Corner) -> Iterator[Finding]:
     bar = rig.anti_roll_bar
     if rig.guide == "fixed" or (bar is not None and bar.kind == "z"):
         return
-    length, beside = rig.hardpoints.length("spring"), carried_beside_strut(rig)
+    length, beside = rig.hardpoints.length("spring"), carried_beside_spring(rig)
 
     def lacking(deflection: float) -> float:
         """What is missing at the spring (N) to carry the car, at the levers of the design."""
-        more = (carried_beside_strut(rig, deflection / ratio) - beside) / ratio
+        more = (carried_beside_spring(rig, deflection / ratio) - beside) / ratio
         return needed - spring_force(rig, deflection) - more
 
     low, high = -length, length

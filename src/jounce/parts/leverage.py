@@ -15,10 +15,12 @@ from jounce.core.types import Array
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
 from jounce.parts.elements import (
-    BoucWenDamper,
+    BilinearDamper,
     BumpStop,
     CoilSpring,
     Curve,
+    Damper,
+    LinearDamper,
     MapDamper,
     PolynomialCurve,
     PowerCurve,
@@ -83,8 +85,8 @@ def third_ratio(rig: Corner) -> float:
     return float(-2.0 * rig.sign * _velocity(_twist(rig, rig.third_spring.on), _at(rig.hardpoints, _THIRD))[1])
 
 
-def carried_beside_strut(rig: Corner, travel: float = 0.0) -> float:
-    """Force (N) at the wheel centre of torsion bar and third spring; a Z-bar is not twisted at design.
+def carried_beside_spring(rig: Corner, travel: float = 0.0) -> float:
+    """Force (N) at the wheel centre of torsion bar, third spring and dampers at rest; a Z-bar is untwisted at design.
 
     At another ``travel`` (m) with the levers of the design.
     """
@@ -93,20 +95,40 @@ def carried_beside_strut(rig: Corner, travel: float = 0.0) -> float:
         force += (bar.preload + bar.stiffness * torsion_ratio(rig) * travel) * torsion_ratio(rig)
     if third is not None:
         length, ratio = 2.0 * abs(_at(rig.hardpoints, _THIRD)[1]), third_ratio(rig)
-        force += 0.5 * _coil_force(third.spring, length, ratio * travel) * ratio
+        gas = 0.0 if third.damper is None else still_damper(third.damper, ratio * travel)[0]
+        force += 0.5 * (_coil_force(third.spring, length, ratio * travel) + gas) * ratio
+    if not isinstance(rig.strut.damper, LinearDamper | BilinearDamper):
+        moved = motion_ratio(rig, "damper") * travel
+        law = damper_at(rig.strut.damper, rig.hardpoints.length("damper") - moved)
+        force += still_damper(law, moved)[0] * motion_ratio(rig, "damper")
     return force
 
 
-def still_damper_force(rig: Corner) -> float:
-    """Force of the damper (N, compression positive) at rest at design: its gas."""
-    law = rig.strut.damper
-    if isinstance(law, MapDamper):
-        length = rig.hardpoints.length("damper")
-        row = [float(np.interp(length, law.length, column)) for column in zip(*law.force, strict=True)]
-        return _on_lines(law.velocity, row, 0.0)
+def damper_at(law: Damper | VelocityTable | MapDamper, length: float) -> Damper | VelocityTable:
+    """Law of a damper at a length (m): of a map its row there, any other as it is."""
+    if not isinstance(law, MapDamper):
+        return law
+    forces = tuple(float(np.interp(length, law.length, column)) for column in zip(*law.force, strict=True))
+    return VelocityTable(velocity=law.velocity, force=forces)
+
+
+def still_damper(law: Damper | VelocityTable, deflection: float = 0.0) -> tuple[float, float]:
+    """Force (N, compression positive) and stiffness (N/m) of a damper at rest at a deflection (m): of its gas.
+
+    >>> from jounce.parts.elements import TanhDamper
+    >>> still_damper(TanhDamper(coefficient=900.0, force=0.0, slope=1.0, stiffness=2000.0, offset=150.0), 0.01)
+    (170.0, 2000.0)
+    """
+    if isinstance(law, LinearDamper | BilinearDamper):
+        return 0.0, 0.0
     if isinstance(law, VelocityTable):
-        return _on_lines(law.velocity, law.force, 0.0)
-    return law.offset if isinstance(law, TanhDamper | BoucWenDamper) else 0.0
+        return _on_lines(law.velocity, law.force, 0.0), 0.0
+    force, stiffness = law.offset + law.stiffness * deflection, law.stiffness
+    if isinstance(law, TanhDamper):
+        lagged = np.tanh(law.slope * law.displacement_coupling * deflection)
+        force += law.force * float(lagged)
+        stiffness += law.force * law.slope * law.displacement_coupling * float(1.0 - lagged**2)
+    return force, stiffness
 
 
 def static_load(rig: Corner) -> float:
@@ -121,11 +143,9 @@ def static_load(rig: Corner) -> float:
 def static_spring_force(rig: Corner) -> float:
     """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road.
 
-    Torsion bar, third spring and the gas of the damper carry what they do there.
+    Torsion bar, third spring and the gas of dampers carry what they do there.
     """
-    gas = still_damper_force(rig)
-    beside = carried_beside_strut(rig) + (gas * motion_ratio(rig, "damper") if gas else 0.0)
-    return float((static_load(rig) - beside) / motion_ratio(rig))
+    return float((static_load(rig) - carried_beside_spring(rig)) / motion_ratio(rig))
 
 
 def static_tyre_deflection(rig: Corner) -> float:
