@@ -429,3 +429,26 @@ def test_the_mechanism_rolls_with_the_body(workbench, browser):
     up, down = heights[2] - heights[1], heights[1] - heights[0]
     assert up > 2.0, heights
     assert up == pytest.approx(down, rel=0.2, abs=1.5)  # pixels
+
+
+@pytest.mark.pages
+def test_a_folder_and_a_file_beside_its_place_are_no_uploads_and_a_day_is_that_of_the_page(
+    workbench, browser, tmp_path
+):
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900}, timezone_id="Pacific/Auckland")
+    page, devtools = opened.page, opened.context.new_cdp_session(opened.page)
+    page.clock.set_fixed_time("2026-01-31T20:00:00Z")
+    opened.go("inspection")
+    assert page.get_by_label("Date", exact=True).input_value() == "2026-02-01"
+    folder = tmp_path / "lane records"
+    folder.mkdir()
+    zone = page.locator(".drop").bounding_box()
+    drag = {"items": [], "files": [str(folder)], "dragOperationsMask": 1}
+    page.evaluate("addEventListener('drop', (event) => { window.isKept = event.defaultPrevented; })")
+    for y in (zone["y"] - 40, zone["y"] + 20):  # above it, then in it
+        for kind in ("dragEnter", "dragOver", "drop"):
+            devtools.send("Input.dispatchDragEvent", {"type": kind, "x": zone["x"] + 600, "y": y, "data": drag})
+        until(page, "window.isKept === true")
+    page.get_by_role("alert").filter(has_text="lane records: a folder").wait_for()
+    opened.context.close()
+    assert opened.troubles == []

@@ -199,6 +199,7 @@ export function dropZone(folder: () => string, words: string, coming: () => (pat
         said.replaceChildren(make("p", { class: "state" }, `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`));
         try {
           if (file.size > MOST) throw new Error(`${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`);
+          await file.slice(0, 1).arrayBuffer().catch(() => { throw new Error(tr("#: a folder, or a file that cannot be read: choose the files themselves.", file.name)); });
           await upload(path, file);
           paths.push(path);
         } catch (error) { wrong.push(problem(error)); }

@@ -76,5 +76,6 @@ addEventListener("hashchange", () => {
   delete document.documentElement.dataset.ready;
   void show().then(() => { if (document.activeElement === document.body) document.getElementById("main")!.focus({ preventScroll: true }); }); // the link that led here is gone
 });
+for (const one of ["dragover", "drop"] as const) addEventListener(one, (event) => { if (event.dataTransfer?.types.includes("Files")) event.preventDefault(); }); // a file that misses its place does not take that of the page
 api.project().then(({ name }) => { document.getElementById("project")!.textContent = name; }, () => {});
 void show();

@@ -28,7 +28,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
   const records = entries.filter((one) => one.kind === "record").map((one) => one.path), stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
   const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
-  const store = select(stores), search_ = search(store, choices), noStore = make("p", { class: "empty" }, "No store lies here yet: name one above (lane.sqlite), and what is evaluated is kept in it.");
+  const store = select(stores), search_ = search(store, choices), noStore = make("p", { class: "empty" }, "No store lies here yet: name one where a record is evaluated (lane.sqlite), and it is kept there.");
   const offered = () => { search_.hidden = !store.options.length; noStore.hidden = !search_.hidden; };
   const stored = (name: string) => { if (name) offer(store, [name]); offered(); }; // what is typed into the search stays
   const { element, here, controls } = evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored, (was) => drafts.done({ evaluate: was }));
@@ -57,7 +57,7 @@ function offer(choice: HTMLSelectElement, names: string[]): void {
 function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void, used: (was: Used) => void): { element: HTMLElement; here: () => (paths: string[]) => void; controls: Controls } {
   const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
   const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(new Date().toISOString().slice(0, 10)), by = text(""), language = make("select", {}, ...[["en", "English"], ["de", "Deutsch"]].map(([value, words]) => make("option", { value: value!, lang: value!, ...(isGerman && value === "de" ? { selected: true } : {}) }, words!)));
+  const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(today()), by = text(""), language = make("select", {}, ...[["en", "English"], ["de", "Deutsch"]].map(([value, words]) => make("option", { value: value!, lang: value!, ...(isGerman && value === "de" ? { selected: true } : {}) }, words!)));
   const look = make("button", { type: "button" }, "Look at the record"), looked = make("div", {});
   look.addEventListener("click", () => { const reading = new Reading(record.value, "recording"); looked.replaceChildren(reading.element); void reading.ask(); });
   const controls = { record, other, tester, vehicle, method, plate, date, by, language, store };
@@ -66,7 +66,7 @@ function evaluation(records: string[], rigs: string[], choices: Choices, stores:
     kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
     store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
   }), (told: Told<Graded>, asked) => { used(was); if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol", asked.language), ways(told)]; });
-  const none = make("p", { class: "empty", hidden: !!records.length }, "No record lies here yet.");
+  const none = make("p", { class: "empty", hidden: !!records.length }, "No record lies here yet: drop one below, or simulate a test.");
   const whole = make("section", { hidden: !records.length }, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
     make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
   const here = () => {
@@ -107,6 +107,12 @@ function graded(found: Graded): HTMLElement[] {
     ...wheels.flatMap((one) => advised(one.findings.map((finding) => ({ ...finding, place: name(one) })), "li")), ...advised(found.findings ?? [], "li")];
   shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons)));
   return shown;
+}
+
+/** The day where the page is, which is another one than in Greenwich for some hours. */
+function today(): string {
+  const now = new Date(), two = (part: number) => String(part).padStart(2, "0");
+  return `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
 }
 
 function simulated(rigs: string[], choices: Choices, used: (was: Used) => void): { element: HTMLElement; controls: Controls } {

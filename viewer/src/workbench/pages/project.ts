@@ -75,7 +75,7 @@ function unsaved(drafts: Lying[]): HTMLElement {
 function next(entries: api.Entry[], kept: Kept[]): HTMLElement {
   const of = (kind: string) => entries.filter((one) => one.kind === kind), [rig] = of("rig"), record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
   const steps: HTMLElement[] = [];
-  if (!rig) steps.push(make("li", {}, tr("Start from a shipped rig, below.")));
+  if (!rig) steps.push(make("li", {}, tr("Start from a shipped rig, below.")), make("li", {}, make("a", { href: address("campaign") }, tr("Start from a campaign that runs as it is")), "."));
   else {
     if (!kept.length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Drive # over an obstacle", rig.path)), tr(", and keep the run.")));
     if (kept.length === 1) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Change # and keep another run", rig.path)), tr(", to compare the two.")));

@@ -38,6 +38,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const begins = make("input", { type: "text", value: "0 s" }), since = field(tr("Where it begins"), begins);
   const offset = () => { since.hidden = !measured.value; };
   const phase = new Phase(() => void curves.ask());
+  phase.element.hidden = true; // until there is something to draw
   const curves = new Live((channels) => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value, numbers: [...channels, ...phase.channels] }));
   const outdated = new Outdated(rig);
   curves.shown = (model, store) => { outdated.show(store.content as unknown as api.OfRig); const isTime = model.x.unit === "s"; phase.element.hidden = !isTime; if (isTime) phase.show(model, store); }; // of what came, not of what is wanted by now
