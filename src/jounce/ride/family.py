@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,16 +11,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array, Complex
 from jounce.mechanics.facts import ROAD, is_road
 from jounce.parts import Rig
-from jounce.parts.rig import structure_of, unknown_path
+from jounce.parts.rig import structure_of, unit_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle, track_width
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import find_equilibrium, for_small_motions, in_terms_of, rests_for_small_motions
 
 _STEP = 1e-3  # relative, of differences for mechanisms
+_ASIDE = 0.5, -0.5, 1e-3, -1e-3  # the same for distances, which are affine
 _DEPENDENT = 1e5  # condition of the eigenvectors beyond which they are not used
 
 
@@ -152,16 +154,14 @@ class LinearFamily:
         return first if values is None else np.asarray(first + (values - self.start) @ slopes)
 
     def _moved(self, path: str, first: Array) -> Array:
-        if not isinstance(self.rig, Vehicle):
+        if not isinstance(self.rig, Vehicle) or unit_of(self.rig, path) != "m":
             return np.zeros_like(first)
         value = self.rig.parameters()[path]
-        step = 0.5 * abs(value) or 1.0
-        try:
-            other = self.rig.with_changes({path: value + step})
-        except JounceError:  # the other side is allowed then
-            step = -step
-            other = self.rig.with_changes({path: value + step})
-        return np.asarray((_geometry(other, self.wheels) - first) / step)
+        for step in np.multiply(_ASIDE, abs(value) or 1.0):
+            with contextlib.suppress(JounceError):  # another one is allowed then
+                other = self.rig.with_changes({path: value + float(step)})
+                return np.asarray((_geometry(other, self.wheels) - first) / step)
+        raise DescriptionError("no value beside this one is allowed", where=f"parameters: {path}", found=value)
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, Matrices]:
         """Model at some values (SI) of the numbers, those of the rig by default; its slopes, one for each of them."""

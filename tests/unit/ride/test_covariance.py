@@ -189,6 +189,18 @@ def test_slopes_with_a_cut_off_and_of_weighted_signals(options) -> None:
                 assert slope * value == pytest.approx(difference, rel=1e-5, abs=1e-6 * here[name]), (path, name)
 
 
+def test_distances_of_wheels_follow_numbers_whatever_the_others_allow() -> None:
+    """A product of inertia may move by little; a distance by half of itself."""
+    car = jn.load("sedan-full-car-3d")
+    inertia = "front.corner.bodies.upright.inertia.xy"
+    family = LinearFamily(car, (inertia, "front.corner.hardpoints.wheel_centre[1]", "rear.distance"))
+    family.__dict__["wheels"] = tuple(car.wheels)  # known without compiling the car
+    first, slopes = family.geometry
+    assert first[-1] == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
+    wanted = [[0.0] * 5, [0.0, 0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0, 0.0]]
+    assert slopes == pytest.approx(np.array(wanted), abs=1e-12)
+
+
 def test_spectra_hold_the_variances_and_end_with_the_band() -> None:
     car, band = jn.load("audi-a6-full-car"), (0.02, 1.0)
     response = with_spectra(stationary(car, "C", 20.0, band=band), car, points=2000)
