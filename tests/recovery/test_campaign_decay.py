@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import characterise
+from jounce.campaign.characterise import Characterisation, DampingChoice, bench_values, characterise
 from jounce.campaign.description import Bench
+from jounce.identify.estimate import Estimate
 from jounce.recordings import write_recording
 
 KART = jn.load("kart-quarter-car")
@@ -92,6 +93,13 @@ def test_a_body_that_comes_to_rest_faster_than_any_damper_lets_it_is_told(tmp_pa
     assert used.at_strut.value == pytest.approx(used.seen.value * by_share, rel=1e-9)
     assert used.at_strut.standard_error == pytest.approx(used.seen.standard_error * by_share, rel=1e-9)
     assert [one.place for one in found.findings if "comes to rest faster" in one.message] == ["bench.decay"]
+
+
+@pytest.mark.parametrize(("value", "known"), [(1300.0, True), (np.inf, False)])
+def test_decays_of_too_few_swings_contradict_no_update(value, known):
+    choice = DampingChoice("logarithmic-decrement", Estimate(0.3), Estimate(800.0), Estimate(value), is_used=True)
+    found = bench_values(Characterisation(damping_choices=(choice,)), RACER, None)
+    assert [(path, one.value) for path, one in found.items()] == [("strut.damper.coefficient", value)] * known
 
 
 @pytest.mark.parametrize("method", ["viscous-and-coulomb", "logarithmic-decrement"])

@@ -547,9 +547,9 @@ def bench_values(found: Characterisation, rig: Rig, pressure: float | None) -> d
     tyre = by_pressure.get(pressure) if pressure is not None else next(iter(by_pressure.values()), None)
     if tyre is not None and "tyre.stiffness" in values:
         given["tyre.stiffness"] = _tested(tyre.stiffness, tyre.tangent_stiffness)
-    for choice in found.damping_choices:
-        if choice.is_used and choice.at_strut is not None and "strut.damper.coefficient" in values:
-            given["strut.damper.coefficient"] = _tested(choice.at_strut)
+    for at_strut in (choice.at_strut for choice in found.damping_choices if choice.is_used):
+        if at_strut is not None and math.isfinite(at_strut.value) and "strut.damper.coefficient" in values:
+            given["strut.damper.coefficient"] = _tested(at_strut)
     return given
 
 
