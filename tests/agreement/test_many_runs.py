@@ -178,6 +178,18 @@ def test_random_cases_side_by_side_are_those_one_by_one(seed, one_by_one):
     assert int(off.sum()) <= 1
 
 
+def test_results_keep_the_values_that_were_run():
+    """Whoever goes on with his array, or changes the results, changes nothing of the other."""
+    masses = np.linspace(400.0, 500.0, 5)
+    found = jn.simulate_many(
+        jn.load("audi-a6-quarter-car"), course(), {"sprung.mass": masses}, metrics=["rms sprung.az"]
+    )
+    masses += 1000.0
+    assert found["sprung.mass"].values.tolist() == [400.0, 425.0, 450.0, 475.0, 500.0]
+    found["sprung.mass"].values[:] = 0.0
+    assert masses.min() == 1400.0
+
+
 def test_results_do_not_depend_on_threads():
     rig, design = jn.load("audi-a6-quarter-car"), jn.sobol({"strut.damper.coefficient": "50 %"}, 300)
     runs = [jn.simulate_many(rig, course(), design, metrics=["rms sprung.az"], threads=n) for n in (1, 2, 3)]

@@ -800,7 +800,7 @@ def _changed(description: Any, changes: Mapping[str, float], prefix: str) -> Any
 
 def _column(given: object, unit: str, path: str) -> Array:
     if isinstance(given, np.ndarray) and given.dtype.kind in "fiu":
-        found = np.asarray(given, dtype=float)
+        found = np.array(given, dtype=float)  # of our own: results keep it
     elif isinstance(given, str) or not isinstance(given, Sequence | np.ndarray):
         raise DescriptionError("not a list of values", where=f"variants: {path}", found=given, allowed="one a variant")
     else:
