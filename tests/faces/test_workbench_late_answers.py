@@ -63,6 +63,9 @@ def base(workbench: tuple[Path, int]) -> str:
     folder, port = workbench
     for name in (RIG, CORNER):
         shutil.copy(LIBRARY / name, folder / name)
+    for name in ("mine/campaign.toml", "c.toml"):  # what they hold is answered by the tests
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text("")
     (folder / "one.csv").write_text("time [s], sprung.z [mm]\n" + "".join(f"{0.01 * i}, {i % 7}\n" for i in range(50)))
     return f"http://127.0.0.1:{port}/"
 

@@ -40,6 +40,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
 }
 
 async function showFile(place: HTMLElement, path: string, read: string): Promise<void> {
+  const reading = api.get<Overview>(`/api/campaign?${api.query({ path })}`);
+  reading.catch(() => {}); // heard below
   const [saved, project] = await Promise.all([api.file(path), api.folder()]), own = textOf(path, saved, place);
   const latest = written_?.path === path ? written_ : null, undo = make("button", { type: "button" }, "Undo"), done = make("div", { "aria-live": "polite" });
   if (latest) done.append(make("p", { class: "bar" }, make("span", { class: "good" }, latest.said ?? "Entered into the campaign."), undo));
@@ -47,7 +49,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     once(undo, api.save(path, latest!.before, latest!.digest)).then(() => { written_ = null; goTo(place, "campaign", { file: path, undone: String(Date.now()) }); }, (error) => done.append(problem(error)));
   });
   let found: Overview;
-  try { found = await api.get<Overview>(`/api/campaign?${api.query({ path })}`); } catch (error) { // it can be mended here
+  try { found = await reading; } catch (error) { // it can be mended here
     const drafts = new Drafts<{ text: string }>(project, address("campaign", { file: path }), own.state(), own.state, own.restore, () => saved.digest);
     own.used = () => drafts.done();
     drafts.hear(place);
