@@ -13,6 +13,7 @@ import socket
 import subprocess
 import sys
 import threading
+import tomllib
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -25,6 +26,7 @@ import jounce as jn
 from jounce.cli import main
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.remembered import Recent
+from jounce.parts import library
 from jounce.variants.shards import SCHEMA
 from jounce.web import serve, serving
 from jounce.web.project import Project
@@ -266,6 +268,23 @@ def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
     assert arrays[curves[1]["y"]] == pytest.approx(run["sprung.az"].to_numpy(), abs=1e-6)
 
 
+@pytest.mark.pages
+def test_a_run_is_kept_of_the_rig_that_was_looked_at(ask):
+    """Its file may have been changed since: the run would be of another rig than the curves beside it."""
+    text = library()["kart-quarter-car"].read_text(encoding="utf-8")
+    written = ask("PUT", "/api/file", {"path": "looked-at.toml", "text": text})[1]
+    rig = ask("GET", "/api/rig?name=looked-at.toml")[1]
+    asked = RUN | {"rig": "looked-at.toml", "title": "looked at", "digest": rig["digest"]}
+    heavier = text.replace('mass = "16 kg"', 'mass = "20 kg"')
+    assert heavier != text
+    assert ask("PUT", "/api/file", {"path": "looked-at.toml", "text": heavier, "was": written["digest"]})[0] == 200
+    status, answer = ask("POST", "/api/keep", asked)
+    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
+    assert not (ask.folder / "runs" / "looked at.nc").exists()
+    now = ask("GET", "/api/rig?name=looked-at.toml")[1]
+    assert ask("POST", "/api/keep", asked | {"digest": now["digest"]})[0] == 200
+
+
 def test_only_the_numbers_that_are_drawn_are_sent(ask):
     asked = RUN | {"changes": {"strut.spring.rate": 30e3}}
     whole, arrays = ask.straight("/api/simulate", asked)
@@ -416,6 +435,26 @@ def test_a_form_writes_values_as_they_are_typed_and_keeps_comments(ask):
     assert not (ask.folder / "form.toml").exists()
     without = ask("POST", "/api/form", asked | {"sets": [[["wheel", "width"], None]], "changes": {}})[1]
     assert "width" not in without["values"]["wheel"]
+
+
+def test_an_edit_is_told_in_python_and_as_a_command(ask, monkeypatch, capsys):
+    """Numbers are changed and saved as here; of what is more than numbers, the saved file is shown."""
+    path = "edited.toml"
+    assert ask("PUT", "/api/file", {"path": path, "text": KART})[0] == 200
+    head = "import jounce as jn\n\nrig = jn.load('edited.toml')"
+    as_it_is = ask("POST", "/api/form", {"path": path, "text": KART})[1]
+    assert as_it_is["python"] == f"{head}\nprint(rig)\n"
+    changed = ask("POST", "/api/form", {"path": path, "text": KART, "sets": [[["sprung", "mass"], "17.5 kg"]]})[1]
+    assert changed["python"].startswith(f"{head}.with_changes({{'sprung.mass': 17.5}})\n")
+    monkeypatch.chdir(ask.folder)
+    exec(changed["python"], {})  # noqa: S102 - that is what it is for
+    assert jn.load(path) == jn.load(ask.folder / path)
+    assert ask("POST", "/api/form", {"path": path, "text": changed["text"]})[1]["python"] == f"{head}\nprint(rig)\n"
+    assert main(shlex.split(changed["command"])[1:]) == 0
+    assert path in capsys.readouterr().out
+    other = ask("POST", "/api/form", {"path": path, "text": KART, "sets": [[["source"], "measured"]]})[1]
+    unsaved = ask("POST", "/api/form", {"path": "nowhere-yet.toml", "text": KART})[1]
+    assert all("once it is saved" in one["python"] for one in (other, unsaved))
 
 
 @pytest.mark.parametrize(
@@ -629,6 +668,14 @@ def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):
     found = {entry.path: entry.kind for entry in Project(tmp_path).entries()}
     described = {"rig.toml": "rig", "road.toml": "road", "run.csv": "record"}
     assert found == {**described, "out/results.json": "results", "out/report.html": "page"}
+
+
+@pytest.mark.parametrize("name", sorted(library()))
+def test_rigs_with_hardpoints_are_known_by_their_text(tmp_path, name):
+    text = library()[name].read_text(encoding="utf-8")
+    (tmp_path / "rig.toml").write_text(f"# hardpoints = none\n{text}", encoding="utf-8")
+    (entry,) = Project(tmp_path).entries()
+    assert entry.has_hardpoints == (entry.kind == "rig" and "hardpoints" in tomllib.loads(text))
 
 
 def test_what_a_sweep_wrote_is_one_entry_with_how_far_it_is(tmp_path):

@@ -215,6 +215,60 @@ def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path
 
 
 @pages
+def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(page: Any, project: tuple[Path, str]) -> None:
+    """A file that was entered, or saved, changes the text: what else was typed is no draft of the text before it."""
+    folder, base = project
+    jn.new_campaign(folder / "entered")
+    file, address = folder / "entered" / "campaign.toml", "campaign?file=entered/campaign.toml"
+
+    def left_and_restored() -> None:
+        to_project(page)
+        show(page, base, address)
+        assert not page.get_by_text("The file was changed since then").is_visible()
+        offers(page).get_by_role("button", name="Restore").click()
+        page.get_by_text("Restored.").wait_for()
+
+    def typed(was: str, now: str) -> None:
+        if not text.is_visible():
+            page.get_by_text("The campaign's file", exact=True).click()
+        text.fill(text.input_value().replace(was, now, 1))
+
+    show(page, base, address)
+    text, out = page.get_by_label("text of entered/campaign.toml"), page.get_by_label("Folder of the results")
+    out.fill("entered/again")
+    to_project(page)
+    file.write_text(f"{file.read_text()}\n# entered elsewhere\n")
+    left_and_restored()
+    assert out.input_value() == "entered/again"
+    assert text.input_value().endswith("# entered elsewhere\n")
+    typed('title = "My', 'title = "Our')
+    page.get_by_role("button", name="Run the campaign").click()
+    page.get_by_role("alert").filter(has_text="edited and not saved").wait_for()
+    page.get_by_role("button", name="Discard", exact=True).last.click()
+    assert 'title = "My' in text.input_value()
+    typed('title = "My', 'title = "Our')
+    page.get_by_role("button", name="Save", exact=True).click()
+    page.get_by_role("heading", name="Our bench campaign").wait_for()
+    left_and_restored()  # what was saved is no part of it
+    assert 'title = "Our' in text.input_value()
+
+    whole = file.read_text()
+    to_project(page)
+    file.write_text("[[[")
+    show(page, base, address)
+    page.get_by_role("alert").filter(has_text="not valid TOML").wait_for()
+    offers(page).get_by_role("button", name="Restore").click()
+    page.get_by_text("Restored.").wait_for()
+    assert text.input_value() == "[[["
+    to_project(page)
+    file.write_text(whole)
+    show(page, base, address)
+    offers(page).get_by_role("button", name="Restore").click()
+    page.get_by_text("Restored.").wait_for()
+    assert out.input_value() == "entered/again"  # the page of a broken file kept it
+
+
+@pages
 def test_a_trial_that_was_left_is_taken_up_again(page: Any, project: tuple[Path, str]) -> None:
     _, base = project
     show(page, base, f"trial?rig={RIG}")

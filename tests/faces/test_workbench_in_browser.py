@@ -410,6 +410,18 @@ def test_a_finer_travel_draws_its_ways_whole(workbench, browser):
 
 
 @pytest.mark.pages
+def test_what_is_drawn_is_as_fine_as_the_screen(workbench, browser):
+    """Drawn coarser, curves and their numbers were blurred on screens of two pixels a point, and on enlarged pages."""
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900}, device_scale_factor=2)
+    for page, drawn in ((f"kinematics?rig={RIG}", ".multiples canvas"), (f"trial?rig={RIG}", ".phase canvas")):
+        opened.go(page)
+        fine = f"Array.from(document.querySelectorAll('{drawn}'), one => one.width / one.clientWidth)"
+        until(opened.page, f"{fine}.length && {fine}.every(share => Math.abs(share - 2) < 0.01)")
+    opened.context.close()
+    assert opened.troubles == []
+
+
+@pytest.mark.pages
 def test_the_mechanism_rolls_with_the_body(workbench, browser):
     """In front view what the body holds goes up where its left side does; the sweep itself is in the body's axes."""
     opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900})

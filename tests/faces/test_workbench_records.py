@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -13,6 +14,7 @@ import h5netcdf
 import numpy as np
 import pytest
 
+from jounce.cli import main
 from jounce.core.errors import JounceError
 
 pytest.importorskip("fastapi")
@@ -63,6 +65,23 @@ def test_a_long_record_is_opened_without_waiting_for_what_it_does_not_need(opene
     assert set(np.unique(second)) == {3.0}  # 8 x 0.25 + 1, and no gap among the extremes
     (near,) = found.viewer(["b"], 5.0, 5.010, 50).scenes
     assert np.isnan(near.panes[0].curves[0].values[3])
+
+
+def test_what_is_seen_of_a_record_is_told_in_python_and_as_a_command(
+    opened: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    records, _ = opened
+    rows = "".join(f"{0.01 * i:.2f}, {i}, {i % 7}\n" for i in range(50))
+    (tmp_path / "of a bench.csv").write_text(f"time [s], up [mm], sprung.z [mm]\n{rows}")
+    ways = records.ways("of a bench.csv", ["up", "sprung.z"])
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {}
+    exec(ways["python"], names)  # noqa: S102 - that is what it is for
+    assert list(names["recording"]) == ["sprung.z"]
+    assert len(names["figure"].axes) == 1
+    assert ways["python"].endswith("to be mapped with columns={...}: up\n")
+    assert main(shlex.split(ways["command"])[1:]) == 0
+    assert (tmp_path / "record.png").is_file()
 
 
 def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(tmp_path: Path) -> None:

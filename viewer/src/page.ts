@@ -74,6 +74,16 @@ export function isFast(): boolean {
   return fast;
 }
 
+/** Gives a canvas a size in pixels of the page, drawn as fine as the screen is; what was on it is gone. */
+export function sized(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
+  const scale = Math.min(devicePixelRatio || 1, 2);
+  canvas.width = Math.round(width * scale); canvas.height = Math.round(height * scale);
+  canvas.style.width = `${width}px`; canvas.style.height = `${height}px`;
+  const context = canvas.getContext("2d", { willReadFrequently: true })!;
+  context.scale(scale, scale);
+  return context;
+}
+
 const listeners = new Set<() => void>();
 
 /** Calls back when the page becomes light or dark. */

@@ -169,7 +169,7 @@ export class LinkedPlots {
       ],
       series: [{}, ...pane.lines.map((line) => {
         const style = STYLES[line.role] ?? { width: 1.25 };
-        return { label: line.label, stroke: colour(line.role), points: { show: false }, show: line.shown, ...style };
+        return { label: line.label, stroke: colour(line.role), points: { show: false }, show: line.shown, pxAlign: 0, ...style };
       })],
       hooks: {
         drawClear: [(u) => {

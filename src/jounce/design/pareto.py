@@ -132,7 +132,7 @@ def _judged(problem: DesignProblem, metric: str, dampers: Mapping[str, float]) -
 
 @dataclass(frozen=True)
 class ParetoMark:
-    """One design beside the front, SI: in words, what it changes by path, and its metrics, each in its unit."""
+    """One design beside the front, SI: in words, its free numbers and dampers by path, and its metrics."""
 
     name: str
     kind: Literal["present", "closed form", "searched"]
@@ -289,7 +289,7 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
         marks, notes = _marks(soft, metrics, {**given, "band": soft.surface.band})
     else:
         present = {name: soft.whole(text, soft.start)[0] for name, text in metrics.items()}
-        marks, notes = (ParetoMark("as it is", "present", {}, **present),), []
+        marks, notes = (ParetoMark("as it is", "present", _present(soft), **present),), []
     paths = [number.path for number in soft.free]
     return ParetoFront(
         metrics,
@@ -352,7 +352,13 @@ def _mark(
     families = Families((LinearFamily(soft.rig.with_changes(changes)),))
     numbers = replace(soft.evaluator, families=families).at(np.zeros(0))
     values = {role: combined(soft.metrics[text], numbers[text])[0] for role, text in metrics.items()}
-    return ParetoMark(name, kind, changes, values["comfort"], values["holding"], values["travel"])
+    return ParetoMark(name, kind, {**_present(soft), **changes}, values["comfort"], values["holding"], values["travel"])
+
+
+def _present(soft: DesignProblem) -> dict[str, float]:
+    """The free numbers as the rig has them."""
+    has = soft.rig.parameters()
+    return {number.path: has[number.path] for number in soft.free}
 
 
 def _findings(whole: dict[str, Array], *, converged: bool) -> list[Finding]:

@@ -96,9 +96,10 @@ class Run(Changed):
 
 
 class Keep(Run):
-    """A run that is written into the project under a title."""
+    """A run that is written into the project under a title, of the rig that was looked at (its digest, if any)."""
 
     title: str
+    digest: str = ""
 
 
 class Compared(_Asked):
@@ -229,7 +230,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/record")
     def record(path: str) -> dict[str, Any]:
         """What a record holds: channels with their units, samples, and from when to when."""
-        return records.open(path).about
+        found = records.open(path)
+        return {**found.about, **records.ways(path, [one["name"] for one in found.about["channels"]])}
 
     @app.post("/api/record")
     def part(asked: Part, request: Request) -> Response:
@@ -237,7 +239,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         found = records.open(asked.path)
         low = found.about["first"] if asked.low is None else asked.low
         high = found.about["last"] if asked.high is None else asked.high
-        return _told(answers.Shown(found.viewer(asked.channels, low, high, asked.columns), {}), request)
+        shown = found.viewer(asked.channels, low, high, asked.columns)
+        return _told(answers.Shown(shown, records.ways(asked.path, asked.channels)), request)
 
     @app.post("/api/simulate")
     def simulate(asked: Run, request: Request) -> Response:
@@ -252,7 +255,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def kept(asked: Keep) -> dict[str, Any]:
         """Write a run into the project, with what it was made of."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
-        return history.keep(project, asked.rig, asked.changes, trial, asked.title)
+        return history.keep(project, asked.rig, asked.changes, trial, asked.title, asked.digest)
 
     @app.get("/api/history")
     def runs() -> list[dict[str, Any]]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
+import shlex
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import unified_diff
 from functools import cache
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
@@ -17,8 +18,11 @@ from tomlkit.exceptions import TOMLKitError
 from jounce.core.description import toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
-from jounce.web.answers import described, rig_in
+from jounce.web.answers import changed_by, described, rig_in
 from jounce.web.project import Project
+
+if TYPE_CHECKING:
+    from jounce.parts import Rig
 
 Key = str | int
 _PLACED = re.compile(r"^(?:.*?, line (?P<line>\d+): )?(?P<path>[A-Za-z_][\w.\[\]-]*): (?P<what>.*)$")
@@ -39,7 +43,7 @@ class Form:
     """A text of a rig beside what it says.
 
     ``values`` are as they are typed, ``rig`` the numbers by path where the text is right, ``changed`` the lines that
-    differ from the file as it is saved.
+    differ from the file as it is saved, ``python`` and ``command`` the same edit, or look, by other ways.
     """
 
     text: str
@@ -48,6 +52,8 @@ class Form:
     problems: tuple[Problem, ...] = ()
     rig: dict[str, Any] | None = None
     changed: tuple[str, ...] = field(default=())
+    python: str = ""
+    command: str = ""
 
 
 @cache
@@ -95,10 +101,11 @@ def form_of(
                 now = rig.with_changes(dict(changes)).parameters()
                 text = changed_text(text, rig, {path: now[path] for path in changes})
                 values, rig = toml_table(text), rig_in(project, path, text)
-            numbers = described(rig, path)
+            numbers, python = described(rig, path), _python(project, path, saved, rig)
     except JounceError as error:
         return Form(text, values, model, _problems(error), None, _differing(saved, text))
-    return Form(text, values, model, (), numbers, _differing(saved, text))
+    command = shlex.join(["jounce", "check", path])
+    return Form(text, values, model, (), numbers, _differing(saved, text), python, command)
 
 
 def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:
@@ -127,6 +134,22 @@ def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:
     written: str = tomlkit.dumps(document)
     toml_table(written)  # that it can be read again
     return written
+
+
+def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
+    """Python that makes of the saved file what the text says, as far as that is a change of numbers."""
+    load = f"import jounce as jn\n\nrig = jn.load({path!r})"
+    try:
+        before = rig_in(project, path, saved)
+        if before == rig:
+            return f"{load}\nprint(rig)\n"
+        known = before.parameters()
+        changes = {name: value for name, value in rig.parameters().items() if known.get(name) != value}
+        if before.with_changes(changes) == rig:
+            return f"{load}{changed_by(changes)}\njn.save(rig, {path!r}, force=True)\n"
+    except JounceError:
+        pass  # not saved yet, or other parts than before
+    return f"{load}  # once it is saved: more than numbers is changed\nprint(rig)\n"
 
 
 def _problems(error: JounceError) -> tuple[Problem, ...]:

@@ -17,7 +17,7 @@ from typing import Any
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json
-from jounce.web.answers import Changes, Shown, rig_of, trial_of
+from jounce.web.answers import Changes, Shown, digest_of, rig_of, trial_of
 from jounce.web.project import Project
 
 _PLACE, _RUNS = (".jounce", "history"), "runs"
@@ -25,8 +25,13 @@ _NAME = re.compile(r"[\w][\w .+-]{0,80}")
 _MOST = 500
 
 
-def keep(project: Project, name: str, changes: Changes, trial: Mapping[str, Any], title: str) -> dict[str, Any]:
-    """Run a rig and write the run into the project; give what stands in its history."""
+def keep(
+    project: Project, name: str, changes: Changes, trial: Mapping[str, Any], title: str, digest: str = ""
+) -> dict[str, Any]:
+    """Run a rig and write the run into the project; give what stands in its history.
+
+    ``digest`` is that of the rig that was looked at: a file that was changed since is another one.
+    """
     import jounce as jn
     from jounce.recordings import write_recording
 
@@ -37,7 +42,11 @@ def keep(project: Project, name: str, changes: Changes, trial: Mapping[str, Any]
     file = project.inside(path)
     if file.exists():
         raise OutputError("the file exists", where=path, hint="Choose another name.")
-    rig, on = rig_of(project, name).with_changes(dict(changes)), trial_of(project, trial)
+    saved, on = rig_of(project, name), trial_of(project, trial)
+    if digest and digest != digest_of(saved):
+        hint = "Load it again, and make your change there."
+        raise OutputError("the file was changed meanwhile", where=name, hint=hint)
+    rig = saved.with_changes(dict(changes))
     run = jn.simulate(rig, on)
     made = {
         "path": path,

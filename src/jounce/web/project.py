@@ -20,6 +20,7 @@ _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are liste
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
+_HARDPOINTS = re.compile(rb"^\s*\[?\s*hardpoints\s*[].=]", re.MULTILINE)
 _ROW = re.compile(rb"^\s*[-+]?[\d.][\d.,eE+-]*[\s;,]+[-+]?\.?\d", re.MULTILINE)
 RECORDS = (
     ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".xlsx", ".xlsm",
@@ -37,7 +38,8 @@ _VERSION = re.compile(r"\d{10,16}-[0-9a-f]{8}")
 class Entry:
     """One file of a project: its place in the folder, what it is, and when it was written (s since 1970).
 
-    A sweep is one entry: its folder, with the shards that are ``finished`` and the ``count`` of all.
+    A sweep is one entry: its folder, with the shards that are ``finished`` and the ``count`` of all. A rig that
+    ``has_hardpoints`` has kinematics.
     """
 
     path: str
@@ -46,6 +48,7 @@ class Entry:
     modified: float
     finished: int | None = None
     count: int | None = None
+    has_hardpoints: bool = False
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,8 @@ class Project:
             if kind and not (kind == "results" and file.parent in swept):
                 state = file.stat()
                 path = file.relative_to(self.root).as_posix()
-                found.append(Entry(path, kind, state.st_size, state.st_mtime))
+                is_spatial = kind == "rig" and _has_hardpoints(file)
+                found.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
             if len(found) == _MOST:
                 break
         return found
@@ -235,6 +239,14 @@ def _kind(file: Path) -> str:
     if suffix not in RECORDS or (suffix in (".txt", ".dat") and not _is_table(file)):
         return ""
     return "results" if _is_written(file) else "record"
+
+
+def _has_hardpoints(file: Path) -> bool:
+    try:
+        with file.open("rb") as stream:
+            return _HARDPOINTS.search(stream.read(LONGEST)) is not None
+    except OSError:
+        return False
 
 
 def _is_table(file: Path) -> bool:

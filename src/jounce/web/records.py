@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import shutil
 import tempfile
 import threading
+from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 from jounce.core.errors import DescriptionError
 from jounce.web.jobs import Jobs
@@ -40,6 +43,18 @@ class Records:
             if not (folder / ABOUT).is_file():
                 self._read(path, file, folder)
         return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+
+    def ways(self, path: str, channels: Sequence[str]) -> dict[str, Any]:
+        """The same in Python and on the command line, which know the channels of the schema only."""
+        from jounce.recordings.schema import quantity_of
+
+        known = [one for one in channels if quantity_of(one)]
+        python = f"import jounce as jn\n\nrecording, findings = jn.read_recording({path!r})\n"
+        python += f"figure = jn.plots.time_history(recording{f', {known!r}' if known else ''})\n"
+        if others := [one for one in channels if one not in known]:
+            python += f"# no known channels, to be mapped with columns={{...}}: {', '.join(others)}\n"
+        command = ["jounce", "plot", path, *known, "--figure", "record.png"]
+        return {"python": python, "command": shlex.join(command), "files": {}}
 
     def _place(self) -> Path:
         """Where it is kept: in the project, or as long as the server lives where nothing can be written there."""

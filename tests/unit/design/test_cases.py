@@ -91,7 +91,7 @@ def test_a_front_over_a_spread(car):
     )  # fmt: skip
     assert np.all(np.diff(front.comfort) > 0.0)
     assert np.all(np.diff(front.holding) < 0.0)
-    assert [mark.name for mark in front.marks] == ["as it is"]
+    assert [(mark.name, mark.values) for mark in front.marks] == [("as it is", {DAMPER: car.parameters()[DAMPER]})]
 
 
 @pytest.mark.parametrize(

@@ -153,6 +153,7 @@ def test_front_of_one_damper_is_the_curve_between_the_closed_forms():
     marks = {(mark.name, mark.kind): mark for mark in front.marks}
     ends = [marks[f"best damper for {goal}", "closed form"] for goal in ("comfort", "road holding")]
     assert [ends[0].comfort, ends[1].holding] == pytest.approx([front.comfort[0], front.holding[-1]], rel=1e-9)
+    assert marks["as it is", "present"].values == {DAMPER: CAR_A.parameters()[DAMPER]}
     assert marks["as it is", "present"].comfort == pytest.approx(stationary(CAR_A, "C", 20.0)["sprung.az"], rel=1e-12)
 
 

@@ -3,7 +3,7 @@
 import { tr } from "../words";
 import { Refused, told as refused } from "./refusals";
 
-export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null }
+export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null; has_hardpoints: boolean }
 export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
 export interface Checked { kind: string; what: string; problems: Error[]; notes: string[] }
@@ -13,7 +13,7 @@ export interface Problem { path: string; line: number; text: string }
 /** What a file was before it was written anew: its name, and when that was (s since 1970). */
 export interface Version { name: string; replaced: number }
 /** A text of a rig beside what it says. */
-export interface Form { text: string; values: unknown; model: string; problems: Problem[]; rig: Rig | null; changed: string[] }
+export interface Form { text: string; values: unknown; model: string; problems: Problem[]; rig: Rig | null; changed: string[]; python: string; command: string }
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
 export interface Answer { python: string; command: string; files: Record<string, string> }
 /** The digest of the rig as it is saved, of whose numbers those that are sent are changes. */

@@ -1,7 +1,7 @@
 /** Many small plots over one axis: curves, bands of what is wanted, and the value at the pose that is shown. */
 
 import { at, type Model, type Numbers, type Store } from "../data";
-import { colour, make, whenColoursChange, written } from "../page";
+import { colour, make, sized, whenColoursChange, written } from "../page";
 import { isGerman, localised, tr } from "../words";
 import { quantity } from "./quantities";
 
@@ -77,7 +77,7 @@ export class Multiples {
       this.moved(first + Math.min(Math.max((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0), 1) * (last - first));
     });
     const box = make("figure", { "data-words": `${name} ${quantity(name)} ${words}`.toLowerCase().replaceAll("_", " ") },
-      make("figcaption", { title: isGerman ? `${name}, ${quantity(name)}` : words }, make("b", {}, quantity(name)), " ", make("span", { class: "whole" }, value, make("span", { class: "unit" }, ` ${unit || "–"}`), verdict)), holder);
+      make("figcaption", { title: isGerman ? `${name}, ${quantity(name)}` : words }, make("b", {}, quantity(name)), " ", make("span", { class: "whole" }, value, make("span", { class: "unit" }, unit && ` ${unit}`), verdict)), holder);
     return { name, lines: [], band: null, canvas, value, mark, box, verdict };
   }
 
@@ -86,7 +86,7 @@ export class Multiples {
     const width = first ? Math.floor(first.box.clientWidth) : 0;
     if (width < 60) return;
     this.width = width;
-    for (const { canvas } of this.plots) { canvas.width = width; canvas.height = HEIGHT; }
+    for (const { canvas } of this.plots) sized(canvas, width, HEIGHT);
     this.draw();
     this.mark(this.place);
   }
@@ -99,7 +99,7 @@ export class Multiples {
   }
 
   private drawn(one: One): void {
-    const context = one.canvas.getContext("2d", { willReadFrequently: true })!, { x, width } = this;
+    const context = one.canvas.getContext("2d")!, { x, width } = this;
     const [first, last] = this.ends();
     let low = Infinity, high = -Infinity;
     const take = (value: number | null) => { if (value !== null && Number.isFinite(value)) { if (value < low) low = value; if (value > high) high = value; } };

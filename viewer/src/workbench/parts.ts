@@ -4,6 +4,7 @@ import { type Model, Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
 import { tr } from "../words";
+import { mayLeave } from "./drafts";
 import { inWords } from "./quantities";
 import { asSaid, Refused } from "./refusals";
 import { type Answer, type OfRig, type Rig, type RigNumber } from "./api";
@@ -44,7 +45,7 @@ export class Outdated {
     if (digest === this.rig.digest) { this.element.replaceChildren(); return; }
     if (this.element.firstChild) return;
     const again = make("button", { type: "button" }, tr("Load it again"));
-    again.addEventListener("click", () => dispatchEvent(new HashChangeEvent("hashchange")));
+    again.addEventListener("click", () => { if (mayLeave()) dispatchEvent(new HashChangeEvent("hashchange")); });
     this.element.append(make("p", { class: "problem" }, tr("# was changed meanwhile: the curves are those of the file as it is by now, the numbers on this page are not.", this.rig.name)), make("div", { class: "bar" }, again));
   }
 }
@@ -191,7 +192,7 @@ export class Sliders {
     };
     slider.addEventListener("input", () => { number.value = String(Number(Number(slider.value).toPrecision(5))); take(number.value); });
     number.addEventListener("input", () => { slider.value = number.value; take(number.value); });
-    this.rows.append(make("div", { class: "slider", "data-path": one.path }, make("span", { class: "name" }, one.path), slider, number, make("span", { class: "unit" }, one.unit || "–")));
+    this.rows.append(make("div", { class: "slider", "data-path": one.path }, make("span", { class: "name" }, one.path), slider, number, make("span", { class: "unit" }, one.unit)));
   }
 }
 

@@ -1,7 +1,7 @@
 /** One channel over another, with a mark where the run is looked at. */
 
 import { at, type Model, type Numbers, type Pane, type Store } from "../data";
-import { colour, make, whenColoursChange, writtenTo } from "../page";
+import { colour, make, sized, whenColoursChange, writtenTo } from "../page";
 import { tr } from "../words";
 import { short, ticks } from "./multiples";
 import { field } from "./parts";
@@ -89,10 +89,9 @@ export class Phase {
     const toX = (value: number) => LEFT + (value - left) / (right - left) * (wide - LEFT - RIGHT), toY = (value: number) => TOP + (high - value) / (high - low) * (HEIGHT - TOP - BOTTOM);
     if (this.isOld) this.drawCurves(wide, toX, toY, chosen, lines, [left, right], [low, high]);
     this.isOld = false;
-    const context = this.canvas.getContext("2d", { willReadFrequently: true })!;
-    if (this.canvas.width !== wide || this.canvas.height !== HEIGHT) { this.canvas.width = wide; this.canvas.height = HEIGHT; }
+    const context = this.canvas.getContext("2d")!;
     context.clearRect(0, 0, wide, HEIGHT);
-    context.drawImage(this.curves, 0, 0);
+    context.drawImage(this.curves, 0, 0, wide, HEIGHT);
     for (const { role, x, y } of [...lines].reverse()) {
       const a = at(time, x, this.time), b = at(time, y, this.time);
       if (Number.isFinite(a) && Number.isFinite(b)) { context.fillStyle = colour(role); context.beginPath(); context.arc(toX(a), toY(b), 5, 0, 2 * Math.PI); context.fill(); }
@@ -104,8 +103,8 @@ export class Phase {
   }
 
   private drawCurves(wide: number, toX: (value: number) => number, toY: (value: number) => number, [first, second]: [Pane, Pane], lines: Both[], [left, right]: [number, number], [low, high]: [number, number]): void {
-    const context = this.curves.getContext("2d", { willReadFrequently: true })!;
-    this.curves.width = wide; this.curves.height = HEIGHT;
+    sized(this.canvas, wide, HEIGHT);
+    const context = sized(this.curves, wide, HEIGHT);
     context.font = "12px system-ui, sans-serif"; context.fillStyle = colour("muted"); context.strokeStyle = colour("line"); context.lineWidth = 1;
     context.textAlign = "center";
     for (const x of ticks(left, right, 6)) { context.beginPath(); context.moveTo(toX(x), TOP); context.lineTo(toX(x), HEIGHT - BOTTOM); context.stroke(); context.fillText(short(x), toX(x), HEIGHT - BOTTOM + 15); }

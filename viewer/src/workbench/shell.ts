@@ -37,7 +37,7 @@ export function setLive(curves: { times: number[] } | null): void { live = curve
 export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false, kinds = RIGS, more: Record<string, string> = {}): Promise<void> {
   const { entries } = await api.project();
   const list = (names: string[]) => make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name))));
-  const own = entries.filter((entry) => kinds.includes(entry.kind)).map((entry) => entry.path);
+  const own = entries.filter((entry) => kinds.includes(entry.kind) && (page !== "kinematics" || entry.has_hardpoints)).map((entry) => entry.path);
   const others = shipped ? (await api.library()).filter((one) => page !== "kinematics" || one.has_hardpoints).map((one) => one.name) : [];
   place.replaceChildren(make("h1", {}, label), ...(own.length || others.length ? [make("p", { class: "muted" }, page === "kinematics" ? tr("Choose a corner with hardpoints.") : tr("Choose what is looked at."))] : []),
     ...(own.length ? [make("h2", {}, tr("In this project")), list(own)] : []), ...(others.length ? [make("h2", {}, tr("Shipped with jounce")), list(others)] : []),

@@ -1,6 +1,6 @@
 /** Many variants at once: lines through parallel axes that are brushed, and a matrix of dots; the same variants are lit in both. */
 
-import { colour, make, whenColoursChange, written } from "../page";
+import { colour, make, sized, whenColoursChange, written } from "../page";
 import { heard, tr } from "../words";
 
 export interface Column { name: string; unit: string; factor: number; is_number: boolean; values: (number | null)[] }
@@ -44,23 +44,13 @@ export class Brushes {
   }
 }
 
-function canvas(width: number, height: number): [HTMLCanvasElement, CanvasRenderingContext2D] {
-  const scale = Math.min(window.devicePixelRatio || 1, 2);
-  const found = make("canvas", { width: String(Math.round(width * scale)), height: String(Math.round(height * scale)) });
-  const context = found.getContext("2d")!;
-  context.scale(scale, scale);
-  found.style.width = `${width}px`;
-  found.style.height = `${height}px`;
-  return [found, context];
-}
-
 const SPACE = 130, TOP = 26, HIGH = 250, FOOT = 22;
 
 /** Lines through parallel axes: drag along an axis to keep what passes there, or type the ends of a range. */
 export function parallel(brushes: Brushes): HTMLElement {
   const { columns } = brushes, scales = columns.map((one) => ends(one.values));
   const width = SPACE * columns.length, height = TOP + HIGH + FOOT;
-  const [drawing, context] = canvas(width, height);
+  const drawing = make("canvas"), context = sized(drawing, width, height);
   drawing.setAttribute("role", "img");
   drawing.setAttribute("aria-label", heard(`every variant as a line through ${columns.map(named).join(", ")}`));
   const at = (k: number) => SPACE * (k + 0.5);
@@ -157,7 +147,7 @@ const WIDE = 170, TALL = 130, MARGIN = 8;
 
 /** One picture of dots: every variant by two of its columns. */
 function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
-  const [drawing, context] = canvas(WIDE, TALL), [x0, x1] = ends(x.values), [y0, y1] = ends(y.values);
+  const drawing = make("canvas"), context = sized(drawing, WIDE, TALL), [x0, x1] = ends(x.values), [y0, y1] = ends(y.values);
   const px = (value: number) => MARGIN + (WIDE - 2 * MARGIN) * (value - x0) / (x1 - x0), py = (value: number) => TALL - MARGIN - (TALL - 2 * MARGIN) * (value - y0) / (y1 - y0);
   drawing.setAttribute("role", "img");
   drawing.setAttribute("aria-label", heard(`${named(y)} over ${named(x)}: ${written(y0, 3)} to ${written(y1, 3)} over ${written(x0, 3)} to ${written(x1, 3)}`));

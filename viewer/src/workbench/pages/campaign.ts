@@ -50,8 +50,10 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   });
   let found: Overview;
   try { found = await reading; } catch (error) { // it can be mended here
-    const drafts = new Drafts<{ text: string }>(project, address("campaign", { file: path }), own.state(), own.state, own.restore, () => saved.digest);
-    own.used = () => drafts.done();
+    if (!place.isConnected) return;
+    let others = {}; // what a draft holds for the page that this file will have again
+    const drafts = new Drafts<Edited>(project, address("campaign", { file: path }), own.state(), () => ({ ...others, ...own.state() }), (was) => { others = was; own.restore(was); }, () => (own.isTyped() ? saved.digest : ""));
+    own.used = () => drafts.done(own.state());
     drafts.hear(place);
     own.element.open = true;
     place.replaceChildren(make("h1", {}, path), make("p", {}, make("a", { href: address("campaign") }, "All campaigns")), drafts.element, done, problem(error), own.element);
@@ -62,12 +64,19 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   const inside = (name: string) => (folder ? `${folder}/${name}` : name);
   const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
   const told = make("div", { "aria-live": "polite" }), go = make("button", { type: "button", class: "main" }, "Run the campaign");
+  /** Tells that what would be run or checked is the file, and not what stands in its text. */
+  const isUnsaved = () => {
+    if (own.isTyped()) { own.element.open = true; told.replaceChildren(problem(new Error(tr("The campaign's file is edited and not saved: save it, or discard what was typed.")))); }
+    return own.isTyped();
+  };
   go.addEventListener("click", () => {
     const was = entered(form);
+    if (isUnsaved()) return;
     once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => { drafts.done({ form: was }); goTo(place, "campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
   });
   const check = make("button", { type: "button" }, "Check it");
   check.addEventListener("click", () => {
+    if (isUnsaved()) return;
     once(check, api.check(path)).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, asSaid(one)))), (error) => told.replaceChildren(problem(error)));
   });
   const reader = make("div", {}), come = make("p", { class: "bar", hidden: true }, "measured: ");
@@ -89,7 +98,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   const drafts = new Drafts<ReturnType<typeof state>>(project, address("campaign", { file: path }), state(), state, (was) => {
     enter(form, was.form ?? {});
     for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
-    if (was.text !== undefined) own.restore(was);
+    own.restore(was);
     if (!was.entry) return;
     open(was.entry.file, was.entry.form, was.entry.fields);
     opened!.restore(was.entry);
@@ -115,17 +124,25 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   if (read) open(read, "recording");
 }
 
+/** The text of a file where it is another than the saved one, which may be changed by all that is entered elsewhere. */
+interface Edited { text: string | null }
+
 /** The text of a campaign, for all that has no form: to take trials out, turn a sensor, free other parameters. Whatever it says can be written, and taken back. */
-function textOf(path: string, file: api.Text, place: HTMLElement): { element: HTMLDetailsElement; state: () => { text: string }; restore: (was: { text: string }) => void; isTyped: () => boolean; used: () => void } {
-  const area = make("textarea", { spellcheck: "false", "aria-label": tr("text of #", path), rows: "24" }), save = make("button", { type: "button", disabled: true }, "Save"), told = make("div", { "aria-live": "polite" });
+function textOf(path: string, file: api.Text, place: HTMLElement): { element: HTMLDetailsElement; state: () => Edited; restore: (was: Edited) => void; isTyped: () => boolean; used: () => void } {
+  const area = make("textarea", { spellcheck: "false", "aria-label": tr("text of #", path), rows: "24" }), save = make("button", { type: "button", disabled: true }, "Save"), away = make("button", { type: "button", disabled: true }, "Discard"), told = make("div", { "aria-live": "polite" });
   area.value = file.text;
-  const before = area.value, isTyped = () => area.value !== before, offer = () => { save.disabled = !isTyped(); };
+  let before = area.value;
+  const isTyped = () => area.value !== before, offer = () => { save.disabled = away.disabled = !isTyped(); };
   area.addEventListener("input", offer);
-  const element = make("details", {}, make("summary", {}, "The campaign's file"), make("p", { class: "muted" }, "Trials that are not to count, a sensor that is upside down (orientation = -1), other free parameters: what is saved here is read at once, and can be taken back."), area, make("div", { class: "bar" }, save), told);
-  const own = { element, isTyped, state: () => ({ text: area.value }), restore: (was: { text: string }) => { area.value = was.text; element.open = true; offer(); }, used: () => {} };
+  const element = make("details", {}, make("summary", {}, "The campaign's file"), make("p", { class: "muted" }, "Trials that are not to count, a sensor that is upside down (orientation = -1), other free parameters: what is saved here is read at once, and can be taken back."), area, make("div", { class: "bar" }, save, away), told);
+  const own = {
+    element, isTyped, state: (): Edited => ({ text: isTyped() ? area.value : null }), used: () => {},
+    restore: ({ text }: Edited) => { if (typeof text === "string") { area.value = text; element.open = true; offer(); } },
+  };
+  away.addEventListener("click", () => { area.value = before; offer(); told.replaceChildren(); });
   save.addEventListener("click", () => {
     const now = area.value;
-    once(save, api.save(path, now, file.digest)).then(({ digest }) => { written_ = { path, before: file.text, digest, said: "Saved." }; if (area.value === now) own.used(); goTo(place, "campaign", { file: path, saved: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
+    once(save, api.save(path, now, file.digest)).then(({ digest }) => { written_ = { path, before: file.text, digest, said: "Saved." }; if (area.value === now) { before = now; own.used(); } goTo(place, "campaign", { file: path, saved: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
   });
   return own;
 }
@@ -240,7 +257,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     card.show(job);
     if (card.job.steps?.length) live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
   }, (end) => {
-    if (end.result) results.replaceChildren(...answer(end.result, units), updated(String(end.asked.out)), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
+    if (end.result) results.replaceChildren(...answer(end.result, units), updated(end.out), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
   });
 }
 

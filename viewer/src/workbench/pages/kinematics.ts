@@ -6,13 +6,13 @@ import { make, toggle, whenColoursChange, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
 import { designing, type Target } from "../designing";
-import { Drafts } from "../drafts";
+import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
 import { field, Newest, once, Outdated, problem, Sliders, Steps, Ways } from "../parts";
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";
-import { address, choose, type Page, RIGS, setLive, type Values } from "../shell";
+import { address, choose, type Page, setLive, type Values } from "../shell";
 
 export const kinematics: Page = { label: "Kinematics", show };
 
@@ -81,11 +81,11 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     drives.roll.swept(now === "roll", now === "roll");
   };
   over.addEventListener("change", () => { arrange(); void ask(); });
-  const rigs = entries.filter((entry) => RIGS.includes(entry.kind) && entry.path !== name).map((entry) => entry.path);
+  const rigs = entries.filter((entry) => entry.has_hardpoints && entry.path !== name).map((entry) => entry.path);
   const against = make("select", {}, make("option", { value: "" }, tr("nothing else")),
-    ...(earlier.length ? [make("optgroup", { label: tr("earlier versions") }, ...earlier.map((one) => make("option", { value: one.name }, `${tr("replaced")} ${new Date(one.replaced * 1000).toISOString().slice(0, 16).replace("T", " ")} UTC`)))] : []),
+    ...(earlier.length ? [make("optgroup", { label: tr("earlier versions") }, ...earlier.map((one) => make("option", { value: one.name }, `${tr("replaced")} ${moment(one.replaced * 1000)}`)))] : []),
     ...(rigs.length ? [make("optgroup", { label: tr("this project") }, ...rigs.map((one) => make("option", { value: one }, one)))] : []),
-    make("optgroup", { label: tr("shipped") }, ...shipped.map((one) => make("option", { value: one.name }, one.name))));
+    make("optgroup", { label: tr("shipped") }, ...shipped.filter((one) => one.has_hardpoints).map((one) => make("option", { value: one.name }, one.name))));
   against.addEventListener("change", () => void ask());
 
   const view = new MechanismView(true), stage = make("div", { class: "player bare" }, view.element);

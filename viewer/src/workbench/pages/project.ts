@@ -5,7 +5,7 @@ import { make, written } from "../../page";
 import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
-import { discard, draftsOf, type Lying, moment as told } from "../drafts";
+import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, ways } from "../parts";
 import { address, goTo, type Page } from "../shell";
 import { inWords } from "../quantities";
@@ -22,10 +22,10 @@ const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   vehicle: [["rig", "name", "edit"], ["trial", "rig", "drive it"]],
   record: [["record", "path", "look at it"], ["trial", "record", "beside a run"], ["inspection", "record", "inspect"]],
   campaign: [["campaign", "file", "open"]],
+  sweep: [["studies", "study", "begin"]],
   swept: [["studies", "folder", "results"]],
   store: [["inspection", "store", "search"]],
 };
-const moment = (seconds: number) => new Date(seconds * 1000).toISOString().slice(0, 16).replace("T", " ");
 
 async function show(place: HTMLElement): Promise<void> {
   const [{ name, folder, entries }, library, kept] = await Promise.all([api.project(), api.library(), api.get<Kept[]>("/api/history")]);
@@ -35,8 +35,8 @@ async function show(place: HTMLElement): Promise<void> {
     const page = entry.kind === "page" && entry.path.endsWith(".html") ? `/api/document?${api.query({ path: entry.path })}` : null;
     return make("tr", {},
       make("th", { scope: "row" }, first ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path) : page ? make("a", { href: page, target: "_blank" }, entry.path) : entry.path),
-      make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(entry.modified)),
-      make("td", { class: "links" }, ...opens.slice(1).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
+      make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(1000 * entry.modified)),
+      make("td", { class: "links" }, ...opens.slice(1).filter(([to]) => to !== "kinematics" || entry.has_hardpoints).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
   });
   const choice = make("select", {}, ...library.map((one) => make("option", { value: one.name }, one.name)));
   const target = make("input", { type: "text", value: `${library[0]?.name ?? "rig"}.toml`, spellcheck: "false" });
@@ -51,7 +51,7 @@ async function show(place: HTMLElement): Promise<void> {
   place.replaceChildren(
     make("h1", {}, name), make("p", { class: "muted" }, folder), unsaved(draftsOf(folder)), next(entries, kept),
     entries.length
-      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written (UTC)"), tr("to do")].map((text, k) => make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text)))), make("tbody", {}, ...rows)))
+      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written"), tr("to do")].map((text, k) => make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text)))), make("tbody", {}, ...rows)))
       : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
     make("h2", {}, tr("Start from an example")), form, told, ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []));
 }
@@ -64,7 +64,7 @@ function unsaved(drafts: Lying[]): HTMLElement {
   const section = make("section", { class: "drafts", hidden: !drafts.length, tabindex: "-1", "aria-label": tr("Unsaved changes") });
   section.append(make("h2", {}, tr("Unsaved changes")), make("ul", {}, ...drafts.map(({ key, page, at }) => {
     const [name = "", values] = page.replace(/^#\//, "").split("?"), file = [...new URLSearchParams(values).values()][0] ?? "", words = [tr(LABELS[name] ?? name), file].filter(Boolean).join(": ");
-    const away = make("button", { type: "button", "aria-label": `${tr("Discard")}: ${words}` }, tr("Discard")), row = make("li", {}, make("a", { href: page }, words), `, ${told(at)} `, away);
+    const away = make("button", { type: "button", "aria-label": `${tr("Discard")}: ${words}` }, tr("Discard")), row = make("li", {}, make("a", { href: page }, words), `, ${moment(at)} `, away);
     away.addEventListener("click", () => { discard(key); row.remove(); section.focus(); section.hidden = !section.querySelector("li"); });
     return row;
   })));
@@ -79,6 +79,7 @@ function next(entries: api.Entry[], kept: Kept[]): HTMLElement {
   else {
     if (!kept.length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Drive # over an obstacle", rig.path)), tr(", and keep the run.")));
     if (kept.length === 1) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Change # and keep another run", rig.path)), tr(", to compare the two.")));
+    for (const { path } of of("campaign")) if (!of("results").some((one) => one.path.startsWith(path.replace(/[^/]*$/, "")))) steps.push(make("li", {}, make("a", { href: address("campaign", { file: path }) }, tr("Run #", path)), tr(": parts characterised, the model updated, every trial compared.")));
     if (record && !of("campaign").length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path, record: record.path }) }, tr("Look at # beside a run", record.path)), "."));
     if (!of("sweep").length && !of("swept").length) steps.push(make("li", {}, make("a", { href: address("studies") }, tr("Vary its numbers in a study")), "."));
   }
@@ -100,8 +101,8 @@ function history(kept: Kept[]): HTMLElement {
   });
   const road = ({ trial }: Kept) => `${tr(String(trial.road.kind ?? "").replace("-", " "))} ${Object.entries(trial.road).filter(([key]) => !["kind", "start"].includes(key)).map(([, value]) => value).join(" × ")}, ${trial.speed}`;
   return make("section", {}, make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("Runs that were kept") }, make("table", {},
-    make("thead", {}, make("tr", {}, ...["", tr("run"), tr("rig"), tr("changes"), tr("trial"), tr("inputs"), tr("seed"), tr("version"), tr("kept (UTC)")].map((text) => make("th", { scope: "col" }, text || make("span", { class: "hidden" }, tr("compare")))))),
+    make("thead", {}, make("tr", {}, ...["", tr("run"), tr("rig"), tr("changes"), tr("trial"), tr("inputs"), tr("seed"), tr("version"), tr("kept")].map((text) => make("th", { scope: "col" }, text || make("span", { class: "hidden" }, tr("compare")))))),
     make("tbody", {}, ...kept.map((one, i) => make("tr", {}, make("td", {}, boxes[i]!), make("th", { scope: "row" }, make("a", { href: address("record", { path: one.path }) }, one.path.replace(/^runs\//, ""))), make("td", {}, one.rig),
-      make("td", {}, Object.entries(one.changes).map(([path, value]) => `${path} = ${typeof value === "number" ? written(value, 5) : value}`).join(", ") || "–"), make("td", {}, road(one)), make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)), make("td", {}, one.seed === null ? "–" : String(one.seed)), make("td", {}, one.version), make("td", {}, moment(one.when)))))),
+      make("td", {}, Object.entries(one.changes).map(([path, value]) => `${path} = ${typeof value === "number" ? written(value, 5) : value}`).join(", ") || "–"), make("td", {}, road(one)), make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)), make("td", {}, one.seed === null ? "–" : String(one.seed)), make("td", {}, one.version), make("td", {}, moment(1000 * one.when)))))),
   ), make("p", { class: "bar" }, compare), out);
 }

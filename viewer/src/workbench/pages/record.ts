@@ -5,7 +5,7 @@ import { make, toggle, whenColoursChange } from "../../page";
 import { LinkedPlots } from "../../plots";
 import { localised, tr } from "../../words";
 import * as api from "../api";
-import { Newest } from "../parts";
+import { Newest, Ways } from "../parts";
 import { asSaid } from "../refusals";
 import { address, choose, type Page, setLive, type Values } from "../shell";
 
@@ -19,7 +19,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   if (!path) { await choose(place, "record", tr("Records"), "path", false, ["record"]); return; }
   const began = performance.now(), about = await api.get<About>(`/api/record?${api.query({ path })}`);
   if (!place.isConnected) return;
-  const shown = new Set(about.channels.slice(0, AT_FIRST).map((one) => one.name)), newest = new Newest(), times: number[] = [];
+  const shown = new Set(about.channels.slice(0, AT_FIRST).map((one) => one.name)), newest = new Newest(), same = new Ways(), times: number[] = [];
   setLive({ times });
   const state = make("p", { class: "state", role: "status" });
   let drawing = false, part: [number, number] = [about.first, about.last];
@@ -31,6 +31,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       const store = Store.of(await api.binary("/api/record", { path, channels: [...shown], low: Math.max(about.first, low - width), high: Math.min(about.last, high + width), columns: Math.max(600, 3 * Math.round(plots.element.clientWidth)) }));
       if (!place.isConnected) return;
       const scene = store.content.viewers[0]!.scenes[0]!;
+      same.show(store.content as unknown as api.Answer);
       drawing = true;
       plots.show({
         x: store.get(scene.x), xLabel: `${tr("time")} [${about.unit}]`, spans: [], window: null, whole: [about.first, about.last],
@@ -61,7 +62,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("p", { class: "bar" }, make("a", { href: address("trial", { record: path }) }, tr("Beside a run"))),
     ...(about.left_out ?? []).map((text) => make("p", { class: "problem" }, `${tr("not shown")}: `, asSaid(text))),
     about.channels.length ? player : make("p", { class: "empty" }, tr("There is nothing in it but time.")), state,
-    make("p", { class: "muted" }, tr("Drag to zoom, Shift + wheel or ← → pans, Ctrl + wheel zooms, double click for everything.")));
+    make("p", { class: "muted" }, tr("Drag to zoom, Shift + wheel or ← → pans, Ctrl + wheel zooms, double click for everything.")), same.element);
   await ask();
   times.unshift(performance.now() - began);
 }

@@ -7,7 +7,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { Drafts, draftsOf, moment, stateOf } from "../drafts";
 import { Form, type Key, type Value } from "../form";
-import { copied, InTurn, Newest, problem } from "../parts";
+import { copied, InTurn, Newest, problem, Ways } from "../parts";
 import { Points } from "../points";
 import { address, choose, type Page, type Values, VEHICLES } from "../shell";
 import { advised } from "../refusals";
@@ -35,7 +35,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const save = make("button", { type: "button", class: "main", disabled: true }, tr("Save")), undo = make("button", { type: "button", disabled: true }, tr("Undo")), redo = make("button", { type: "button", disabled: true }, tr("Redo"));
   const edits = new InTurn((error) => { said?.remove(); told.prepend(said = problem(error)); }, () => display()), pictures = new Newest();
   let drawing = Promise.resolve();
-  const form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
+  const same = new Ways(), form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
   const view = new MechanismView(true), stage = make("div", { class: "player bare", hidden: true }, view.element);
   const points = new Points(view, (changes, done) => { if (done) void edit({ changes }); else void draw(changes); });
   const picture = make("section", { hidden: true, "aria-label": tr("The mechanism") }, make("h2", {}, tr("The mechanism")), make("p", { class: "muted" }, tr("Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.")), points.element, stage);
@@ -88,7 +88,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     }
     const all = found.problems.map((one) => problem(new Error(`${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
     told.replaceChildren(...(said ? [said] : []), ...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...advised(found.rig?.findings ?? [], "p"));
-    if (found.rig) { points.set(found.rig.numbers); drawing = draw(); }
+    if (found.rig) { points.set(found.rig.numbers); same.show({ ...found, files: {} }); drawing = draw(); }
     if (found.rig && !found.rig.spatial) picture.hidden = true;
   };
   const inTurn = (work: () => Promise<void>) => { if (!edits.waiting) said = null; return edits.do(work); };
@@ -166,7 +166,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   place.replaceChildren(make("h1", {}, name),
     make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), moves),
     drafts.element, told, make("div", { class: "bar" }, save, undo, redo), difference, unseen, picture,
-    make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)));
+    make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)), same.element);
   await edit({});
   await drawing;
 }

@@ -45,12 +45,12 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   curves.moved = (place) => { if (!phase.element.hidden) phase.mark(place); };
   for (const one of [look, measured, begins]) one.addEventListener("change", () => { offset(); void curves.ask(); });
   offset();
-  const title = make("input", { type: "text", size: "40", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toISOString().slice(0, 16).replace("T", " ").replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
+  const title = make("input", { type: "text", size: "40", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toLocaleString("sv-SE").slice(0, 16).replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
   const press = make("button", { type: "submit" }, tr("Keep it")), keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
     const was = state();
-    once(press, api.asked("POST", "/api/keep", { ...asked(), title: title.value })).then(async (answer) => {
+    once(press, api.asked("POST", "/api/keep", { ...asked(), title: title.value, digest: rig.digest })).then(async (answer) => {
       drafts.done(was); // it lies in the project by now
       const { path } = await answer.json() as { path: string };
       kept.replaceChildren(tr("Kept as "), make("a", { href: address("record", { path }) }, path), ". ", make("a", { href: address("project") }, tr("Compare it in the project")));
