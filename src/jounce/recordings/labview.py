@@ -1,20 +1,28 @@
 """LabVIEW measurement files: text with tagged headers, made into the plain table that it holds.
 
 Of the grammar that National Instruments publish one segment is read: names, units, start and step of its channels, with
-one column of X values, with one for each channel where these are the same, or with none.
+one column of X values, with one for each channel where these are the same, or with none. What the header says of a
+channel stands in the column of its samples; above a column of X values it says nothing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from jounce.core.errors import RecordingError
+from jounce.core.types import Array
+from jounce.core.units import LARGEST
 
 FIRST = "LabVIEW Measurement"
 _END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
+_OF_CHANNELS = ("Samples", "Y_Unit_Label", "X_Dimension", "X0", "Delta_X")
 _DIGITS = 13  # of a count
 _SAME_TIME = 1e-3  # of the step
+_ROUNDING = 0.51e-6  # s, of six decimals
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
@@ -22,7 +30,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     r"""Give the table of a LabVIEW measurement file as text, each row on its line: ``time [s]`` and the channels.
 
     With it how many samples of each channel the header announces, where it does.
-    Raises RecordingError for a file that was cut off, has several segments, or whose channels differ in their steps.
+    Raises RecordingError for a file that was cut off, has several segments, or whose channels differ in their times.
 
     >>> head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\n\nChannels\t1\n"
     >>> segment = "Y_Unit_Label\tg\nX0\t0.5\nDelta_X\t0.25\n***End_of_Header***\nX_Value\tbody\tComment\n\t1.5\n\t2.0\n"
@@ -36,78 +44,128 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
         found = "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
         hint = "Write a file for each, or all in one segment." if len(ends) > 2 else "Is the file whole?"
         raise RecordingError("no table of one segment", where=str(file), found=found, allowed=_ALLOWED, hint=hint)
-    separator = "," if _tags(lines[: ends[0]], "\t").get("Separator", _comma(lines)) == ["Comma"] else "\t"
-    whole, own = _tags(lines[: ends[0]], separator), _tags(lines[ends[0] + 1 : ends[1]], separator)
-    mark = whole.get("Decimal_Separator", ["."])[0]
-    names = lines[ends[1] + 1].rstrip(separator).split(separator)
+    has_commas = any(line.replace("\t", ",").startswith("Separator,Comma") for line in lines[: ends[0]])
+    separator = "," if has_commas else "\t"
+    names = _cells(lines[ends[1] + 1].rstrip(separator), separator)
+    if names[0] != "X_Value":
+        where, hint = f"{file}, line {ends[1] + 2}", "Is the file whole?"
+        raise RecordingError("no names of columns", where=where, found=names[0], allowed="X_Value first", hint=hint)
+    clocks = [i for i, name in enumerate(names) if name == "X_Value"]
     kept = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
-    if any(len({_number(x, mark, file) for x in own.get(tag, [])}) > 1 for tag in ("X0", "Delta_X")):
-        raise _apart(str(file))
-    if any(dimension != "Time" for dimension in own.get("X_Dimension", [])):
-        raise RecordingError("no signals over time", where=f"{file}: X_Dimension", allowed="Time")
-    units = own.get("Y_Unit_Label", [])
-    units = [*units, *[""] * (len(kept) - len(units))]
-    heads = [
-        names[i] + (f" [{unit}]" if unit and "[" not in names[i] else "") for i, unit in zip(kept, units, strict=False)
-    ]
-    start, step = (_number(own.get(tag, [""])[0] or "0", mark, file) for tag in ("X0", "Delta_X"))
-    first = ends[1] + 2
-    _check_times(lines[first:], names, separator, mark, step, file, first)
-    rows = list(_rows(lines[first:], separator, kept, mark, start, step))
-    announced = [int(count) for count in own.get("Samples", []) if count.isdecimal() and len(count) < _DIGITS]
-    table = "\n".join([*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *rows])
-    return table, max(announced, default=None)
+    header = _header(lines[ends[0] + 1 : ends[1]], separator, len(names))
+    _check_columns(header, clocks, file)
+    measured = [i for i in kept if header["Samples"][i] != "0"]
+    if others := {header["X_Dimension"][i] for i in measured} - {"", "Time"}:
+        found = ", ".join(sorted(others))
+        raise RecordingError("no signals over time", where=f"{file}: X_Dimension", found=found, allowed="Time")
+    start, step = (_common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X"))
+    units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in kept]
+    heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(kept, units, strict=True)]
+    rows, written = _rows(lines, ends[1] + 2, separator, clocks, kept, step, file)
+    mark = "," if not has_commas and any("," in row for row in rows.values()) else "."
+    table = [*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *[""] * (len(lines) - ends[1] - 2)]
+    for (place, row), time in zip(rows.items(), _times(written, start, step).tolist(), strict=True):
+        table[place] = ("" if math.isnan(time) else repr(time).replace(".", mark)) + separator + row
+    announced = [int(cell) for cell in header["Samples"] if cell.isdecimal() and len(cell) < _DIGITS]
+    return "\n".join(table), max(announced, default=None)
 
 
-def _comma(lines: Sequence[str]) -> list[str]:
-    """What the line of the separator says where tabs do not separate."""
-    return next((["Comma"] for line in lines[:20] if line.startswith("Separator,Comma")), ["Tab"])
+def _cells(line: str, separator: str) -> list[str]:
+    return [cell.strip() for cell in line.split(separator)]
 
 
-def _tags(lines: Sequence[str], separator: str) -> dict[str, list[str]]:
-    """Tags of a header with what follows them; what special blocks say is left out."""
+def _header(lines: Sequence[str], separator: str, width: int) -> dict[str, list[str]]:
+    """What the header says of each column, empty where it says nothing; what special blocks say is left out."""
     found, special = dict[str, list[str]](), False
     for line in lines:
         special = (special or line.startswith(_SPECIAL)) and not line.startswith(_SPECIAL_END)
-        tag, *values = line.rstrip(separator).split(separator)
-        if tag and not special:
-            found.setdefault(tag, values)
-    return found
+        tag, *cells = _cells(line, separator)
+        if not special:
+            found.setdefault(tag, ["", *cells])
+    return {tag: [*found.get(tag, []), *[""] * width][:width] for tag in _OF_CHANNELS}
 
 
-def _number(cell: str, mark: str, file: Path) -> float:
+def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Path) -> None:
+    """Refuse what stands above a column of X values: nobody knows of which channel it speaks."""
+    for tag, cells in header.items():
+        for column in clocks:
+            if cells[column]:
+                raise RecordingError(
+                    "the header says something of a column of X values",
+                    where=f"{file}: {tag}",
+                    found=f"{cells[column]!r} in column {column + 1}",
+                    allowed="the cell of each channel in the column of its samples",
+                    hint="Insert an empty cell before that of each further channel, as LabVIEW does.",
+                )
+
+
+def _number(cell: str, where: str, line: int = 0) -> float:
+    """Read a finite number, with a point or a comma."""
     try:
-        return float(cell.replace(mark, "."))
+        number = float(cell.replace(",", "."))
     except ValueError:
-        raise RecordingError("not a number in the header", where=str(file), found=cell) from None
+        number = math.nan
+    if not abs(number) <= LARGEST:
+        where += f", line {line}: X_Value" if line else ""
+        hint = "Correct the cell, or empty it where the channel has no sample."
+        raise RecordingError("not a number of seconds", where=where, found=cell, allowed="finite numbers", hint=hint)
+    return number
 
 
-def _apart(where: str, found: str | None = None) -> RecordingError:
-    return RecordingError("channels begin or step differently", where=where, found=found, allowed=_ALLOWED)
+def _common(where: str, cells: Sequence[str]) -> float:
+    """Give the one number that the header says of all channels; 0 where it says none."""
+    numbers = {_number(cell, where): cell for cell in cells if cell}
+    if len(numbers) > 1:
+        raise _apart(where, numbers.values())
+    return next(iter(numbers), 0.0)
 
 
-def _check_times(
-    lines: Sequence[str], names: Sequence[str], separator: str, mark: str, step: float, file: Path, before: int
-) -> None:
-    """Refuse times of a channel that are others than those of the first, whatever the header says of the steps."""
-    others = [i for i, name in enumerate(names) if name == "X_Value"][1:]
-    for number, line in enumerate(lines if others else (), start=before + 1):
-        cells = line.split(separator)
-        for own in (cells[i] for i in others if i < len(cells) and cells[i] != cells[0] and cells[i] and cells[0]):
-            if abs(_number(own, mark, file) - _number(cells[0], mark, file)) > _SAME_TIME * step:
-                raise _apart(f"{file}, line {number}", f"{cells[0]} and {own} s")
+def _apart(where: str, cells: Iterable[str]) -> RecordingError:
+    found = " and ".join(cells) + " s"
+    hint = "Write a file for each, or bring them onto one clock in LabVIEW (Align and Resample)."
+    return RecordingError("channels begin or step differently", where=where, found=found, allowed=_ALLOWED, hint=hint)
 
 
 def _rows(
-    lines: Sequence[str], separator: str, kept: Sequence[int], mark: str, start: float, step: float
-) -> Iterator[str]:
-    """Rows of the table: time, then the channels; where no time is written it follows from the step."""
-    count = 0
-    for line in lines:
-        cells = line.split(separator)
-        if not line.strip():
-            yield ""
-            continue
-        instant = cells[0] if cells[0].strip() else f"{start + count * step:.15g}".replace(".", mark)
-        count += 1
-        yield separator.join([instant, *(cells[i] for i in kept if i < len(cells))])
+    lines: Sequence[str],
+    first: int,
+    separator: str,
+    clocks: Sequence[int],
+    kept: Sequence[int],
+    step: float,
+    file: Path,
+) -> tuple[dict[int, str], Array]:
+    """Cells of the channels in each row that is not empty, by its place in the lines, and its time, NaN without one.
+
+    Refuses times of a row that are apart by more than a thousandth of the step between rows, or of the header's
+    ``step`` where times are written in one row only.
+    """
+    rows, times, several = dict[int, str](), list[float](), dict[int, dict[float, str]]()
+    for place, line in enumerate(lines[first:], start=first):
+        cells = _cells(line, separator)
+        if any(cells):
+            own = {_number(cells[i], str(file), place + 1): cells[i] for i in clocks if i < len(cells) and cells[i]}
+            rows[place] = separator.join(cells[i] for i in kept if i < len(cells))
+            times.append(next(iter(own), math.nan))
+            if len(own) > 1:
+                several[place] = own
+    written = np.array(times)
+    steps = np.diff(written[np.isfinite(written)])
+    same = _SAME_TIME * abs(float(np.median(steps)) if steps.size else step)
+    for place, own in several.items():
+        if max(own) - min(own) > same:
+            raise _apart(f"{file}, line {place + 1}", own.values())
+    return rows, written
+
+
+def _times(written: Array, start: float, step: float) -> Array:
+    """Time of each row (s): as written, or from start and step where none is.
+
+    What is written may be start and step, rounded as LabVIEW does: then it is these. A start so far from zero that
+    floats do not hold the steps behind it is left out.
+    """
+    counted = step * np.arange(written.size, dtype=float)
+    is_rounded = np.abs(written - start - counted) <= min(_ROUNDING, step / 2)
+    if not is_rounded.all() and not np.isnan(written).all():
+        return written
+    return counted if math.ulp(start) > _SAME_TIME * step else start + counted

@@ -87,16 +87,29 @@ def lvm_without_times() -> Sample:
     return Sample("lvm", "n.lvm", _lvm("No", ",").encode())
 
 
+@_sample
+def lvm_with_own_times() -> Sample:
+    return Sample("lvm", "m.lvm", _lvm("Multi", ".").encode())
+
+
 def _lvm(columns: str, mark: str) -> str:
-    """A text file of LabVIEW in the grammar of its specification: tabs, one segment of two channels."""
-    lines = ["LabVIEW Measurement", "Writer_Version\t2", "Reader_Version\t2", "Separator\tTab"]
+    """A text file of LabVIEW as LabVIEW writes it: tabs, one segment of two channels."""
+    further = [""] * (columns == "Multi")
+
+    def of_channels(tag: str, first: str, second: str) -> str:
+        return "\t".join([tag, first, *further, second, ""])
+
+    lines = ["LabVIEW Measurement\t", "Writer_Version\t2", "Reader_Version\t2", "Separator\tTab"]
     lines += [f"Decimal_Separator\t{mark}", "Multi_Headings\tNo", f"X_Columns\t{columns}", "Time_Pref\tRelative"]
-    lines += ["Date\t2026/01/01", "***End_of_Header***", "", "Channels\t2", f"Samples\t{ROWS}\t{ROWS}"]
-    lines += ["Y_Unit_Label\tm\tN", "X_Dimension\tTime\tTime", "X0\t0\t0", "Delta_X\t0.005\t0.005".replace(".", mark)]
-    lines += ["***End_of_Header***\t\t", "X_Value\tstrut.stroke\tstrut.force\tComment"]
+    lines += ["Date\t2026/01/01", "***End_of_Header***\t", "\t", of_channels("Channels", "2", "")]
+    step, count = "0.005".replace(".", mark), str(ROWS)
+    lines += [of_channels("Samples", count, count), of_channels("Y_Unit_Label", "m", "N")]
+    lines += [of_channels("X_Dimension", "Time", "Time"), of_channels("X0", "0", "0")]
+    lines += [of_channels("Delta_X", step, step), of_channels("***End_of_Header***", "", "")]
+    lines.append("\t".join(["X_Value", "strut.stroke", *["X_Value"] * len(further), "strut.force", "Comment"]))
     for t, x, f in zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True):
-        first = repr(t) if columns == "One" else ""
-        lines.append(f"{first}\t{x!r}\t{f!r}".replace(".", mark))
+        own = "" if columns == "No" else repr(t)
+        lines.append("\t".join([own, repr(x), *[own] * len(further), repr(f)]).replace(".", mark))
     return "\r\n".join([*lines, ""])
 
 
