@@ -118,6 +118,55 @@ def test_a_pendulum_that_rests_upside_down_is_told(angle, rests, falls):
     assert [text.split(": ")[1] for text in told] == ["pivot.angle"] * falls
 
 
+def _told_of_a_top(mechanism, **options) -> list[str]:
+    mechanism.watch_coordinates()
+    run = jn.simulate_mechanism(mechanism, 0.1, at_rest=True, output_step=0.1, **options)
+    return [text.split(": ")[1] for text in run.attrs["findings"] if "balanced on a top" in text]
+
+
+def test_every_top_is_told():
+    """Two pendulums that fall by themselves, of 10 1/s^2 and less, beside a block that is held with 1e11 1/s^2."""
+    mechanism = jn.mechanics.Mechanism()
+    for name, length in (("long", 0.8), ("short", 0.5), ("hanging", 0.3)):
+        bob = mechanism.body(name, 1.0, (0.0, 0.0, -length), (0.01, 0.01, 0.01))
+        mechanism.revolute(name, mechanism.ground, bob, at=ORIGIN, axis=Y)
+    block = mechanism.prismatic("held", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=X)
+    mechanism.force(block, -1e11 * block)
+    assert _told_of_a_top(mechanism, start={"long.angle": 2.5, "short.angle": 2.5}) == ["long.angle, short.angle"]
+
+
+def test_a_ball_joint_upside_down_falls_to_all_sides():
+    mechanism = jn.mechanics.Mechanism()
+    mechanism.spherical("ball", mechanism.ground, mechanism.body("bob", 1.0, Z, (0.01, 0.01, 0.01)), at=ORIGIN)
+    assert _told_of_a_top(mechanism) == ["ball.wx, ball.wy"]
+
+
+@pytest.mark.parametrize("stiffness", [1e3, 1e7, 1e11])
+def test_what_rounding_of_stiff_springs_moves_does_not_fall(stiffness):
+    """Two bodies that a spring of any stiffness joins turn and slide freely."""
+    mechanism = jn.mechanics.Mechanism(gravity=0.0)
+    one = mechanism.body("one", 1.3, ORIGIN, (0.01, 0.02, 0.03))
+    other = mechanism.body("other", 0.4, (0.6, 0.3, 0.2), (0.01, 0.02, 0.03))
+    for body in (one, other):
+        mechanism.free(body.name, body)
+    mechanism.spring_damper("spring", one, other, (0.0, 0.0, 0.1), (0.6, 0.3, 0.25), stiffness=stiffness)
+    assert _told_of_a_top(mechanism) == []
+
+
+@pytest.mark.parametrize(("rate", "told"), [(0.0, ["swing.angle"]), (10.0, [])])
+def test_what_a_track_turns_is_on_no_top(rate, told):
+    """A slide on a turned table that no spring would hold alone; an arm upside down, where the table stands still."""
+    mechanism = jn.mechanics.Mechanism()
+    table = mechanism.body("table", 5.0, ORIGIN, (0.1, 0.1, 0.2))
+    spin = mechanism.revolute("spin", mechanism.ground, table, at=ORIGIN, axis=Z)
+    out = mechanism.prismatic("out", table, mechanism.body("slide", 1.0, (0.2, 0.0, 0.0)), axis=X)
+    mechanism.force(out, -50.0 * out)
+    mechanism.motion("drive", spin, mechanism.track("turn"))
+    if told:
+        mechanism.revolute("swing", table, mechanism.body("arm", 0.5, (0.0, 0.0, 0.4)), at=ORIGIN, axis=Y)
+    assert _told_of_a_top(mechanism, motions={"turn": jn.mechanics.constant_rate(rate)}) == told
+
+
 def test_what_nothing_holds_is_named():
     mechanism = jn.mechanics.Mechanism()
     mechanism.prismatic("fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z)

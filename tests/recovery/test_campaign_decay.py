@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import Characterisation, DampingChoice, bench_values, characterise
+from jounce.campaign.characterise import Characterisation, DampingChoice, _AtWheel, bench_values, characterise
 from jounce.campaign.description import Bench
 from jounce.identify.estimate import Estimate
 from jounce.recordings import write_recording
@@ -93,6 +93,59 @@ def test_a_body_that_comes_to_rest_faster_than_any_damper_lets_it_is_told(tmp_pa
     assert used.at_strut.value == pytest.approx(used.seen.value * by_share, rel=1e-9)
     assert used.at_strut.standard_error == pytest.approx(used.seen.standard_error * by_share, rel=1e-9)
     assert [one.place for one in found.findings if "comes to rest faster" in one.message] == ["bench.decay"]
+
+
+def _pole(corner: _AtWheel, damping: float, near: complex) -> complex:
+    """That eigenvalue of both masses (1/s) which is the nearest to another one."""
+    ms, mu, k, kt, c = corner.sprung_mass, corner.unsprung_mass, corner.wheel_rate, corner.tyre_rate, damping
+    body = [-k / ms, k / ms, -c / ms, c / ms]
+    wheel = [k / mu, -(k + kt) / mu, c / mu, -(c + corner.tyre_damping) / mu]
+    poles = np.linalg.eigvals([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], body, wheel])
+    return poles[np.argmin(np.abs(poles - near))]
+
+
+def _followed(corner: _AtWheel, dampings) -> np.ndarray:
+    """The body's pole (1/s) while the damping grows from little, until it creeps."""
+    held = corner.wheel_rate * corner.tyre_rate / (corner.wheel_rate + corner.tyre_rate)
+    poles = [1j * np.sqrt(held / corner.sprung_mass)]
+    for damping in dampings:
+        pole = _pole(corner, damping, poles[-1])
+        if abs(pole.imag) < 1e-9 * abs(pole):
+            break
+        poles.append(pole)
+    return np.array(poles[1:])
+
+
+@pytest.mark.parametrize(
+    ("corner", "creeps"),
+    [
+        (_AtWheel(20e3, 180e3, 250.0, 35.0, 50.0, 1.0), True),
+        (_AtWheel(20e3, 240e3, 250.0, 30.0, 0.0, 1.0), True),
+        (_AtWheel(25e3, 300e3, 300.0, 35.0, 1000.0, 1.0), True),
+        (_AtWheel(30e3, 200e3, 100.0, 20.0, 0.0, 1.0), False),
+        (_AtWheel(36357.0, 105e3, 62.0, 11.0, 60.0, 1.0), False),
+        (_AtWheel(30e3, 150e3, 300.0, 60.0, 0.0, 1.0), False),
+    ],
+)
+def test_damping_is_found_up_to_the_largest_swing_and_none_beyond(corner, creeps):
+    """With more damping than at the top the body falls slower, or creeps: then its swing ends at its largest."""
+    dampings = np.linspace(0.0, 12e3, 4001)
+    near = int(np.argmin(_followed(corner, dampings).real))
+    dampings = np.append(dampings[:near], np.linspace(dampings[near], dampings[near + 1], 2001))
+    poles = _followed(corner, dampings)
+    top = int(np.argmin(poles.real))
+    assert (top == len(poles) - 1) == creeps
+    for share in (0.2, 0.5, 0.8, 0.9, 0.95, 0.97, 0.98, 0.99, 0.995, 0.999):
+        at = int(np.argmin(np.abs(dampings - share * dampings[top])))
+        damping = dampings[at]
+        less, seen, more = (
+            -2.0 * corner.sprung_mass * _pole(corner, damping * one, poles[at]).real for one in (1 - 1e-5, 1, 1 + 1e-5)
+        )
+        found = corner.damping_behind(seen)
+        assert found == pytest.approx((damping, 2e-5 * damping / (more - less)), rel=1e-4)
+        assert found[0] == pytest.approx(damping, rel=1e-7)
+    largest = -2.0 * corner.sprung_mass * poles[top].real
+    assert [corner.damping_behind(share * largest) for share in (1.001, 1.02, 1.2, 2.0)] == [None] * 4
 
 
 @pytest.mark.parametrize(("value", "known"), [(1300.0, True), (np.inf, False)])

@@ -12,11 +12,13 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
+from numpy.polynomial import Polynomial
 
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.core.errors import RecordingError, unforeseen
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
@@ -26,7 +28,7 @@ from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, c
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.identify.update import UpdatedParameter
 from jounce.inspection.quarter_car import Corner as TwoMasses
-from jounce.inspection.quarter_car import road_poles
+from jounce.inspection.quarter_car import road_poles, road_polynomial
 from jounce.parts import Corner, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import with_strut_angle
@@ -490,29 +492,56 @@ class _AtWheel:
         """Least damping at the wheel (N s/m) whose swing one mass with a coefficient (N s/m) has, and its slope (1).
 
         None where there is none: the body's swing falls at most so fast, or ends, and another one is the slowest.
+
+        A pole ``p`` is one for the damping ``c`` where ``P(p) + c Q(p) = 0``. Its real part is known; that ``c`` is
+        real gives a cubic in the square of its imaginary part.
         """
-        from scipy.optimize import brentq
-
-        def excess(damping: float) -> float:
-            found = self.swing(damping)[0]
-            return (found if math.isfinite(found) else -math.inf) - seen
-
-        rough, least = seen / self._share**2, excess(0.0)
+        least = self.swing(0.0)[0] - seen
         if least >= 0.0:  # the tyre damps as much
             return -least / self._share**2, 1.0 / self._share**2
-        tried = rough * np.linspace(0.05, 2.0, 40)
-        above = [float(one) for one in tried if excess(float(one)) > 0.0]
-        if not above:
-            return None
-        value = float(brentq(excess, 0.0, above[0]))
-        if abs(excess(value)) > _SAME_SWING * seen:
-            return None
-        step = 1e-4 * value
-        rise = (excess(value + step) - excess(value - step)) / (2.0 * step)
-        return value, 1.0 / rise
+        plain, damped = self._characteristic
+        along = Polynomial([-seen / (2.0 * self.sprung_mass), 1j])
+        product = plain(along) * Polynomial(damped(along).coef.conj())
+        poles = along(np.sqrt(_positive_roots(Polynomial(product.coef.imag[1::2]))))
+        dampings, end = -(plain(poles) / damped(poles)).real, self._end
+        for i in np.argsort(dampings):
+            value, pole = float(dampings[i]), poles[i]
+            if 0.0 < value < end and abs(self.swing(value)[0] - seen) < _SAME_SWING * seen:
+                slope = damped(pole) / (plain.deriv()(pole) + value * damped.deriv()(pole))
+                return value, 1.0 / (2.0 * self.sprung_mass * float(slope.real))
+        return None
+
+    @property
+    def _characteristic(self) -> tuple[Polynomial, Polynomial]:
+        """Characteristic polynomial on the road without damping at the wheel, and what 1 N s/m adds to it."""
+        masses = self.sprung_mass, self.unsprung_mass
+        without, with_one = (
+            Polynomial(road_polynomial(TwoMasses(*masses, self.wheel_rate, c, self.tyre_rate, self.tyre_damping))[::-1])
+            for c in (0.0, 1.0)
+        )
+        return without, with_one - without
+
+    @property
+    def _end(self) -> float:
+        """Least damping at the wheel (N s/m) with which the body creeps: its poles meet on the real axis.
+
+        The product of all four poles is the same for any damping, and the wheel's are the quicker ones.
+        """
+        plain, damped = self._characteristic
+        standstill = plain.deriv() * damped - plain * damped.deriv()  # of the damping along the axis
+        meet = -_positive_roots(standstill(Polynomial([0.0, -1.0])))
+        between = self.wheel_rate * self.tyre_rate / (self.sprung_mass * self.unsprung_mass)
+        dampings = -plain(meet) / damped(meet)
+        return float(np.min(dampings[(dampings > 0.0) & (meet**4 < between)], initial=math.inf))
 
 
-_SAME_SWING = 1e-6  # by which share the swing that was looked for may be missed
+def _positive_roots(of: Polynomial) -> Array:
+    """Those roots that are real and positive."""
+    roots = np.asarray(of.roots(), dtype=complex)
+    return np.asarray(roots.real[(np.abs(roots.imag) < _SAME_SWING * np.abs(roots)) & (roots.real > 0.0)])
+
+
+_SAME_SWING = 1e-6  # by which share the swing that was looked for may be missed, and a root the real axis
 
 
 def _at_wheel(rig: Rig) -> _AtWheel:

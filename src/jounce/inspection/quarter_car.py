@@ -95,10 +95,10 @@ def responses(parameters: Array, s: Complex) -> Complex:
 
 def road_poles(corner: Corner) -> Complex:
     """Poles with the plate at rest, which are those on the road, 1/s."""
-    return _roots(_road_polynomial(corner))
+    return _roots(road_polynomial(corner))
 
 
-def _road_polynomial(corner: Corner) -> Array:
+def road_polynomial(corner: Corner) -> Array:
     """Characteristic polynomial with the plate at rest, highest power first, SI."""
     ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
     kt, ct = corner.tyre_stiffness, corner.tyre_damping_coefficient
@@ -111,7 +111,7 @@ def rig_poles(corner: Corner, plate_mass: float, spring_rate: float, damping_coe
     tyre = np.array([corner.tyre_damping_coefficient, corner.tyre_stiffness])
     free = np.array([ms * mu, (ms + mu) * c, (ms + mu) * k, 0.0, 0.0])  # the car on a tyre without stiffness
     plate = np.array([plate_mass, damping_coefficient, spring_rate])
-    alone = np.convolve(_road_polynomial(corner), plate)
+    alone = np.convolve(road_polynomial(corner), plate)
     together = np.convolve(tyre, free)
     alone[-together.size :] += together
     return _roots(alone)

@@ -161,7 +161,7 @@ class LinearFamily:
             with contextlib.suppress(JounceError):  # another one is allowed then
                 other = self.rig.with_changes({path: value + float(step)})
                 return np.asarray((_geometry(other, self.wheels) - first) / step)
-        raise DescriptionError("no value beside this one is allowed", where=f"parameters: {path}", found=value)
+        raise DescriptionError("no value beside this one is allowed", where=f"parameters: {path}", found=f"{value:g} m")
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, Matrices]:
         """Model at some values (SI) of the numbers, those of the rig by default; its slopes, one for each of them."""

@@ -90,7 +90,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     at_rest : bool
         Start in equilibrium near the start, with the tracks held. Speeds given in ``start`` are kept, and the
         equilibrium is that of all else; what nothing decides (a car's place on a level road) stays where it starts.
-        The nearest one may be a top from which it falls: a finding says so.
+        The nearest one may be a top from which it falls: a finding says so where nothing moves at the start.
     check : bool
         Raise when the run does not reach its end.
 
@@ -145,7 +145,8 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             notes.append(
                 [Finding(", ".join(neutral), "note", "nothing decides where it rests; it stays where it started")]
             )
-        if not running and (names := falling(compiled, first, u, p)):
+        is_moving = bool(running) or bool(u[1 :: model.facts.track_order].any())
+        if not is_moving and (names := falling(compiled, first, u, p)):  # what turns may be held by that
             text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
             notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
 

@@ -26,7 +26,7 @@ _STRIDE = 0.05  # m or rad
 _STRIDES = 200
 _TOGGLE = 10.0  # times the lever of a strut, near a dead point of the linkage
 _SLOWEST, _QUICKEST = 1.0, 1e16  # 1/s^2
-_DRIFTS = 1e-6, 1e-9  # 1/s^2, and of what holds the best: what falls no quicker is neutral but for rounding
+_DRIFT = 1e-6  # 1/s^2: what falls no quicker is neutral
 _SHARE_OF_FALL = 0.1  # of the quickest speed of a fall: slower ones are not named
 _PROJECTIONS = 3
 _UNBALANCED = 1e-6  # m/s^2
@@ -131,16 +131,18 @@ def in_terms_of(compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]) -
 
 
 def falling(compiled: Compiled, x: Array, u: Array, p: Array) -> list[str]:
-    """Speeds of the motion in which a mechanism falls the quickest from a state of rest; none where nothing falls."""
+    """Speeds of all motions in which a mechanism falls from a state of rest; none where nothing falls.
+
+    Growth is known no better than the forces of the stiffest springs: what is within their rounding may be neutral.
+    """
     still = np.zeros_like(u)
     still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
     now = _balance(compiled, x, still, p, compiled.sides(x, still, p))
     values, vectors = np.linalg.eig(now.pull)
-    quickest = int(np.argmax(values.real)) if values.size else 0
-    if not values.size or values[quickest].real <= max(_DRIFTS[0], _DRIFTS[1] * float(np.max(np.abs(values)))):
-        return []
-    motion = np.abs(now.motions @ vectors[:, quickest])
-    return [compiled.facts.speeds[i] for i in np.flatnonzero(motion > _SHARE_OF_FALL * np.max(motion))]
+    falls = values.real > max(_DRIFT, now.rounding(np.maximum(np.abs(x), _PLACES)))
+    motions = np.abs(now.motions @ vectors[:, falls])
+    named = np.any(motions > _SHARE_OF_FALL * np.max(motions, axis=0, initial=0.0), axis=1)
+    return [compiled.facts.speeds[i] for i in np.flatnonzero(named)]
 
 
 Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]

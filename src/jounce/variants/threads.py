@@ -42,9 +42,10 @@ def time_share(groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/proc/se
     That of version 2: ``cpu.max`` has the time and the period in which it may be used, for the group and those above.
     """
     try:
-        path = next(line for line in own.read_text().splitlines() if line.startswith("0::")).removeprefix("0::/")
+        line = next(line for line in own.read_bytes().splitlines() if line.startswith(b"0::"))
     except (OSError, StopIteration):
         return math.inf
+    path = os.fsdecode(line.removeprefix(b"0::/"))  # any bytes: names of groups need not be text
     least = math.inf
     for folder in (groups / path, *(groups / path).parents):
         with contextlib.suppress(OSError, ValueError):  # no limit here, or "max"

@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import expm, expm_frechet, solve_continuous_lyapunov
 
 import jounce as jn
-from jounce.core.errors import SimulationError
+from jounce.core.errors import DescriptionError, SimulationError
 from jounce.ride.covariance import (
     Analysis,
     Flow,
@@ -199,6 +199,16 @@ def test_distances_of_wheels_follow_numbers_whatever_the_others_allow() -> None:
     assert first[-1] == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
     wanted = [[0.0] * 5, [0.0, 0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0, 0.0]]
     assert slopes == pytest.approx(np.array(wanted), abs=1e-12)
+
+
+def test_a_distance_that_may_not_move_is_told_with_its_unit(monkeypatch) -> None:
+    def refuse(_self, _changes):
+        raise DescriptionError("out of range")
+
+    car = jn.load("audi-a6-half-car")
+    monkeypatch.setattr(type(car), "with_changes", refuse)
+    with pytest.raises(DescriptionError, match=r"no value beside this one is allowed; found '1\.62 m'"):
+        _ = LinearFamily(car, ("rear.distance",)).geometry
 
 
 def test_spectra_hold_the_variances_and_end_with_the_band() -> None:

@@ -2,6 +2,7 @@
 
 import math
 import os
+import sys
 import threading
 import time
 
@@ -143,6 +144,15 @@ def test_a_container_with_little_time_counts_as_few_processors(tmp_path, monkeyp
     monkeypatch.setattr(threads, "time_share", lambda: found)
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(8)), raising=False)
     assert processors() == used
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems have no control groups")
+def test_a_control_group_may_have_any_name(tmp_path):
+    own, group = tmp_path / "own", tmp_path / os.fsdecode(b"caf\xe9")
+    own.write_bytes(b"0::/caf\xe9\n")
+    group.mkdir()
+    (group / "cpu.max").write_text("300000 100000\n")
+    assert threads.time_share(tmp_path, own) == 3.0
 
 
 @pytest.mark.parametrize("workers", [1, 3])
