@@ -51,9 +51,10 @@ def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
 
 
 class Recent(Generic[Found]):
-    """Things made when they are first asked for, by their keys. All are kept, or the ``most`` that were asked for last.
+    """Things made when they are first asked for, by their keys. All are kept, or as many as were asked for last.
 
-    A command meets a few models; a server that runs for weeks meets every one that is drawn in it, and sets ``most``.
+    A command meets a few models; a server that runs for weeks meets every one that is drawn in it, and sets ``most``
+    for all that is kept so. ``own`` is a bound of one of them, however many the process may keep.
 
     >>> squares = Recent()
     >>> squares.of(3, lambda: 9), squares.of(3, lambda: print("not asked"))
@@ -62,15 +63,15 @@ class Recent(Generic[Found]):
 
     most: ClassVar[int] = sys.maxsize
 
-    def __init__(self) -> None:
-        self._kept: OrderedDict[Hashable, Found] = OrderedDict()
+    def __init__(self, own: int = sys.maxsize) -> None:
+        self._own, self._kept = own, OrderedDict[Hashable, Found]()
 
     def of(self, key: Hashable, make: Callable[[], Found]) -> Found:
         """Give what belongs to a key; two threads that ask for it at once may both make it, and get the same."""
         found: Found = self._kept.get(key, _NOTHING)
         if found is _NOTHING:
             found = self._kept.setdefault(key, make())
-            while len(self._kept) > self.most:
+            while len(self._kept) > min(self._own, self.most):
                 self._kept.popitem(last=False)
         else:
             with contextlib.suppress(KeyError):  # let go by another thread

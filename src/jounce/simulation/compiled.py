@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from jounce.mechanics.model import Model
     from jounce.simulation.programs import Program
 
+_STATES_OF_REST = 256  # that a model remembers, unless less is kept of everything
 _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simulation")
 """Packages whose sources say what a rig compiles to."""
 
@@ -81,9 +81,9 @@ class Compiled:
         return tuple(output.name for output in self.facts.outputs)
 
     @cached_property
-    def equilibria(self) -> OrderedDict[object, Any]:
-        """States of rest found so far, the oldest first (see ``statics.find_equilibrium``)."""
-        return OrderedDict()
+    def equilibria(self) -> Recent[Any]:
+        """States of rest found lately (see ``statics.find_equilibrium``)."""
+        return Recent(_STATES_OF_REST)
 
     @cached_property
     def engine(self) -> Engine:

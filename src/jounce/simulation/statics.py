@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
 from functools import cache, cached_property
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
-from jounce.core.remembered import remembered
+from jounce.core.remembered import Recent, remembered
 from jounce.core.types import Array
 from jounce.mechanics.facts import Facts, is_road
 from jounce.roads.trial import LOADS
@@ -87,25 +86,20 @@ class Equilibrium:
         return float(np.max(np.abs(np.linalg.eigvals(self.reduced)), initial=0.0))
 
 
-_KEPT = 256  # states of rest that a model remembers
-
-
 def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Equilibrium:
     """Give the static equilibrium for given inputs, remembered where the model has stood there before.
 
     It is solved as :func:`_found_equilibrium` says; its arrays cannot be changed.
     """
-    key = p.tobytes(), u.tobytes(), None if start is None else start.tobytes()
-    known: OrderedDict[object, Equilibrium] = compiled.equilibria
-    found = known.get(key)
-    if found is None:
+
+    def make() -> Equilibrium:
         found = _found_equilibrium(compiled, p, u, start)
         for field in fields(found):
             getattr(found, field.name).setflags(write=False)
-        known[key] = found
-        while len(known) > _KEPT:
-            known.popitem(last=False)
-    return found
+        return found
+
+    known: Recent[Equilibrium] = compiled.equilibria
+    return known.of((p.tobytes(), u.tobytes(), None if start is None else start.tobytes()), make)
 
 
 def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array) -> Equilibrium:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import sys
 
 import pytest
 
@@ -48,9 +49,10 @@ def test_a_changed_copy_of_a_rig_has_its_own_numbers_and_structure():
     assert structure_of(softer) != structure == structure_of(rig)
 
 
-def test_those_asked_for_last_are_kept(monkeypatch):
-    monkeypatch.setattr(Recent, "most", 2)
-    made, recent = [], Recent()
+@pytest.mark.parametrize(("most", "own"), [(2, sys.maxsize), (sys.maxsize, 2), (2, 3)])
+def test_those_asked_for_last_are_kept(monkeypatch, most, own):
+    monkeypatch.setattr(Recent, "most", most)
+    made, recent = [], Recent(own)
 
     def of(key):
         return recent.of(key, lambda: made.append(key) or key.upper())

@@ -153,6 +153,18 @@ def test_a_run_repeated_is_the_same_run_whatever_is_remembered():
     assert first.identical(kept)
 
 
+def test_states_of_rest_are_remembered_as_far_as_everything_is(monkeypatch):
+    """A server met another one with every drag of a slider, and kept 256 of each of its models."""
+    from jounce.core.remembered import Recent
+    from jounce.simulation.compiled import compile_rig
+
+    monkeypatch.setattr(Recent, "most", 3)
+    rig = jounce.load("kart-double-wishbone")
+    for mass in range(10, 20):
+        jounce.equilibrium(rig.with_changes({"sprung.mass": float(mass)}))
+    assert len(compile_rig(rig).equilibria._kept) == 3
+
+
 def test_a_road_file_that_changes_between_two_runs_is_read_again(tmp_path):
     file = tmp_path / "road.csv"
     file.write_text("x [m], z [mm]\n0, 0\n0.5, 10\n1, 0\n")
