@@ -113,8 +113,10 @@ export class Form {
       const table = isTable(value) ? value : {}, kinds = choices.filter((one) => one.properties), kind = this.kindOf(kinds, table);
       const choose = make("select", { "aria-label": tr("kind of #", place) }, ...kinds.map((one, i) => make("option", { value: String(i), ...(one === kind ? { selected: true } : {}) }, key(spoken(one.title ?? "")))));
       choose.addEventListener("change", () => this.changed(keys, this.become(kinds[Number(choose.value)]!, table)));
-      details.append(make("summary", {}, label), ...(kinds.length > 1 ? [make("p", { class: "kind" }, choose)] : []), ...said,
-        ...this.rows(kind ?? {}, table, keys), ...away);
+      const rows = this.rows(kind ?? {}, table, keys);
+      if (away.length && !rows.at(-1)?.matches(".add")) rows.push(make("p", { class: "add" }));
+      rows.at(-1)?.append(...away);
+      details.append(make("summary", {}, label), ...(kinds.length > 1 ? [make("p", { class: "kind" }, choose)] : []), ...said, ...rows);
       return details;
     }
     const attributes = { id, ...(problems.length ? { "aria-invalid": "true", "aria-describedby": `${id}-wrong` } : {}) };
