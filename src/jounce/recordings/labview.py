@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from datetime import date
 from pathlib import Path
 
 import numpy as np
@@ -19,9 +20,10 @@ from jounce.core.units import LARGEST
 
 FIRST = "LabVIEW Measurement"
 _END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
-_OF_CHANNELS = ("Samples", "Y_Unit_Label", "X_Dimension", "X0", "Delta_X")
+_OF_CHANNELS = ("Samples", "Date", "Time", "Y_Unit_Label", "X_Dimension", "X0", "Delta_X")
 _DIGITS = 13  # of a count
 _SAME_TIME = 1e-3  # of the step
+_SAME_START = 0.1  # of the step, by clocks that LabVIEW asked one after the other
 _ROUNDING = 0.51e-6  # s, of six decimals
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
@@ -62,6 +64,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in kept]
     heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(kept, units, strict=True)]
     rows, written = _rows(lines, ends[1] + 2, separator, clocks, kept, step, file)
+    _check_stamps([(header["Date"][i], header["Time"][i]) for i in measured], _step_of(written, step), file)
     mark = "," if not has_commas and any("," in row for row in rows.values()) else "."
     table = [*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *[""] * (len(lines) - ends[1] - 2)]
     for (place, row), time in zip(rows.items(), _times(written, start, step).tolist(), strict=True):
@@ -99,6 +102,23 @@ def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Pa
                 )
 
 
+def _check_stamps(stamps: Sequence[tuple[str, str]], step: float, file: Path) -> None:
+    """Refuse channels that began at different times of the day; those that say none have no say."""
+    told = {" ".join(stamp): _moment(*stamp) for stamp in stamps if all(stamp)}
+    if len(told) > 1 and not np.ptp(list(told.values())) <= _SAME_START * step:  # nor where one is no time
+        raise _apart(f"{file}: Date, Time", told)
+
+
+def _moment(day: str, time: str) -> float:
+    """Seconds up to a moment since some day; NaN for what is none."""
+    try:
+        hours, minutes, seconds = map(float, time.replace(",", ".").split(":"))
+        days = date.fromisoformat(day.replace("/", "-")).toordinal() - date(2000, 1, 1).toordinal()
+    except ValueError:
+        return math.nan
+    return 86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds
+
+
 def _number(cell: str, where: str, line: int = 0) -> float:
     """Read a finite number, with a point or a comma."""
     try:
@@ -116,12 +136,12 @@ def _common(where: str, cells: Sequence[str]) -> float:
     """Give the one number that the header says of all channels; 0 where it says none."""
     numbers = {_number(cell, where): cell for cell in cells if cell}
     if len(numbers) > 1:
-        raise _apart(where, numbers.values())
+        raise _apart(where, [f"{cell} s" for cell in numbers.values()])
     return next(iter(numbers), 0.0)
 
 
 def _apart(where: str, cells: Iterable[str]) -> RecordingError:
-    found = " and ".join(cells) + " s"
+    found = " and ".join(cells)
     hint = "Write a file for each, or bring them onto one clock in LabVIEW (Align and Resample)."
     return RecordingError("channels begin or step differently", where=where, found=found, allowed=_ALLOWED, hint=hint)
 
@@ -150,12 +170,17 @@ def _rows(
             if len(own) > 1:
                 several[place] = own
     written = np.array(times)
-    steps = np.diff(written[np.isfinite(written)])
-    same = _SAME_TIME * abs(float(np.median(steps)) if steps.size else step)
+    same = _SAME_TIME * _step_of(written, step)
     for place, own in several.items():
         if max(own) - min(own) > same:
-            raise _apart(f"{file}, line {place + 1}", own.values())
+            raise _apart(f"{file}, line {place + 1}", [f"{cell} s" for cell in own.values()])
     return rows, written
+
+
+def _step_of(written: Array, step: float) -> float:
+    """The step between rows as it is written, or as the header says it."""
+    steps = np.diff(written[np.isfinite(written)])
+    return abs(float(np.median(steps)) if steps.size else step)
 
 
 def _times(written: Array, start: float, step: float) -> Array:

@@ -87,11 +87,11 @@ def test_channels_have_their_units_and_times(tmp_path, name, how):
         ({"segments": 2}, "found '2 segments'"),
         (
             {"header": {"Delta_X": ("0.001", "0.01")}},
-            "Delta_X: channels begin or step differently; found '0.001 and 0.01 s'",
+            "Delta_X: channels begin or step differently; found '0.001 s and 0.01 s'",
         ),
         (
             {"header": {"X0": ("0", "0.1")}, "columns": "Multi"},
-            "X0: channels begin or step differently; found '0 and 0.1",
+            "X0: channels begin or step differently; found '0 s and 0.1",
         ),
         ({"header": {"X_Dimension": ("Time", "Frequency")}}, "no signals over time; found 'Frequency'"),
         ({"header": {"Delta_X": ("NaN", "NaN")}}, "Delta_X: not a number of seconds; found 'NaN'"),
@@ -145,7 +145,7 @@ def test_channels_whose_times_differ_are_refused_whatever_the_header_says(tmp_pa
     how = {"columns": "Multi", "digits": 12, "header": {"Delta_X": step}}
     late = TIME + np.where(np.arange(40) == 39, 2e-6, 0.0)
     with pytest.raises(
-        RecordingError, match=r"line 5[56]: channels begin or step.*0.289000000000 and 0.289002000000 s"
+        RecordingError, match=r"line 5[56]: channels begin or step.*0.289000000000 s and 0.289002000000 s"
     ):
         read_recording(written(tmp_path / "late.lvm", times=(TIME, late), **how))
     record, findings = read_recording(written(tmp_path / "same.lvm", times=(TIME, TIME + 1e-12), **how))
@@ -246,3 +246,29 @@ def test_a_file_that_ends_in_its_header_and_another_text_are_refused(tmp_path):
         read_recording(tmp_path / "bare.lvm")
     with pytest.raises(RecordingError, match="not a LabVIEW measurement file"):
         read_recording(tmp_path / "other.lvm")
+
+
+STAMPS = {"Date": ("2024/05/06", "2024/05/06"), "Time": ("10:45:47,0352", "10:45:47,0352")}
+
+
+@pytest.mark.parametrize("columns", ["One", "Multi", "No"])
+@pytest.mark.parametrize(
+    ("day", "time"),
+    [("2024/05/06", "10:45:47,1352"), ("2024/05/07", "10:45:47,0352"), ("2024/05/06", "10:45:47,0354"), ("never", "x")],
+)
+def test_channels_that_began_at_different_times_of_the_day_are_refused(tmp_path, columns, day, time):
+    """They were read as if they had begun together: X0 counts from each one's own stamp."""
+    header = {"Date": ("2024/05/06", day), "Time": ("10:45:47,0352", time)}
+    file = written(tmp_path / "run.lvm", columns=columns, header=header)
+    with pytest.raises(
+        RecordingError, match=r"Date, Time: channels begin or step differently; found '2024/05/06 10:45"
+    ):
+        read_recording(file)
+
+
+@pytest.mark.parametrize("second", ["10:45:47,0352", "10:45:47.035209", ""])
+def test_stamps_that_are_the_same_within_a_tenth_of_a_step_are(tmp_path, second):
+    header = STAMPS | {"Time": ("10:45:47,0352", second)}
+    run, _ = read_recording(written(tmp_path / "run.lvm", columns="Multi", header=header))
+    plain, _ = read_recording(written(tmp_path / "plain.lvm", columns="Multi"))
+    assert run.equals(plain)
