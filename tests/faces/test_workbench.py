@@ -28,7 +28,7 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.remembered import Recent
 from jounce.parts import library
 from jounce.variants.shards import SCHEMA
-from jounce.web import serve, serving
+from jounce.web import forms, serve, serving
 from jounce.web.project import Project
 from jounce.web.safety import HEADERS
 
@@ -450,11 +450,29 @@ def test_an_edit_is_told_in_python_and_as_a_command(ask, monkeypatch, capsys):
     exec(changed["python"], {})  # noqa: S102 - that is what it is for
     assert jn.load(path) == jn.load(ask.folder / path)
     assert ask("POST", "/api/form", {"path": path, "text": changed["text"]})[1]["python"] == f"{head}\nprint(rig)\n"
+    assert changed["command"] == ""  # which checks what is saved
+    changed = ask("POST", "/api/form", {"path": path, "text": (ask.folder / path).read_text()})[1]
     assert main(shlex.split(changed["command"])[1:]) == 0
     assert path in capsys.readouterr().out
     other = ask("POST", "/api/form", {"path": path, "text": KART, "sets": [[["source"], "measured"]]})[1]
     unsaved = ask("POST", "/api/form", {"path": "nowhere-yet.toml", "text": KART})[1]
     assert all("once it is saved" in one["python"] for one in (other, unsaved))
+
+
+@pytest.mark.parametrize("name", sorted(library()))
+def test_an_edit_in_python_is_that_of_the_page(tmp_path, monkeypatch, name):
+    """Of every shipped file, those of cars among them that name their corners."""
+    text = library()[name].read_text(encoding="utf-8")
+    (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
+    path, value = next(
+        (path, value) for path, value in jn.load(name).parameters().items() if value and path.endswith("mass")
+    )
+    form = forms.form_of(Project(tmp_path), "mine.toml", text, (), {path: 1.01 * value})
+    monkeypatch.chdir(tmp_path)
+    exec(form.python, {})  # noqa: S102 - that is what it is for
+    (tmp_path / "typed.toml").write_text(form.text, encoding="utf-8")
+    assert jn.load("mine.toml") == jn.load("typed.toml") != jn.load(name)
+    assert text.splitlines()[0] in (tmp_path / "mine.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(
@@ -673,9 +691,18 @@ def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):
 @pytest.mark.parametrize("name", sorted(library()))
 def test_rigs_with_hardpoints_are_known_by_their_text(tmp_path, name):
     text = library()[name].read_text(encoding="utf-8")
-    (tmp_path / "rig.toml").write_text(f"# hardpoints = none\n{text}", encoding="utf-8")
+    (tmp_path / "rig.toml").write_text(f"# hardpoints = none\n{text}" + "\n" * 100_000, encoding="utf-8")
     (entry,) = Project(tmp_path).entries()
     assert entry.has_hardpoints == (entry.kind == "rig" and "hardpoints" in tomllib.loads(text))
+
+
+def test_whether_a_rig_has_hardpoints_is_asked_of_what_it_is_now(tmp_path):
+    file, head = tmp_path / "rig.toml", 'schema = "jounce.rig/1"\n'
+    texts = {"": False, "'hardpoints' = {}\n": True, "hardpoints = [\n": False, 'x = "[hardpoints]"\n': False}
+    for text, has in texts.items():
+        file.write_text(head + text)
+        (entry,) = Project(tmp_path).entries()
+        assert entry.has_hardpoints is has
 
 
 def test_what_a_sweep_wrote_is_one_entry_with_how_far_it_is(tmp_path):

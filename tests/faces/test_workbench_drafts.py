@@ -235,11 +235,19 @@ def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(page: Any
 
     show(page, base, address)
     text, out = page.get_by_label("text of entered/campaign.toml"), page.get_by_label("Folder of the results")
+    mass = page.get_by_label("Oscillating mass")
+    assert mass.input_value() == "16 kg"
+    typed('title = "My', 'title = "Your')
+    left_and_restored()  # nobody changed it
+    page.get_by_role("button", name="Discard", exact=True).last.click()
     out.fill("entered/again")
     to_project(page)
+    rig = folder / "entered" / "rig.toml"
+    rig.write_text(rig.read_text().replace('mass = "16 kg"', 'mass = "20 kg"', 1))
     file.write_text(f"{file.read_text()}\n# entered elsewhere\n")
     left_and_restored()
     assert out.input_value() == "entered/again"
+    assert mass.input_value() == "20 kg"  # nobody typed it
     assert text.input_value().endswith("# entered elsewhere\n")
     typed('title = "My', 'title = "Our')
     page.get_by_role("button", name="Run the campaign").click()

@@ -73,15 +73,38 @@ def test_what_is_seen_of_a_record_is_told_in_python_and_as_a_command(
     records, _ = opened
     rows = "".join(f"{0.01 * i:.2f}, {i}, {i % 7}\n" for i in range(50))
     (tmp_path / "of a bench.csv").write_text(f"time [s], up [mm], sprung.z [mm]\n{rows}")
-    ways = records.ways("of a bench.csv", ["up", "sprung.z"])
+    about = {"channels": [{"name": "up", "unit": "mm"}, {"name": "sprung.z", "unit": "mm"}]}
+    ways = records.ways("of a bench.csv", about, ["up", "sprung.z"])
     monkeypatch.chdir(tmp_path)
     names: dict[str, Any] = {}
     exec(ways["python"], names)  # noqa: S102 - that is what it is for
     assert list(names["recording"]) == ["sprung.z"]
     assert len(names["figure"].axes) == 1
-    assert ways["python"].endswith("to be mapped with columns={...}: up\n")
+    assert "to be mapped with columns={...}: ['up']\n" in ways["python"]
     assert main(shlex.split(ways["command"])[1:]) == 0
     assert (tmp_path / "record.png").is_file()
+
+
+@pytest.mark.parametrize(
+    "channels",
+    [
+        [("up", "mm"), ("down", "mm")],
+        [("sprung.z", "")],
+        [("sprung.z", "N"), ("unsprung.z", "mm")],
+        [("sprung.z", "mm"), ("sprung.z #2", "mm")],
+        [("up\nraise SystemExit", "mm"), ("a\u2028raise SystemExit", "mm")],
+    ],
+    ids=["unknown", "no unit", "wrong unit", "twice", "lines"],
+)
+def test_of_columns_that_must_be_mapped_nothing_is_told_that_fails(
+    opened: Any, channels: list[tuple[str, str]]
+) -> None:
+    records, _ = opened
+    about = {"channels": [{"name": name, "unit": unit} for name, unit in channels]}
+    ways = records.ways("bench.csv", about, [name for name, _ in channels])
+    exec(ways["python"], {})  # noqa: S102 - that is what it is for
+    assert any(repr(name) in ways["python"] for name, _ in channels)
+    assert ways["command"] == ""
 
 
 def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(tmp_path: Path) -> None:

@@ -76,7 +76,7 @@ export function isFast(): boolean {
 
 /** Gives a canvas a size in pixels of the page, drawn as fine as the screen is; what was on it is gone. */
 export function sized(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
-  const scale = Math.min(devicePixelRatio || 1, 2);
+  const scale = Math.min(devicePixelRatio || 1, 3);
   canvas.width = Math.round(width * scale); canvas.height = Math.round(height * scale);
   canvas.style.width = `${width}px`; canvas.style.height = `${height}px`;
   const context = canvas.getContext("2d", { willReadFrequently: true })!;
@@ -86,7 +86,7 @@ export function sized(canvas: HTMLCanvasElement, width: number, height: number):
 
 const listeners = new Set<() => void>();
 
-/** Calls back when the page becomes light or dark. */
+/** Calls back when the page becomes light or dark, or finer: enlarged, or on another screen. */
 export function whenColoursChange(change: () => void): void {
   listeners.add(change);
 }
@@ -106,6 +106,11 @@ export function leave(): void {
 function changed(): void {
   for (const change of listeners) change();
 }
+
+function watchPixels(): void {
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => { changed(); watchPixels(); }, { once: true });
+}
+watchPixels();
 
 /** Light, dark, or what the system says. */
 export function themeButton(): HTMLButtonElement {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import textwrap
 import tomllib
@@ -263,17 +264,17 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
     return tomlkit.dumps(document)
 
 
-def updated_text(text: str, rig: Rig) -> str:
-    """Write the values of ``rig`` into the text of the rig file it came from.
+def updated_text(text: str, rig: Rig, where: str = "") -> str:
+    """Write the values of ``rig`` into the text of the rig file it came from, which lies, or will lie, ``where``.
 
     Numbers that changed are replaced in place. Where a law changed its kind (a tyre stiffness became a curve), its
     table is replaced; everything else stays as it was, comments included.
     """
     document = tomlkit.parse(text)
-    described = rig_from_table(tomllib.loads(text))
+    described = rig_from_table(tomllib.loads(text), where=where)
     _reshape(document, _table(rig), _table(described))
     reshaped = tomlkit.dumps(document)
-    before, after = parameters_of(rig_from_table(tomllib.loads(reshaped))), parameters_of(rig)
+    before, after = parameters_of(rig_from_table(tomllib.loads(reshaped), where=where)), parameters_of(rig)
     return changed_text(reshaped, rig, {path: value for path, value in after.items() if before.get(path) != value})
 
 
@@ -288,12 +289,22 @@ def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> No
     for key, value in wanted.items():
         old = described.get(key)
         if isinstance(value, dict) and isinstance(old, dict):
-            if key in here:
+            if isinstance(here.get(key), str):  # a corner by its name
+                if _has_other_parts(value, old):
+                    here[key] = _plain(value)
+            elif key in here:
                 _reshape(here[key], value, old)
             elif value:
                 here[key] = _plain(value)
         elif old is None or _is_another_law(value, old):
             here[key] = _plain(value)
+
+
+def _has_other_parts(value: Any, old: Any) -> bool:
+    """Whether more than numbers differs."""
+    if isinstance(value, dict) and isinstance(old, dict):
+        return value.keys() != old.keys() or any(_has_other_parts(value[key], old[key]) for key in value)
+    return _is_another_law(value, old)
 
 
 def _is_another_law(value: Any, old: Any) -> bool:
@@ -347,14 +358,29 @@ def save(rig: Rig, path: Path | str, *, like: Path | str | None = None, force: b
     model = rig_path(like) if like is not None else file if file.is_file() else None
     if model is None:
         return write_atomically(file, rig_text(rig), force=force)
-    text = read_toml(model)[1]
-    described = rig_from_table(tomllib.loads(text), where=str(model), text=text)
+    text = _moved(read_toml(model)[1], model.parent, file.parent)
+    described = rig_from_table(tomllib.loads(text), where=str(file), text=text)
     if type(described) is not type(rig):
         if like is None:  # what is overwritten has nothing to keep
             return write_atomically(file, rig_text(rig), force=force)
         found = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
         raise DescriptionError("not a file of the same model", where=str(model), found=found)
-    return write_atomically(file, updated_text(text, rig), force=force)
+    return write_atomically(file, updated_text(text, rig, str(file)), force=force)
+
+
+def _moved(text: str, before: Path, after: Path) -> str:
+    """Give the text of a vehicle as it says the same from another folder, whose corners may lie beside it."""
+    if before.resolve() == after.resolve():
+        return text
+    document = tomlkit.parse(text)
+    for axle in ("front", "rear"):
+        entry = document.get(axle)
+        if not isinstance(entry, dict):
+            continue
+        name = entry.get("corner")
+        if isinstance(name, str) and (before / name).is_file():
+            entry["corner"] = Path(os.path.relpath(before / name, after)).as_posix()
+    return tomlkit.dumps(document)
 
 
 def _written(rig: Rig, parents: list[str | int]) -> Any:

@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from datetime import date
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +26,7 @@ _OF_CHANNELS = ("Samples", "Date", "Time", "Y_Unit_Label", "X_Dimension", "X0", 
 _DIGITS = 13  # of a count
 _SAME_TIME = 1e-3  # of the step
 _SAME_START = 0.1  # of the step, by clocks that LabVIEW asked one after the other
-_ROUNDING = 0.51e-6  # s, of six decimals
+_HALF, _ROUNDING = 0.51, 0.51e-6  # of the last decimal, and of six of them in s
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
@@ -63,11 +65,11 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     start, step = (_common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X"))
     units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in kept]
     heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(kept, units, strict=True)]
-    rows, written = _rows(lines, ends[1] + 2, separator, clocks, kept, step, file)
+    rows, written, last = _rows(lines, ends[1] + 2, separator, clocks, kept, step, file)
     _check_stamps([(header["Date"][i], header["Time"][i]) for i in measured], _step_of(written, step), file)
     mark = "," if not has_commas and any("," in row for row in rows.values()) else "."
     table = [*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *[""] * (len(lines) - ends[1] - 2)]
-    for (place, row), time in zip(rows.items(), _times(written, start, step).tolist(), strict=True):
+    for (place, row), time in zip(rows.items(), _times(written, last, start, step).tolist(), strict=True):
         table[place] = ("" if math.isnan(time) else repr(time).replace(".", mark)) + separator + row
     announced = [int(cell) for cell in header["Samples"] if cell.isdecimal() and len(cell) < _DIGITS]
     return "\n".join(table), max(announced, default=None)
@@ -105,24 +107,25 @@ def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Pa
 def _check_stamps(stamps: Sequence[tuple[str, str]], step: float, file: Path) -> None:
     """Refuse channels that began at different times of the day; those that say none have no say."""
     told = {" ".join(stamp): _moment(*stamp) for stamp in stamps if all(stamp)}
-    if len(told) > 1 and not np.ptp(list(told.values())) <= _SAME_START * step:  # nor where one is no time
+    moments = [moment for moment in told.values() if moment is not None]
+    if len(told) > 1 and (len(moments) < len(told) or max(moments) - min(moments) > _SAME_START * step):
         raise _apart(f"{file}: Date, Time", told)
 
 
-def _moment(day: str, time: str) -> float:
-    """Seconds up to a moment since some day; NaN for what is none."""
+def _moment(day: str, time: str) -> Fraction | None:
+    """Seconds up to a moment since some day, which floats do not hold to a microsecond; none for what is no moment."""
     try:
-        hours, minutes, seconds = map(float, time.replace(",", ".").split(":"))
-        days = date.fromisoformat(day.replace("/", "-")).toordinal() - date(2000, 1, 1).toordinal()
-    except ValueError:
-        return math.nan
-    return 86400.0 * days + 3600.0 * hours + 60.0 * minutes + seconds
+        hours, minutes, seconds = map(Fraction, time.replace(",", ".").split(":"))
+        days = date.fromisoformat(day.replace("/", "-")).toordinal()
+    except (ValueError, ZeroDivisionError):
+        return None
+    return 86400 * days + 3600 * hours + 60 * minutes + seconds
 
 
 def _number(cell: str, where: str, line: int = 0) -> float:
     """Read a finite number, with a point or a comma."""
     try:
-        number = float(cell.replace(",", "."))
+        number = float(cell.replace(",", ".")) if "_" not in cell else math.nan
     except ValueError:
         number = math.nan
     if not abs(number) <= LARGEST:
@@ -154,19 +157,20 @@ def _rows(
     kept: Sequence[int],
     step: float,
     file: Path,
-) -> tuple[dict[int, str], Array]:
+) -> tuple[dict[int, str], Array, float]:
     """Cells of the channels in each row that is not empty, by its place in the lines, and its time, NaN without one.
 
-    Refuses times of a row that are apart by more than a thousandth of the step between rows, or of the header's
-    ``step`` where times are written in one row only.
+    With them what one of the last decimal is worth that is written of any time. Refuses times of a row that are apart
+    by more than a thousandth of the step between rows, or of the header's ``step`` where one row only has times.
     """
-    rows, times, several = dict[int, str](), list[float](), dict[int, dict[float, str]]()
+    rows, times, several, last = dict[int, str](), list[float](), dict[int, dict[float, str]](), 0
     for place, line in enumerate(lines[first:], start=first):
         cells = _cells(line, separator)
         if any(cells):
             own = {_number(cells[i], str(file), place + 1): cells[i] for i in clocks if i < len(cells) and cells[i]}
             rows[place] = separator.join(cells[i] for i in kept if i < len(cells))
             times.append(next(iter(own), math.nan))
+            last = min([last, *(int(Decimal(cell.replace(",", ".")).as_tuple().exponent) for cell in own.values())])
             if len(own) > 1:
                 several[place] = own
     written = np.array(times)
@@ -174,7 +178,7 @@ def _rows(
     for place, own in several.items():
         if max(own) - min(own) > same:
             raise _apart(f"{file}, line {place + 1}", [f"{cell} s" for cell in own.values()])
-    return rows, written
+    return rows, written, 10.0**last
 
 
 def _step_of(written: Array, step: float) -> float:
@@ -183,14 +187,15 @@ def _step_of(written: Array, step: float) -> float:
     return abs(float(np.median(steps)) if steps.size else step)
 
 
-def _times(written: Array, start: float, step: float) -> Array:
+def _times(written: Array, last: float, start: float, step: float) -> Array:
     """Time of each row (s): as written, or from start and step where none is.
 
-    What is written may be start and step, rounded as LabVIEW does: then it is these. A start so far from zero that
-    floats do not hold the steps behind it is left out.
+    What is written may be start and step, rounded to its ``last`` decimal as LabVIEW does: then it is these. A start so
+    far from zero that floats do not hold the steps behind it is left out.
     """
     counted = step * np.arange(written.size, dtype=float)
-    is_rounded = np.abs(written - start - counted) <= min(_ROUNDING, step / 2)
+    rounding = min(_HALF * last, _ROUNDING) + math.ulp(start)
+    is_rounded = np.abs(written - start - counted) <= min(rounding, step / 2)
     if not is_rounded.all() and not np.isnan(written).all():
         return written
     return counted if math.ulp(start) > _SAME_TIME * step else start + counted

@@ -201,7 +201,7 @@ def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], on: Trial, m
     )
     if measured:
         python += f"measured, findings = jn.read_recording({measured!r})\n"
-    command = ["jounce", "simulate", name, *set_by(changes), "--road", "road.toml"]
+    command = ["jounce", "simulate", word(name), *set_by(changes), "--road", "road.toml"]
     command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
     table = tomlkit.dumps({"kind": kind, **road})
     return {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
@@ -252,6 +252,11 @@ def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
         most = f"up to {_MOST_STEPS * _STEP:g} s"
         raise DescriptionError("too long to be waited for", where="duration", found=table["duration"], allowed=most)
     return trial
+
+
+def word(path: str) -> str:
+    """A path as a word of a command, which takes one that begins with a dash for an option."""
+    return f"./{path}" if path.startswith("-") else path
 
 
 def changed_by(changes: Changes) -> str:

@@ -231,7 +231,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def record(path: str) -> dict[str, Any]:
         """What a record holds: channels with their units, samples, and from when to when."""
         found = records.open(path)
-        return {**found.about, **records.ways(path, [one["name"] for one in found.about["channels"]])}
+        return {**found.about, **records.ways(path, found.about, [one["name"] for one in found.about["channels"]])}
 
     @app.post("/api/record")
     def part(asked: Part, request: Request) -> Response:
@@ -240,7 +240,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         low = found.about["first"] if asked.low is None else asked.low
         high = found.about["last"] if asked.high is None else asked.high
         shown = found.viewer(asked.channels, low, high, asked.columns)
-        return _told(answers.Shown(shown, records.ways(asked.path, asked.channels)), request)
+        return _told(answers.Shown(shown, records.ways(asked.path, found.about, asked.channels)), request)
 
     @app.post("/api/simulate")
     def simulate(asked: Run, request: Request) -> Response:

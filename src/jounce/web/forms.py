@@ -18,7 +18,7 @@ from tomlkit.exceptions import TOMLKitError
 from jounce.core.description import toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
-from jounce.web.answers import changed_by, described, rig_in
+from jounce.web.answers import changed_by, described, rig_in, word
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Form:
     """A text of a rig beside what it says.
 
     ``values`` are as they are typed, ``rig`` the numbers by path where the text is right, ``changed`` the lines that
-    differ from the file as it is saved, ``python`` and ``command`` the same edit, or look, by other ways.
+    differ from the file as it is saved, ``python`` the same edit, or look, ``command`` the look at what is saved.
     """
 
     text: str
@@ -104,7 +104,8 @@ def form_of(
             numbers, python = described(rig, path), _python(project, path, saved, rig)
     except JounceError as error:
         return Form(text, values, model, _problems(error), None, _differing(saved, text))
-    command = shlex.join(["jounce", "check", path])
+    is_saved = text == saved.replace("\r\n", "\n")  # a command knows no other
+    command = shlex.join(["jounce", "check", word(path)]) if is_saved else ""
     return Form(text, values, model, (), numbers, _differing(saved, text), python, command)
 
 

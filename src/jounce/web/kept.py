@@ -17,7 +17,7 @@ from typing import Any
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json
-from jounce.web.answers import Changes, Shown, digest_of, rig_of, trial_of
+from jounce.web.answers import Changes, Shown, digest_of, rig_of, trial_of, word
 from jounce.web.project import Project
 
 _PLACE, _RUNS = (".jounce", "history"), "runs"
@@ -90,7 +90,7 @@ def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) ->
     runs = {path: jn.read_recording(project.inside(path))[0] for path in dict.fromkeys(paths)}
     lines = "".join(f"    {path!r}: jn.read_recording({path!r})[0],\n" for path in runs)
     python = f"import jounce as jn\n\nfigure = jn.plots.compare({{\n{lines}}})\n"
-    command = shlex.join(["jounce", "plot", *runs, "--figure", "compared.png"])
+    command = shlex.join(["jounce", "plot", *map(word, runs), "--figure", "compared.png"])
     return Shown(curve_viewer({"": runs}, list(channels) or None), {"python": python, "command": command, "files": {}})
 
 

@@ -6,8 +6,10 @@ import contextlib
 import os
 import re
 import time
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from stat import S_ISREG
@@ -20,7 +22,6 @@ _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are liste
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
-_HARDPOINTS = re.compile(rb"^\s*\[?\s*hardpoints\s*[].=]", re.MULTILINE)
 _ROW = re.compile(rb"^\s*[-+]?[\d.][\d.,eE+-]*[\s;,]+[-+]?\.?\d", re.MULTILINE)
 RECORDS = (
     ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".xlsx", ".xlsm",
@@ -99,7 +100,7 @@ class Project:
             if kind and not (kind == "results" and file.parent in swept):
                 state = file.stat()
                 path = file.relative_to(self.root).as_posix()
-                is_spatial = kind == "rig" and _has_hardpoints(file)
+                is_spatial = kind == "rig" and _has_hardpoints(file, state.st_size, state.st_mtime_ns)
                 found.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
             if len(found) == _MOST:
                 break
@@ -241,11 +242,12 @@ def _kind(file: Path) -> str:
     return "results" if _is_written(file) else "record"
 
 
-def _has_hardpoints(file: Path) -> bool:
+@lru_cache(256)
+def _has_hardpoints(file: Path, size: int, _written: int) -> bool:
+    """Whether the text of a rig has them, as it was when it had that size and was written."""
     try:
-        with file.open("rb") as stream:
-            return _HARDPOINTS.search(stream.read(LONGEST)) is not None
-    except OSError:
+        return size <= LONGEST and "hardpoints" in tomllib.loads(file.read_text(encoding="utf-8-sig"))
+    except (OSError, ValueError, RecursionError):
         return False
 
 

@@ -8,12 +8,13 @@ import shlex
 import shutil
 import tempfile
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, JounceError
+from jounce.web.answers import word
 from jounce.web.jobs import Jobs
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
@@ -44,17 +45,20 @@ class Records:
                 self._read(path, file, folder)
         return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
 
-    def ways(self, path: str, channels: Sequence[str]) -> dict[str, Any]:
-        """The same in Python and on the command line, which know the channels of the schema only."""
-        from jounce.recordings.schema import quantity_of
-
-        known = [one for one in channels if quantity_of(one)]
-        python = f"import jounce as jn\n\nrecording, findings = jn.read_recording({path!r})\n"
-        python += f"figure = jn.plots.time_history(recording{f', {known!r}' if known else ''})\n"
-        if others := [one for one in channels if one not in known]:
-            python += f"# no known channels, to be mapped with columns={{...}}: {', '.join(others)}\n"
-        command = ["jounce", "plot", path, *known, "--figure", "record.png"]
-        return {"python": python, "command": shlex.join(command), "files": {}}
+    def ways(self, path: str, about: Mapping[str, Any], channels: Sequence[str]) -> dict[str, Any]:
+        """The same in Python and on the command line, which read known channels with a unit of theirs only."""
+        every = {one["name"]: one["unit"] for one in about["channels"]}
+        read = [one for one in channels if _is_known(one) and _is_of(one, every[one])]
+        wrong = [one for one in every if (_is_known(one) and not _is_of(one, every[one])) or " #" in one]
+        others = [*wrong, *(one for one in channels if one not in read and one not in wrong)]
+        python, command = "import jounce as jn\n\n", ""
+        if others:
+            python += f"# no known channels, or not of their unit, to be mapped with columns={{...}}: {others!r}\n"
+        if read and not wrong:
+            python += f"recording, findings = jn.read_recording({path!r})\n"
+            python += f"figure = jn.plots.time_history(recording, {read!r})\n"
+            command = shlex.join(["jounce", "plot", word(path), *read, "--figure", "record.png"])
+        return {"python": python, "command": command, "files": {}}
 
     def _place(self) -> Path:
         """Where it is kept: in the project, or as long as the server lives where nothing can be written there."""
@@ -81,3 +85,20 @@ class Records:
         for old in kept[:-_MOST_KEPT]:
             if old != new:
                 shutil.rmtree(old, ignore_errors=True)
+
+
+def _is_known(name: str) -> bool:
+    from jounce.recordings.schema import quantity_of
+
+    return bool(quantity_of(name))
+
+
+def _is_of(name: str, unit: str) -> bool:
+    """Whether a unit is one of the known channel of that name."""
+    from jounce.core.units import conversion_factor
+    from jounce.recordings.schema import channel_unit
+
+    try:
+        return conversion_factor(unit or "1", channel_unit(name)) != 0.0
+    except JounceError:
+        return False

@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.web.answers import ONE, Changes, Shown, arguments, changed_by, digest_of, rig_of, set_by, variants
+from jounce.web.answers import ONE, Changes, Shown, arguments, changed_by, digest_of, rig_of, set_by, variants, word
 from jounce.web.project import Project
 
 if TYPE_CHECKING:
@@ -179,7 +179,7 @@ def _ways(asked: Question) -> dict[str, Any]:
         "rack": lambda: f"jn.sweep_rack(rig, {asked.rack!r}{arguments(_given(asked, 'travel'), ', ')})",
         "roll": lambda: f"jn.sweep_roll(rig, {asked.roll!r}{arguments(_given(asked, 'rack'), ', ')})",
     }
-    command = ["jounce", "kinematics", asked.rig, *set_by(asked.changes)]
+    command = ["jounce", "kinematics", word(asked.rig), *set_by(asked.changes)]
     others = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[asked.over]
     command += [f"--{name}={value}" for name in others if (value := getattr(asked, name))]
     command += ["--out", "curves.csv"]

@@ -78,3 +78,34 @@ def test_a_right_corner_is_refused():
 def test_a_joint_has_three_coordinates():
     with pytest.raises(DescriptionError, match="three values along x, y and z"):
         jn.load("kart-whole-vehicle").with_changes({"body.joint": [0.0, 0.35]})
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        ({"body.mass": "250 kg"}, 2),
+        ({"front.corner.tyre.stiffness": "90 N/mm"}, 1),
+        ({"front.corner.hardpoints.tie_rod_inner[2]": "151 mm"}, 1),
+    ],
+)
+def test_a_car_is_saved_over_a_file_that_names_its_corners(tmp_path, change, named):
+    """The name stays where the corner is as it was; else its table takes the name's place."""
+    (tmp_path / "own.toml").write_text(CORNER, encoding="utf-8")
+    (tmp_path / "elsewhere").mkdir()
+    file = written(tmp_path, corner='"own.toml"')
+    car = jn.load(file).with_changes(change)
+    there = jn.save(car, tmp_path / "elsewhere" / "car.toml", like=file)
+    jn.save(car, file, force=True)
+    assert jn.load(file) == jn.load(there) == car
+    assert file.read_text(encoding="utf-8").count('corner = "own.toml"') == named
+    assert there.read_text(encoding="utf-8").count('corner = "../own.toml"') == named
+    assert CAR.splitlines()[0] in there.read_text(encoding="utf-8")
+
+
+def test_a_named_corner_of_other_parts_becomes_a_table(tmp_path):
+    car = jn.load("formula-student-car")
+    strut = car.front.corner.strut.model_copy(update={"bump_stop": None})
+    corner = car.front.corner.model_copy(update={"strut": strut})
+    without = car.model_copy(update={"front": car.front.model_copy(update={"corner": corner})})
+    file = jn.save(without, tmp_path / "car.toml", like="formula-student-car")
+    assert jn.load(file) == without != car

@@ -272,3 +272,29 @@ def test_stamps_that_are_the_same_within_a_tenth_of_a_step_are(tmp_path, second)
     run, _ = read_recording(written(tmp_path / "run.lvm", columns="Multi", header=header))
     plain, _ = read_recording(written(tmp_path / "plain.lvm", columns="Multi"))
     assert run.equals(plain)
+
+
+def test_stamps_of_many_decimals_are_told_apart_by_no_more_than_they_are(tmp_path):
+    """Of seconds since some year floats hold 1e-7 s: at 1 MHz that was a tenth of a step."""
+    stamps = {"Date": ("2024/05/06",) * 2, "Time": ("10:45:47.0352557312499836422", "10:45:47.03525573")}
+    header = stamps | {"X0": ("0", "0"), "Delta_X": ("1E-6", "1E-6")}
+    run, _ = read_recording(written(tmp_path / "run.lvm", columns="No", header=header))
+    assert float(run["time"][1]) == pytest.approx(1e-6)
+
+
+def test_times_that_jitter_by_more_than_their_last_decimal_are_no_rounded_ones(tmp_path):
+    """They were those of the header, though nine decimals were written."""
+    count, step = len(BODY), 1e-5
+    jitter = 4.5e-7 * np.sin(7.0 * np.arange(count))
+    times = step * np.arange(count) + jitter
+    how = {"header": {"X0": ("0", "0"), "Delta_X": ("0.000010", "0.000010")}, "digits": 9}
+    with pytest.raises(RecordingError, match=r"the time step jitters by 3\.\d+ %"):
+        read_recording(written(tmp_path / "run.lvm", times=(times, times), **how))
+
+
+def test_times_far_from_zero_are_rounded_ones_as_floats_hold_them(tmp_path):
+    start, step = 3_660_000_000.123457, 1.953125e-5
+    times = start + step * np.arange(len(BODY))
+    how = {"header": {"X0": (repr(start),) * 2, "Delta_X": (repr(step),) * 2}, "digits": 6}
+    run, _ = read_recording(written(tmp_path / "run.lvm", times=(times, times), **how))
+    assert np.diff(run["time"].to_numpy()) == pytest.approx(step, rel=1e-9)

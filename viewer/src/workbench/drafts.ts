@@ -45,9 +45,9 @@ export class Drafts<T extends object> {
   private lies = false;
   private isOver = false;
 
-  /** `was` is the digest of the file as the page knows it, `waits` whether something is under way that the state does not have yet. */
+  /** `was` is the digest of the file as the page knows it, `waits` whether something is under way that the state does not have yet, `follows` whether the state is of that file, and not of any. */
   constructor(private readonly folder: string, private readonly page: string, private saved: T, private readonly state: () => T, private readonly restore: (state: T) => Promise<void> | void,
-    private readonly was: () => string = () => "", private readonly waits: () => boolean = () => false) {
+    private readonly was: () => string = () => "", private readonly waits: () => boolean = () => false, private readonly follows: () => boolean = () => true) {
     this.own = `${prefix(folder, page)}${Date.now().toString(36)}-${Math.random().toString(36).slice(2, 8)}`;
     open.add(this as unknown as Drafts<object>);
     whenLeft(() => { this.isLeft = true; this.keep(); });
@@ -72,7 +72,7 @@ export class Drafts<T extends object> {
     try {
       if (JSON.stringify(state) === JSON.stringify(this.saved)) { localStorage.removeItem(this.own); this.lies = false; }
       else {
-        localStorage.setItem(this.own, JSON.stringify({ at: Date.now(), was: this.was(), state } satisfies Draft));
+        localStorage.setItem(this.own, JSON.stringify({ at: Date.now(), was: this.follows() ? this.was() : "", state } satisfies Draft));
         this.lies = true;
         for (const { key } of lying("jounce-draft\n").slice(MOST)) discard(key);
       }
@@ -124,6 +124,9 @@ type Controls = Record<string, HTMLInputElement | HTMLSelectElement>;
 
 /** What stands in controls, by their names. */
 export const entered = (controls: Controls): Record<string, string> => Object.fromEntries(Object.entries(controls).map(([name, one]) => [name, one.type === "checkbox" ? String((one as HTMLInputElement).checked) : one.value]));
+
+/** The same of those that are not as they were at first. */
+export const typedIn = (controls: Controls, first: Record<string, string>): Record<string, string> => Object.fromEntries(Object.entries(entered(controls)).filter(([name, value]) => value !== first[name]));
 
 /** Enters it again, each as if it were typed, in the order of the controls; a choice that is not there any more stays as it is. */
 export function enter(controls: Controls, values: Record<string, string>): void {

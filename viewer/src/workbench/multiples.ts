@@ -23,7 +23,7 @@ export class Multiples {
   /** `moved` hears where the pointer is on the axis. */
   constructor(private readonly moved: (x: number) => void) {
     new ResizeObserver(() => this.sized()).observe(this.element);
-    whenColoursChange(() => { this.colours = {}; this.draw(); });
+    whenColoursChange(() => { this.colours = {}; this.sized(); });
   }
 
   show(model: Model, store: Store, bands: Band[]): void {

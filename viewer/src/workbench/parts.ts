@@ -34,7 +34,7 @@ export function copied(title: string, text: string): HTMLElement {
 
 /** The same by other ways, to copy. */
 export function ways({ python, command, files }: Answer): HTMLElement[] {
-  return [copied(tr("The same in Python"), python), copied(tr("The same on the command line"), command), ...Object.entries(files).map(([name, content]) => copied(name, content))];
+  return [copied(tr("The same in Python"), python), ...(command ? [copied(tr("The same on the command line"), command)] : []), ...Object.entries(files).map(([name, content]) => copied(name, content))];
 }
 
 /** Says that the file of a rig was changed since its numbers were put on the page, wherever an answer comes from another one. */
@@ -54,7 +54,7 @@ export class Outdated {
 export class Ways {
   readonly element = make("div", { class: "ways" });
   show({ python, command, files }: Answer): void {
-    const texts = [python, command, ...Object.values(files)], places = this.element.querySelectorAll("pre");
+    const texts = [python, ...(command ? [command] : []), ...Object.values(files)], places = this.element.querySelectorAll("pre");
     if (places.length === texts.length) places.forEach((place, i) => { if (place.textContent !== texts[i]) place.textContent = texts[i]!; });
     else this.element.replaceChildren(...ways({ python, command, files }));
   }

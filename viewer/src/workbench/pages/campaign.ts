@@ -3,7 +3,7 @@
 import { make, withInterval, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
-import { Drafts, enter, entered } from "../drafts";
+import { Drafts, enter, entered, typedIn } from "../drafts";
 import { accompany, ask, begin, dropZone, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
 import { field, once, problem } from "../parts";
 import { type Fields, Reading } from "../reading";
@@ -52,7 +52,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   try { found = await reading; } catch (error) { // it can be mended here
     if (!place.isConnected) return;
     let others = {}; // what a draft holds for the page that this file will have again
-    const drafts = new Drafts<Edited>(project, address("campaign", { file: path }), own.state(), () => ({ ...others, ...own.state() }), (was) => { others = was; own.restore(was); }, () => (own.isTyped() ? saved.digest : ""));
+    const drafts = new Drafts<Edited>(project, address("campaign", { file: path }), own.state(), () => ({ ...others, ...own.state() }), (was) => { others = was; own.restore(was); }, () => saved.digest, () => false, own.isTyped);
     own.used = () => drafts.done(own.state());
     drafts.hear(place);
     own.element.open = true;
@@ -70,7 +70,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     return own.isTyped();
   };
   go.addEventListener("click", () => {
-    const was = entered(form);
+    const was = state().form;
     if (isUnsaved()) return;
     once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => { drafts.done({ form: was }); goTo(place, "campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
   });
@@ -93,8 +93,8 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     return button;
   };
   const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
-  const parts = found.bench.map((one) => part(one, found, link)), form = { out, force, where };
-  const state = () => ({ entry: opened?.state() ?? null, form: entered(form), ...own.state(), fits: Object.fromEntries(parts.map((one) => [one.name, entered(one.controls)])) });
+  const parts = found.bench.map((one) => part(one, found, link)).map((one) => ({ ...one, first: entered(one.controls) })), form = { out, force, where }, first = entered(form);
+  const state = () => ({ entry: opened?.state() ?? null, form: typedIn(form, first), ...own.state(), fits: Object.fromEntries(parts.map((one) => [one.name, typedIn(one.controls, one.first)])) });
   const drafts = new Drafts<ReturnType<typeof state>>(project, address("campaign", { file: path }), state(), state, (was) => {
     enter(form, was.form ?? {});
     for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
@@ -102,7 +102,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     if (!was.entry) return;
     open(was.entry.file, was.entry.form, was.entry.fields);
     opened!.restore(was.entry);
-  }, () => (own.isTyped() ? saved.digest : "")); // what else is entered goes with any text
+  }, () => saved.digest, () => false, own.isTyped); // what else is entered goes with any text
   own.used = () => drafts.done(own.state());
   drafts.hear(place);
   place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig `, ...(/^[^@]+\.toml$/.test(found.rig) && !found.rig.includes("..") ? [make("a", { href: address("rig", { name: inside(found.rig) }) }, found.rig)] : [found.rig])),

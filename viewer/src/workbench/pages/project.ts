@@ -14,6 +14,9 @@ export const project: Page = { label: "Project", show };
 
 interface Kept { path: string; rig: string; changes: Record<string, number | string>; trial: { road: Record<string, string>; speed: string; duration: string }; seed: number | null; version: string; rig_digest: string; trial_digest: string; when: number }
 
+/** A job, as far as it says what it was begun with. */
+interface Begun { asked: Record<string, unknown> | null }
+
 /** What pages are called on which something is entered. */
 const LABELS: Record<string, string> = { rig: "Rig", kinematics: "Kinematics", campaign: "Campaign", ride: "Ride and control", inspection: "Inspection", studies: "Studies" };
 /** Where a file of a kind opens, and in which words. */
@@ -28,7 +31,7 @@ const OPENS: Record<string, [page: string, key: string, words: string][]> = {
 };
 
 async function show(place: HTMLElement): Promise<void> {
-  const [{ name, folder, entries }, library, kept] = await Promise.all([api.project(), api.library(), api.get<Kept[]>("/api/history")]);
+  const [{ name, folder, entries }, library, kept, jobs] = await Promise.all([api.project(), api.library(), api.get<Kept[]>("/api/history"), api.get<Begun[]>("/api/jobs")]);
   document.getElementById("project")!.textContent = name;
   const rows = entries.map((entry) => {
     const opens = OPENS[entry.kind] ?? [], [first] = opens;
@@ -49,7 +52,7 @@ async function show(place: HTMLElement): Promise<void> {
     once(copy, api.start(choice.value, target.value)).then((made) => goTo(place, "rig", { name: made.path }), (error) => told.replaceChildren(problem(error)));
   });
   place.replaceChildren(
-    make("h1", {}, name), make("p", { class: "muted" }, folder), unsaved(draftsOf(folder)), next(entries, kept),
+    make("h1", {}, name), make("p", { class: "muted" }, folder), unsaved(draftsOf(folder)), next(entries, kept, jobs),
     entries.length
       ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written"), tr("to do")].map((text, k) => make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text)))), make("tbody", {}, ...rows)))
       : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
@@ -72,14 +75,17 @@ function unsaved(drafts: Lying[]): HTMLElement {
 }
 
 /** What there is to do with what lies here. */
-function next(entries: api.Entry[], kept: Kept[]): HTMLElement {
+function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
   const of = (kind: string) => entries.filter((one) => one.kind === kind), [rig] = of("rig"), record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
   const steps: HTMLElement[] = [];
+  for (const { path } of of("campaign")) {
+    const isRun = jobs.some((job) => job.asked?.campaign === path) || of("results").some((one) => one.path.startsWith(path.replace(/[^/]*$/, "results")));
+    if (!isRun) steps.push(make("li", {}, make("a", { href: address("campaign", { file: path }) }, tr("Run #", path)), tr(": parts characterised, the model updated, every trial compared.")));
+  }
   if (!rig) steps.push(make("li", {}, tr("Start from a shipped rig, below.")), make("li", {}, make("a", { href: address("campaign") }, tr("Start from a campaign that runs as it is")), "."));
   else {
     if (!kept.length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Drive # over an obstacle", rig.path)), tr(", and keep the run.")));
     if (kept.length === 1) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Change # and keep another run", rig.path)), tr(", to compare the two.")));
-    for (const { path } of of("campaign")) if (!of("results").some((one) => one.path.startsWith(path.replace(/[^/]*$/, "")))) steps.push(make("li", {}, make("a", { href: address("campaign", { file: path }) }, tr("Run #", path)), tr(": parts characterised, the model updated, every trial compared.")));
     if (record && !of("campaign").length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path, record: record.path }) }, tr("Look at # beside a run", record.path)), "."));
     if (!of("sweep").length && !of("swept").length) steps.push(make("li", {}, make("a", { href: address("studies") }, tr("Vary its numbers in a study")), "."));
   }

@@ -88,7 +88,9 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     }
     const all = found.problems.map((one) => problem(new Error(`${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
     told.replaceChildren(...(said ? [said] : []), ...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...advised(found.rig?.findings ?? [], "p"));
-    if (found.rig) { points.set(found.rig.numbers); same.show({ ...found, files: {} }); drawing = draw(); }
+    if (found.rig) { points.set(found.rig.numbers); drawing = draw(); }
+    same.element.hidden = !found.rig;
+    if (found.rig) same.show({ ...found, files: {} });
     if (found.rig && !found.rig.spatial) picture.hidden = true;
   };
   const inTurn = (work: () => Promise<void>) => { if (!edits.waiting) said = null; return edits.do(work); };
@@ -147,6 +149,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       difference.replaceChildren();
       said = make("p", { class: "good" }, tr("Saved."));
       isOld = true;
+      const found = await api.form(name, now, [], {}).catch(() => null); // how the same is done is told of what is saved now
+      if (found && text.value === now) take(found);
     } catch (error) {
       const again = make("button", { type: "button" }, tr("Load it again"));
       again.addEventListener("click", () => void inTurn(async () => { // what was typed here is one step back

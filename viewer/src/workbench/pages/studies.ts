@@ -25,11 +25,13 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const { entries } = await api.project();
   const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...(await api.library()).map((one) => one.name)];
   const found = entries.filter((one) => one.kind === "sweep");
+  const starters = new Map(found.map((one) => [one.path, starter(one.path)]));
   place.replaceChildren(make("h1", {}, "Studies"),
     make("p", { class: "muted" }, "Numbers of a rig are spread over ranges or distributions; every variant is simulated, and what its metrics depend on is told."),
     make("h2", {}, "Sweeps"), jobList(["sweep"], (one) => { location.hash = address("studies", { job: one.id }); }, "No sweep was begun here yet. Write a study below, or begin one that lies in the folder."),
-    ...(found.length ? [make("h2", {}, "Studies that lie here"), make("ul", {}, ...found.map((one) => make("li", {}, one.path, " ", starter(one.path))))] : []),
+    ...(found.length ? [make("h2", {}, "Studies that lie here"), make("ul", {}, ...[...starters].map(([path, button]) => make("li", {}, path, " ", button)))] : []),
     make("h2", {}, "A new study"), await writer(rigs, values.get("rig") ?? ""));
+  starters.get(values.get("study") ?? "")?.querySelector("button")?.focus();
 }
 
 /** A button that begins the sweep of a study that lies here. */
