@@ -382,6 +382,34 @@ def test_what_is_edited_is_undone(page: Any, project: tuple[Path, str]) -> None:
     assert (folder / "taken" / "campaign.toml").read_text() == text
 
 
+@pages
+def test_how_an_edit_is_done_in_python_follows_the_text(page: Any, project: tuple[Path, str]) -> None:
+    folder, base = project
+    shutil.copy(LIBRARY / RIG, folder / "told.toml")
+    show(page, base, "rig?name=told.toml")
+    text, python = page.get_by_label("text of told.toml"), page.get_by_label("The same in Python")
+    command = page.get_by_label("The same on the command line")
+
+    def says(words: str) -> None:
+        until(page, lambda: python.is_visible() and words in python.inner_text())
+
+    says("print(rig)")
+    assert command.is_visible()
+    whole = text.input_value()
+    text.fill(whole.replace('mass = "16 kg"', 'mass = "17 kg"', 1))
+    says("with_changes({'sprung.mass': 17.0})")
+    assert not command.is_visible()  # which checks what is saved
+    text.fill("[[[")
+    python.wait_for(state="hidden")  # what is wrong is no edit
+    text.fill(whole.replace('mass = "16 kg"', 'mass = "17 kg"', 1))
+    says("with_changes({'sprung.mass': 17.0})")
+    page.get_by_role("button", name="Save", exact=True).click()
+    page.get_by_role("button", name="Write it").click()
+    page.get_by_text("Saved.", exact=True).wait_for()
+    says("print(rig)")
+    command.wait_for()
+
+
 def test_a_server_comes_back_where_the_browser_knows_it(tmp_path: Path) -> None:
     """What a browser keeps, it keeps for an address with its port."""
     ports = {usual_port(tmp_path / str(i)) for i in range(50)}
