@@ -293,6 +293,9 @@ GONE = ("Timeout", "not attached", "not visible", "not connected", "Element is n
 """What is said of an element, or a page, that has been replaced or hidden since it was chosen."""
 
 
+_SETTLED = 5000.0  # ms, in which late answers come, and the server has a pause to tidy up
+
+
 def _clicked_at_random(opened: Opened, seed: int, seconds: float, held: Callable[[], float]) -> list[list[float]]:
     """Use what is on the page at random; give seconds passed, and bytes of the page's heap and of the server."""
     drawn, page, begin = random.Random(seed), opened.page, time.monotonic()
@@ -301,7 +304,10 @@ def _clicked_at_random(opened: Opened, seed: int, seconds: float, held: Callable
     while (passed := time.monotonic() - begin) < seconds:
         if passed >= len(kept) * min(150.0, 0.25 * seconds):
             opened.go("project")
-            devtools.send("HeapProfiler.collectGarbage")
+            page.wait_for_timeout(min(_SETTLED, 20.0 * seconds))
+            for _ in range(2):  # what the first lets go of may hold more
+                devtools.send("HeapProfiler.collectGarbage")
+                page.wait_for_timeout(200)
             kept.append([passed, devtools.send("Runtime.getHeapUsage")["usedSize"], held()])
             at, heap, server = kept[-1]
             sys.stdout.write(f"{at:6.0f} s: page {1e-6 * heap:.2f} MB, server {1e-6 * server:.2f} MB\n")
