@@ -230,8 +230,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/record")
     def record(path: str) -> dict[str, Any]:
         """What a record holds: channels with their units, samples, and from when to when."""
-        found = records.open(path)
-        return {**found.about, **records.ways(path, found.about, [one["name"] for one in found.about["channels"]])}
+        return records.open(path).about
 
     @app.post("/api/record")
     def part(asked: Part, request: Request) -> Response:
