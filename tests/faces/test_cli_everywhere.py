@@ -56,7 +56,7 @@ def test_a_line_reads_only_the_command_that_it_begins_with(cli) -> None:
 
 def test_word_of_leaves_what_a_command_says() -> None:
     [simulate] = [command for path, command in commands() if path == ("simulate",)]
-    words = {one.opts[0]: word_of(one) for one in simulate.params}
+    words = {one.opts[0]: word_of(one, str) for one in simulate.params}
     assert words["--set"] == "PATH=VALUE"
     assert words["--duration"] == "TIME"
     assert words["--output-step"] == "STEP"

@@ -6,8 +6,10 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from enum import Enum
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import typer
 
@@ -76,14 +78,19 @@ def completed(command: Any) -> Any:
         command.params += [
             option for option in _everywhere() if option.name != "open_" or _writes_pages(command.params)
         ]
+    kinds = {name: hint for function in (_options, command.callback) for name, hint in _hints(function).items()}
     for parameter in [*command.params, command.get_help_option(typer.Context(command))]:
         if parameter is not None:
-            parameter.metavar = word_of(parameter)
+            parameter.metavar = word_of(parameter, kinds.get(parameter.name))
             if parameter.param_type_name == "argument":
                 parameter.display_type_rich = _nothing  # beside its name
     for one in (inner or {}).values():
         completed(one)
     return command
+
+
+def _hints(function: Callable[..., Any] | None) -> dict[str, Any]:
+    return get_type_hints(function) if function else {}
 
 
 def _nothing(**_: Any) -> None:
@@ -143,24 +150,27 @@ _WORDS = {
 """Words for the values of options that do not end with one."""
 
 
-def word_of(parameter: Any) -> str | None:
+def word_of(parameter: Any, kind: Any) -> str | None:
     """What stands for the value of an option in the help: nothing for a switch, choices, or a word of the field.
 
-    Arguments keep theirs.
+    Arguments keep theirs. The kind is that of the signature: Typer's own classes differ from version to version.
     """
     if parameter.metavar is not None or parameter.param_type_name == "argument":
         return parameter.metavar  # type: ignore[no-any-return]
-    kind = parameter.type_descriptor
     if getattr(parameter, "is_flag", False):
         return ""
-    if kind.is_choice:
-        return "|".join(str(getattr(choice, "value", choice)) for choice in kind.choices)
+    while get_origin(kind) in (Union, UnionType, list):  # may be left out, or given several times
+        kind = next(part for part in get_args(kind) if part is not NoneType)
+    if get_origin(kind) is Literal:
+        return "|".join(get_args(kind))
+    if issubclass(kind, Enum):
+        return "|".join(str(choice.value) for choice in kind)
     name = parameter.opts[0].lstrip("-")
     if name in _WORDS:
         return _WORDS[name]
-    if "Path" in parameter.bare_type():
+    if kind is Path:
         return "DIR" if "older" in str(parameter.help) else "FILE"
-    return "NUMBER" if "int" in parameter.bare_type() else name.rpartition("-")[2].upper()
+    return "NUMBER" if kind is int else name.rpartition("-")[2].upper()
 
 
 def open_pages(plain: Mapping[str, Any]) -> None:

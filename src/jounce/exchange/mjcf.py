@@ -109,7 +109,7 @@ def write_mjcf(rig: Rig, path: Path | str, *, force: bool = False) -> MjcfExport
     write_atomically(file, ET.tostring(root, encoding="utf-8") + b"\n", force=force)
     kinds = [element.tag for element in root.iter()]
     joints = sum(kinds.count(kind) for kind in ("joint", "freejoint"))
-    loops = len(root.find("equality") or ())
+    loops = len(root.findall("equality/*"))
     bodies = kinds.count("inertial")
     return MjcfExport(file, bodies, joints, loops, tuple(writing.findings))
 

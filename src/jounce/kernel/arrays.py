@@ -15,16 +15,20 @@ from jounce.core.types import Array, Complex
 
 
 class Layout(NamedTuple):
-    """Number of dimensions and order in memory: rows (C) or columns (F) side by side, with nothing between."""
+    """Number of dimensions, order in memory (rows, C, or columns, F, side by side without gaps) and NumPy's type.
+
+    The type stands here, too, because what an ``NDArray`` looks like inside differs between versions of NumPy.
+    """
 
     dimensions: int
     order: str = "C"
+    dtype: str = "float64"
 
 
 Vector: TypeAlias = Annotated[Array, Layout(1)]
 Matrix: TypeAlias = Annotated[Array, Layout(2)]
 Block: TypeAlias = Annotated[Array, Layout(3)]
 Columns: TypeAlias = Annotated[Array, Layout(2, "F")]
-Integers: TypeAlias = Annotated[NDArray[np.int64], Layout(1)]
-IntegerMatrix: TypeAlias = Annotated[NDArray[np.int64], Layout(2)]
-ComplexVector: TypeAlias = Annotated[Complex, Layout(1)]
+Integers: TypeAlias = Annotated[NDArray[np.int64], Layout(1, dtype="int64")]
+IntegerMatrix: TypeAlias = Annotated[NDArray[np.int64], Layout(2, dtype="int64")]
+ComplexVector: TypeAlias = Annotated[Complex, Layout(1, dtype="complex128")]

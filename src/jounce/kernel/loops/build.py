@@ -11,7 +11,6 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
-import numpy as np
 from llvmlite import binding as llvm
 from llvmlite import ir
 from numba import njit, types
@@ -72,10 +71,9 @@ def _type_of(hint: Any) -> Any:
     if hint in _NUMBERS:
         return _NUMBERS[hint]
     if get_origin(hint) is Annotated:
-        array, layout = get_args(hint)
+        _, layout = get_args(hint)
         assert isinstance(layout, Layout)
-        kind = np.dtype(get_args(get_args(array)[1])[0])
-        return types.Array(getattr(types, kind.name), layout.dimensions, layout.order)
+        return types.Array(getattr(types, layout.dtype), layout.dimensions, layout.order)
     fields = get_type_hints(hint, include_extras=True)
     return types.BaseTuple.from_types(tuple(_type_of(fields[name]) for name in hint._fields), hint)
 
