@@ -8,13 +8,14 @@ import subprocess
 import sys
 from importlib import import_module
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
 
 from jounce.core.optional import MissingPackageError
 from jounce.core.sources import digest_of
-from jounce.kernel import cache, call, loops
+from jounce.kernel import arrays, cache, call, loops
 from jounce.kernel.call import Loop
 from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, key_of, make, this_platform
 
@@ -289,3 +290,9 @@ print(*sorted(name for name in sys.modules if name.startswith("jounce.kernel."))
     covered = tuple(f"jounce.{source.replace('/', '.')}" for source in loops.SOURCES)
     others = {name for name in done.stdout.split() if not name.startswith(covered)}
     assert others == {f"jounce.kernel.{name}" for name in ("apart", "cache", "call", "machine", "native")}
+
+
+@pytest.mark.parametrize("name", ["Vector", "Matrix", "Block", "Columns", "Integers", "IntegerMatrix", "ComplexVector"])
+def test_a_layout_has_the_type_of_its_array(name: str) -> None:
+    array, layout = get_args(getattr(arrays, name))
+    assert f"numpy.{layout.dtype}]" in str(array)
