@@ -11,6 +11,7 @@ True
 from __future__ import annotations
 
 import sys
+from types import FunctionType
 from typing import Any
 
 import lazy_loader
@@ -26,10 +27,15 @@ def __getattr__(name: str) -> object:
     if name.startswith("__"):  # what tools ask every object for is no name misspelt
         raise AttributeError(f"module 'jounce' has no attribute {name!r}.")
     if name not in __all__:
-        from jounce.core.errors import nearest
+        from jounce.core.synonyms import meant
 
-        raise AttributeError(f"module 'jounce' has no attribute {name!r}. {nearest(name, __all__)}".rstrip())
-    return _loaded(name)
+        raise AttributeError(f"module 'jounce' has no attribute {name!r}. {meant(name, __all__)}".rstrip())
+    value = _loaded(name)
+    if isinstance(value, FunctionType):
+        from jounce.core.arguments import guarded
+
+        globals()[name] = value = guarded(value, name)
+    return value
 
 
 def __dir__() -> list[str]:

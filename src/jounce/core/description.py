@@ -5,13 +5,14 @@ from __future__ import annotations
 import codecs
 import re
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError
 
-from jounce.core.errors import DescriptionError, nearest, shown
+from jounce.core.errors import DescriptionError, nearest, shown, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
 from jounce.core.shown import Shown
@@ -62,6 +63,48 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
         family: Kinds | None = vars(cls).get("kinds")
         return handler(schema) if family is None else {FILE_REF: family.schema}
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_"):  # what pydantic keeps for itself
+            raise self._frozen(name, value)
+        super().__setattr__(name, value)
+
+    def __delattr__(self, name: str) -> None:
+        if not name.startswith("_"):
+            raise self._frozen(name, "...")
+        super().__delattr__(name)
+
+    def _frozen(self, name: str, value: object) -> DescriptionError:
+        if name not in type(self).model_fields:
+            return unknown(name, type(self).model_fields, what="field", where=type(self).__name__)
+        new = f"{name}': {shown(value)}"
+        hint = (
+            f"Make a changed copy: model_copy(update={{'{new}}}), or rig.with_changes({{'...{new}}}) by the whole path."
+        )
+        if hasattr(self, "with_changes"):
+            call = f"model_copy(update={{'{new}}}), or rig.with_changes({{'...{new}}}) by the whole path"
+        if hasattr(self, "with_changes"):
+            call = f"with_changes({{'{new}}})"
+        hint = f"Make a changed copy: {call}."
+        return DescriptionError("descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Give a copy; the fields in ``update`` are read and checked as those of a new description are."""
+        copied = super().model_copy(deep=deep)
+        if not update:
+            return copied
+        own = {name: getattr(copied, name) for name in type(self).model_fields if name in self.model_fields_set}
+        return type(self)(**{**own, **update})
+
+    def __getstate__(self) -> dict[Any, Any]:
+        """State whose pickled bytes are the same in every process: nothing derived, and no set of texts."""
+        fields = type(self).model_fields
+        state = super().__getstate__()
+        own = {name: value for name, value in state["__dict__"].items() if name in fields}
+        return state | {"__dict__": own, "__pydantic_fields_set__": sorted(state["__pydantic_fields_set__"])}
+
+    def __setstate__(self, state: dict[Any, Any]) -> None:
+        super().__setstate__(state | {"__pydantic_fields_set__": set(state["__pydantic_fields_set__"])})
 
     @classmethod
     def from_table(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copyreg
 import difflib
 from collections.abc import Iterable
+from typing import Any
 
 from jounce.core.text import shortened
 
@@ -31,6 +33,11 @@ class JounceError(Exception):
     def __init__(self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = "") -> None:
         self.what, self.where, self.found, self.allowed, self.hint = what, where, found, allowed, hint
         super().__init__(self._text())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Go to another process as text and facts, whatever the constructor of a subclass takes."""
+        found = self.found if isinstance(self.found, (str, int, float, type(None))) else shown(self.found)
+        return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": found}  # type: ignore[attr-defined]
 
     def _text(self) -> str:
         what = shortened(self.what, _LONGEST)

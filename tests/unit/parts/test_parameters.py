@@ -61,10 +61,21 @@ def test_every_path_can_be_changed_and_only_it_changes(rig):
 
 
 def test_frozen():
-    with pytest.raises(Exception, match="frozen"):
+    with pytest.raises(DescriptionError, match=r"gravity: .* frozen.*: with_changes\(\{'gravity': 1.0\}\)"):
         KART.gravity = 1.0
-    with pytest.raises(Exception, match="frozen"):
+    with pytest.raises(DescriptionError, match=r"rate: .* frozen.*rig.with_changes\(\{'...rate': 1.0\}\)"):
         KART.strut.spring.rate = 1.0
+    with pytest.raises(DescriptionError, match=r"frozen.*with_changes"):
+        del KART.gravity
+    with pytest.raises(DescriptionError, match=r"unknown field 'gravty'.*'gravity'"):
+        KART.gravty = 1.0
+
+
+def test_a_copy_with_other_fields_is_checked():
+    assert KART.model_copy(update={"gravity": "1 g"}).gravity == pytest.approx(9.80665)
+    for wrong in ({"sprung": 3}, {"sprug": KART.sprung}, {"gravity": "1 kg"}):
+        with pytest.raises(DescriptionError):
+            KART.model_copy(update=wrong)
 
 
 def test_changes_read_units():
