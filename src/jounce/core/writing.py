@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import platform
+import secrets
 import shutil
 import stat
 import tempfile
@@ -18,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.errors import OutputError
+from jounce.core.locking import holding
 from jounce.core.optional import require
 
 
@@ -78,16 +80,17 @@ class Formats:
 
 
 @contextmanager
-def replacing(file: Path, *, force: bool = True) -> Iterator[Path]:
+def replacing(file: Path, *, force: bool = True, most: int = 0o777) -> Iterator[Path]:
     """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
 
     Without ``force`` a file that another process has written there meanwhile stays, and is an error.
+    A file that is replaced keeps its mode, without what ``most`` does not allow.
     """
     with _told(file, "the file cannot be written"):
-        temporary = temporary_beside(file)
+        temporary = temporary_beside(file, most=most)
         try:
             yield temporary
-            temporary.chmod(0o644)  # mkstemp made it private
+            _copy_mode(file, temporary, most)
             if force or file.is_symlink():
                 temporary.replace(file)
             else:
@@ -110,14 +113,36 @@ def _put(temporary: Path, file: Path) -> None:
         temporary.unlink()
 
 
-def temporary_beside(file: Path) -> Path:
-    """Make an empty temporary file of this process beside a file; those that killed processes left there go."""
+def temporary_beside(file: Path, *, most: int = 0o777) -> Path:
+    """Make an empty temporary file of this process beside a file; those that killed processes left there go.
+
+    The system itself applies the user's mask as it makes the file: to read the mask, it would have to be set, which
+    other threads would see. The file is never open to more people than the one whose place it takes.
+    """
     with _told(file, "the file cannot be written"):
         _sweep(file.parent)
         suffix = file.suffix if len(file.suffix) <= _LONGEST_SUFFIX else ""
-        handle, name = tempfile.mkstemp(dir=file.parent, prefix=_own_prefix(), suffix=suffix)
-        os.close(handle)
-        return Path(name)
+        temporary = file.parent / f"{_own_prefix()}{secrets.token_hex(4)}{suffix}"
+        mode = _mode_of(file)
+        allowed = (0o666 if mode is None else mode | 0o600) & most
+        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, allowed))
+        return temporary
+
+
+def _mode_of(file: Path) -> int | None:
+    """Who may do what with a file; None where there is none."""
+    try:
+        return file.stat().st_mode & 0o777
+    except OSError:
+        return None
+
+
+def _copy_mode(file: Path, made: Path, most: int = 0o777) -> None:
+    """Let a new file be open to those whom the file is open to whose place it takes, if there is one."""
+    mode = _mode_of(file)
+    if mode is not None:
+        with contextlib.suppress(OSError):  # a disk without modes
+            made.chmod(mode & most)
 
 
 def sweep_beside(file: Path) -> None:
@@ -174,9 +199,10 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
                 target = built / name
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content.encode() if isinstance(content, str) else content)
+                _copy_mode(root / name, target)
             built.mkdir(exist_ok=True)  # where there are no files
             if is_there or not _renamed(built, root):
-                with _alone(root):
+                with holding(root):
                     _check_room(root, files, force=force)  # another process may have been here
                     _exchange(root, aside, list(contents))
         finally:
@@ -231,23 +257,6 @@ def _renamed(built: Path, root: Path) -> bool:
             raise
         return False
     return True
-
-
-@contextmanager
-def _alone(folder: Path) -> Iterator[None]:
-    """Let one process after the other exchange files of a folder, where the system and the disk can lock it."""
-    if os.name != "posix":
-        yield
-        return
-    import fcntl
-
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        with contextlib.suppress(OSError):
-            fcntl.flock(handle, fcntl.LOCK_EX)  # which goes with this process, however it ends
-        yield
-    finally:
-        os.close(handle)
 
 
 def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:

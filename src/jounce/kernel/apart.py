@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import select
 import signal
+import sys
 import time
 import warnings
 from collections.abc import Callable, Iterator
@@ -15,6 +16,8 @@ from contextlib import contextmanager
 
 from jounce.kernel.machine import IN_LLVM
 
+SPLITS = sys.platform.startswith("linux")
+"""Whether a process can split: macOS ends those that do once its libraries are loaded, and Windows cannot."""
 _LONGEST = 300.0  # s: a child that takes longer hangs, and is given up
 _PIECE = 1 << 20
 _wanted: list[bool] = []
@@ -35,7 +38,7 @@ def made_apart(make: Callable[[], bytes]) -> bytes | None:
 
     Errors stay in the child: whoever gets None calls ``make`` and sees them.
     """
-    if not (_wanted and hasattr(os, "fork")):
+    if not (_wanted and SPLITS):
         return None
     reading, writing = os.pipe()
     with warnings.catch_warnings(), IN_LLVM:  # the warning is of threads: none of them is in the compiler

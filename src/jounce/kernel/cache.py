@@ -10,6 +10,7 @@ import hashlib
 import json
 import logging
 import os
+import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -41,7 +42,10 @@ def parted(content: bytes) -> tuple[dict[str, Any], bytes]:
 
 
 def cache_folder() -> Path:
-    """Folder of compiled models: ``$JOUNCE_CACHE_DIR``, else ``$XDG_CACHE_HOME/jounce``, else ``~/.cache/jounce``.
+    """Folder of compiled models: ``$JOUNCE_CACHE_DIR``, else ``jounce`` where the system keeps what can be made again.
+
+    That is ``$XDG_CACHE_HOME``, where it is set, or else ``~/.cache``, on macOS ``~/Library/Caches``, on Windows
+    ``%LOCALAPPDATA%`` (``jounce/Cache`` there).
 
     Raises
     ------
@@ -56,7 +60,12 @@ def cache_folder() -> Path:
             raise RuntimeError("no absolute path")
         return Path(own)
     shared = os.environ.get("XDG_CACHE_HOME")  # the standard says: not absolute, not valid
-    return (Path(shared) if shared and Path(shared).is_absolute() else Path.home() / ".cache") / "jounce"
+    if shared and Path(shared).is_absolute():
+        return Path(shared) / "jounce"
+    if sys.platform == "win32":
+        local = Path(os.environ.get("LOCALAPPDATA", ""))
+        return (local if local.is_absolute() else Path.home() / "AppData" / "Local") / "jounce" / "Cache"
+    return Path.home() / ("Library/Caches" if sys.platform == "darwin" else ".cache") / "jounce"
 
 
 def why_not_kept() -> str:
@@ -119,7 +128,7 @@ def write_sealed(file: Path, key: str, content: bytes) -> bool:
         folder = own_folder(file.parent)
         if edited_since("kernel"):
             return False
-        with replacing(folder / file.name) as temporary:
+        with replacing(folder / file.name, most=0o755) as temporary:  # whatever the user's mask lets others write
             temporary.write_bytes(_checksum(key, content) + content)
     except ForeignError as error:
         _tell_foreign(file.parent, str(error.filename))

@@ -13,7 +13,6 @@ import json
 import math
 import os
 import re
-import shlex
 import shutil
 import sys
 import time
@@ -27,7 +26,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.locking import hold
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
@@ -439,7 +440,7 @@ def _planned(
         "shard": size,
         "format": "zarr" if folder.suffix.lower() == ".zarr" else "netcdf",
         "jounce": _version(),
-        "command": command or shlex.join(sys.argv),
+        "command": command or command_line(sys.argv),
         "study": study,
     }
     kept = Kept(folder, about)
@@ -524,22 +525,13 @@ def _bytes_told(count: float) -> str:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Let one process at a time work on a folder, where the system and the disk can lock it."""
-    if os.name != "posix":
-        yield
-        return
-    import fcntl
-
-    handle = os.open(folder, os.O_RDONLY)
+    """Let one process at a time work on a folder."""
+    held = hold(folder)
+    if held is None:
+        raise OutputError(
+            "another process works on this sweep", where=str(folder), hint="Wait for it, or end it first."
+        )
     try:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)  # which goes with this process, however it ends
-        except BlockingIOError:
-            raise OutputError(
-                "another process works on this sweep", where=str(folder), hint="Wait for it, or end it first."
-            ) from None
-        except OSError:  # a disk without locks
-            pass
         yield
     finally:
-        os.close(handle)
+        os.close(held)

@@ -10,7 +10,6 @@ import json
 import os
 import secrets
 import select
-import shlex
 import shutil
 import subprocess
 import sys
@@ -21,10 +20,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError, OutputError
+from jounce.core.locking import is_held
+from jounce.kernel.apart import SPLITS
 from jounce.web.project import Project
 from jounce.web.tasks import AnyTask, Doing, doing_of
-from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESULT, locked, put
+from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESULT, put
 
 PLACE = (".jounce", "jobs")
 _MOST_RUNNING, _MOST_KEPT = 8, 200
@@ -90,7 +92,7 @@ class Jobs:
     def prepare(self) -> None:
         """Have a process ready from which others split off for what a page asks: what takes long is its start."""
         with self.lock:
-            if _SPLITS and (self.ready is None or self.ready.poll() is not None):
+            if SPLITS and (self.ready is None or self.ready.poll() is not None):
                 self.ready = _waiting()
 
     def _apart(self, folder: Path) -> None:
@@ -219,11 +221,7 @@ class Jobs:
             return False
         if 0.0 <= time.time() - begun < _JUST_BEGUN:
             return True
-        held = locked(folder / ALIVE)
-        if held is None:
-            return True
-        held.close()
-        return False
+        return is_held(folder / ALIVE)
 
     def _made(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
         """Write down what is to be done, and with which words."""
@@ -256,7 +254,7 @@ class Refused(JounceError):
 
 def ways(doing: Doing) -> dict[str, Any]:
     """The same in Python and on the command line."""
-    return {"python": doing.python, "command": shlex.join(["jounce", *doing.words]) if doing.words else doing.command,
+    return {"python": doing.python, "command": command_line(["jounce", *doing.words]) if doing.words else doing.command,
             "files": doing.files}  # fmt: skip
 
 
@@ -279,10 +277,6 @@ def _started(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:
     return process
 
 
-_SPLITS = sys.platform.startswith("linux")
-"""Whether a process can split: elsewhere libraries do not survive it."""
-
-
 def _waiting() -> subprocess.Popen[bytes]:
     """A process that loads what commands need, and then splits for every folder that it is told."""
     threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
@@ -302,10 +296,7 @@ def _is_over(folder: Path, patience: float, closing: threading.Event) -> bool:
     while time.monotonic() < end:
         if (folder / END).exists():
             return True
-        held = locked(folder / ALIVE) if (folder / ALIVE).exists() else None
-        if held is not None:
-            held.close()
-        free = 0 if held is None else free + 1
+        free = free + 1 if (folder / ALIVE).exists() and not is_held(folder / ALIVE) else 0
         if free > _FREE:  # longer than one that begins leaves it
             return True
         if closing.wait(_LOOKED / 5.0):

@@ -18,7 +18,9 @@ from collections import deque
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
+
+from jounce.core.locking import hold
 
 JOB, PROGRESS, RESULT, PROBLEMS, END, ALIVE, CANCEL = (
     "job.json", "progress.json", "result.json", "problems.txt", "end.json", "alive", "cancel",
@@ -29,32 +31,13 @@ _TRIALS = 50
 _MOST_STEPS = 400  # of a search that are kept
 
 
-def locked(file: Path) -> IO[bytes] | None:
-    """Hold a file until the stream is closed or this process ends; None where another process holds it."""
-    stream = file.open("ab")
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            stream.seek(0)
-            msvcrt.locking(stream.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        stream.close()
-        return None
-    return stream
-
-
-def _held(file: Path) -> IO[bytes] | None:
-    """Hold a file as soon as whoever asks whether it is held has let it go."""
+def _held(file: Path) -> bool:
+    """Hold a file until this process ends, as soon as whoever asks whether it is held has let it go."""
     for _ in range(_TRIALS):
-        if (found := locked(file)) is not None:
-            return found
+        if hold(file) is not None:
+            return True
         time.sleep(_LOOKS / 10.0)
-    return None
+    return False
 
 
 def put(file: Path, plain: Mapping[str, Any]) -> None:
@@ -115,8 +98,7 @@ def _stop_when_wanted(folder: Path) -> None:
 
 def work(folder: Path) -> int:
     """Do the job of a folder; give the exit code of its command."""
-    alive = _held(folder / ALIVE)
-    if alive is None:  # another process does it
+    if not _held(folder / ALIVE):  # another process does it
         return 2
     job = json.loads((folder / JOB).read_text(encoding="utf-8"))
     signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell may have told to ignore it

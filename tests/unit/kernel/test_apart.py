@@ -1,8 +1,10 @@
 """Compiling in a child: the same bytes, nothing left behind, and a child that fails is made up for."""
 
 import os
+import runpy
 import signal
 import socket
+import sys
 import threading
 
 import casadi as ca
@@ -13,7 +15,7 @@ from jounce.kernel import apart, native
 from jounce.kernel.apart import compiling_apart, made_apart
 from jounce.kernel.machine import IN_LLVM
 
-pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system splits no process")
+pytestmark = pytest.mark.skipif(not apart.SPLITS, reason="this system splits no process")
 
 
 def test_only_where_it_is_wanted():
@@ -30,6 +32,17 @@ def test_it_is_made_in_another_process_that_has_gone():
     assert child not in (0, os.getpid())
     with pytest.raises(ProcessLookupError):
         os.kill(child, 0)
+
+
+@pytest.mark.parametrize(("system", "splits"), [("linux", True), ("darwin", False), ("win32", False)])
+def test_no_process_splits_where_its_libraries_do_not_survive_it(monkeypatch, system, splits):
+    monkeypatch.setattr(sys, "platform", system)
+    assert runpy.run_path(apart.__file__)["SPLITS"] is splits
+    if not splits:
+        monkeypatch.setattr(apart, "SPLITS", splits)
+        monkeypatch.setattr(os, "fork", lambda: pytest.fail("the process is split"))
+        with compiling_apart():
+            assert made_apart(lambda: b"made") is None
 
 
 def test_errors_and_crashes_give_nothing(capfd):

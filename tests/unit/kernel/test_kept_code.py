@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import stat
+import sys
 from pathlib import Path
 
 import pytest
@@ -147,3 +148,24 @@ def test_twins_have_the_code_that_users_have(optimised):
     """Most of the other tests have code that is made quickly: the two are kept apart."""
     key = cache.key_here("a model")
     assert (native.machine_code, native.key_here("a model")) == (machine.machine_code, key)
+
+
+@pytest.mark.parametrize(
+    ("system", "set_", "wanted"),
+    [
+        ("linux", {}, "home/.cache/jounce"),
+        ("darwin", {}, "home/Library/Caches/jounce"),
+        ("win32", {"LOCALAPPDATA": "local"}, "local/jounce/Cache"),
+        ("win32", {}, "home/AppData/Local/jounce/Cache"),
+        *((system, {"XDG_CACHE_HOME": "shared"}, "shared/jounce") for system in ("linux", "darwin", "win32")),
+        *((system, {"JOUNCE_CACHE_DIR": "own"}, "own") for system in ("linux", "darwin", "win32")),
+    ],
+)
+def test_the_cache_lies_where_the_system_keeps_caches(tmp_path, monkeypatch, system, set_, wanted):
+    for name in ("JOUNCE_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    for name, folder in set_.items():
+        monkeypatch.setenv(name, str(tmp_path / folder))
+    monkeypatch.setattr(Path, "home", lambda: tmp_path / "home")
+    monkeypatch.setattr(sys, "platform", system)
+    assert cache.cache_folder() == tmp_path / wanted

@@ -301,7 +301,6 @@ def _make(file: Path) -> None:
             with engine.begin() as connection:
                 create_tables(connection)
         engine.dispose()
-        temporary.chmod(0o644)  # mkstemp made it private
         _give_name(temporary, file)
     finally:
         engine.dispose()

@@ -1,0 +1,43 @@
+"""Commands to copy, as the shell of this system takes them."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterable
+
+_PLAIN = re.compile(r"[\w./\\:=+-]+", re.ASCII)
+
+
+def command_line(words: Iterable[str]) -> str:
+    """Words as one line to paste: for a POSIX shell, or on Windows for PowerShell and its older command prompt.
+
+    Both take double quotes there, and PowerShell takes ``$`` and backticks in them for its own. A word that has one is
+    put in single quotes, for PowerShell alone.
+
+    >>> command_line(["jounce", "check", "front axle.toml"]).replace('"', "'")
+    "jounce check 'front axle.toml'"
+    """
+    return " ".join(_for_windows(word) if sys.platform == "win32" else shlex.quote(word) for word in words)
+
+
+def words_of(line: str) -> list[str]:
+    """Words of a line that ``command_line`` has made on this system.
+
+    >>> words_of(command_line(["jounce", "check", "front axle.toml"]))
+    ['jounce', 'check', 'front axle.toml']
+    """
+    if sys.platform != "win32":
+        return shlex.split(line)
+    return [word[1:-1] if word[0] in "\"'" else word for word in shlex.split(line, posix=False)]
+
+
+def _for_windows(word: str) -> str:
+    if _PLAIN.fullmatch(word):
+        return word
+    if re.search("[$`]", word):
+        return "'" + word.replace("'", "''") + "'"
+    plain = subprocess.list2cmdline([word])
+    return plain if plain.startswith('"') else f'"{plain}"'
