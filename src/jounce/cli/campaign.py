@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
@@ -13,6 +12,7 @@ import typer
 
 from jounce.cli.options import AsJson, Force, changes, check_outputs, positive_quantity
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, table
+from jounce.core.commands import command_line
 from jounce.core.optional import require
 
 if TYPE_CHECKING:
@@ -163,8 +163,9 @@ def new(
 
     def draw(console: Console) -> None:
         console.print(f"{folder}: {', '.join(made)}")
-        console.print(f"Next: put your measurements there, edit campaign.toml, then\n  jounce check {campaign}")
-        console.print(f"  jounce campaign run {campaign} --out results")
+        console.print("Next: put your measurements there, edit campaign.toml, then")
+        for words in (["check", str(campaign)], ["campaign", "run", str(campaign), "--out", "results"]):
+            console.print(f"  {command_line(['jounce', *words])}", soft_wrap=True)
 
     return Reply({"folder": str(folder), "files": made}, draw, as_json)
 
@@ -483,6 +484,8 @@ def demo(
         page = folder.resolve() / "report.html"
         if page.is_file():
             console.print(f"the report: {page.as_uri()}", soft_wrap=True, highlight=False)
-        console.print(f"the workbench: jounce serve {shlex.quote(str(folder))}", soft_wrap=True, highlight=False)
+        console.print(
+            f"the workbench: {command_line(['jounce', 'serve', str(folder)])}", soft_wrap=True, highlight=False
+        )
 
     return replace(reply, draw=draw)

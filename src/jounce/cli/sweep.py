@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import shlex
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -14,6 +13,7 @@ import typer
 
 from jounce.cli.options import AsJson, Force, Trust
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table, tell
+from jounce.core.commands import command_line
 from jounce.core.trust import trusting
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def sweep(
     if cluster is not None and workers is not None:
         allowed = "one of them: the workers of a cluster are its own"
         raise DescriptionError("two places to work in", where="--workers, --cluster", allowed=allowed)
-    command = shlex.join(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == ["sweep"] else ""
+    command = command_line(["jounce", *sys.argv[1:]]) if sys.argv[1:2] == ["sweep"] else ""
     missing: Sequence[Finding] = ()
     with trusting(trust), progress() as say:
         say("reading the study")

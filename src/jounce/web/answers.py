@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 import threading
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import tomlkit
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.web.project import Project
 
@@ -204,7 +204,7 @@ def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], on: Trial, m
     command = ["jounce", "simulate", word(name), *set_by(changes), "--road", "road.toml"]
     command += ["--speed", trial["speed"], "--duration", trial["duration"], "--out", "run.nc"]
     table = tomlkit.dumps({"kind": kind, **road})
-    return {"python": python, "command": shlex.join(command), "files": {"road.toml": table}}
+    return {"python": python, "command": command_line(command), "files": {"road.toml": table}}
 
 
 def variants(project: Project, name: str, changes: Changes, text: str | None = None) -> dict[str, Rig]:

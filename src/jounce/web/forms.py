@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shlex
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
 
+from jounce.core.commands import command_line
 from jounce.core.description import toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
@@ -105,7 +105,7 @@ def form_of(
     except JounceError as error:
         return Form(text, values, model, _problems(error), None, _differing(saved, text))
     is_saved = text == saved.replace("\r\n", "\n")  # a command knows no other
-    command = shlex.join(["jounce", "check", word(path)]) if is_saved else ""
+    command = command_line(["jounce", "check", word(path)]) if is_saved else ""
     return Form(text, values, model, (), numbers, _differing(saved, text), python, command)
 
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import json
 import re
-import shlex
 import time
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from importlib import metadata
 from typing import Any
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.serialise import to_json
 from jounce.web.answers import Changes, Shown, digest_of, rig_of, trial_of, word
@@ -90,7 +90,7 @@ def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) ->
     runs = {path: jn.read_recording(project.inside(path))[0] for path in dict.fromkeys(paths)}
     lines = "".join(f"    {path!r}: jn.read_recording({path!r})[0],\n" for path in runs)
     python = f"import jounce as jn\n\nfigure = jn.plots.compare({{\n{lines}}})\n"
-    command = shlex.join(["jounce", "plot", *map(word, runs), "--figure", "compared.png"])
+    command = command_line(["jounce", "plot", *map(word, runs), "--figure", "compared.png"])
     return Shown(curve_viewer({"": runs}, list(channels) or None), {"python": python, "command": command, "files": {}})
 
 

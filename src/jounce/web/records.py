@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import shlex
 import shutil
 import tempfile
 import threading
@@ -13,6 +12,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.web.answers import word
 from jounce.web.jobs import Jobs
@@ -57,7 +57,7 @@ class Records:
         if read and not wrong:
             python += f"recording, findings = jn.read_recording({path!r})\n"
             python += f"figure = jn.plots.time_history(recording, {read!r})\n"
-            command = shlex.join(["jounce", "plot", word(path), *read, "--figure", "record.png"])
+            command = command_line(["jounce", "plot", word(path), *read, "--figure", "record.png"])
         return {"python": python, "command": command, "files": {}}
 
     def _place(self) -> Path:

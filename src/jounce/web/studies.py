@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shlex
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import Any
 import numpy as np
 import tomlkit
 
+from jounce.core.commands import words_of
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.files import content_of, only_below
 from jounce.web.project import Project, Text
@@ -82,7 +82,7 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
 
 def _run(project: Project, place: Path, command: str) -> dict[str, Any] | None:
     """What a variant is driven over, as the page of trials takes it; None where it cannot show that."""
-    words = shlex.split(command) if command.startswith("jounce sweep ") else []
+    words = words_of(command) if command.startswith("jounce sweep ") else []
     named = next((word for word in words[2:] if word.endswith(".toml")), None)
     try:
         study = project.inside(named) if named else place / "study.toml"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -183,7 +183,7 @@ def _ways(asked: Question) -> dict[str, Any]:
     others = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[asked.over]
     command += [f"--{name}={value}" for name in others if (value := getattr(asked, name))]
     command += ["--out", "curves.csv"]
-    return {"python": f"{load}curves = {calls[asked.over]()}\n", "command": shlex.join(command), "files": {}}
+    return {"python": f"{load}curves = {calls[asked.over]()}\n", "command": command_line(command), "files": {}}
 
 
 def _given(asked: Question, name: str) -> dict[str, Any]:

@@ -6,7 +6,6 @@ holds, it is no other option, and no other command.
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,6 +13,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
+from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError
 from jounce.web.answers import arguments, changed_by, rig_of, set_by
 from jounce.web.campaigns import title_of
@@ -247,7 +247,7 @@ class OverlayTask(_Task):
             makers.add(maker)
             python += f"{drive}rides[{name!r}] = jn.compare_rides(rig, trial, [{one.control!r}]).rides[0]\n"
             words = ["jounce", "ride", vehicle, *one._options(), f"--control={one.control}", *set_by(one.changes)]
-            commands.append(shlex.join([*words, f"--out=ride-{k}.nc"]))
+            commands.append(command_line([*words, f"--out=ride-{k}.nc"]))
         python = f"import jounce as jn\nfrom jounce.ride.study import {', '.join(sorted(makers))}\n\n{python}"
         python += "runs = {name: ride.settled for name, ride in rides.items()}\n"
         python += "spectra = {name: ride.spectra() for name, ride in rides.items()}\n"
@@ -256,7 +256,7 @@ class OverlayTask(_Task):
         ):  # which have channels of the same names
             python += "figure = jn.plots.compare(runs)\n"
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
-            commands.append(shlex.join(["jounce", "plot", *files, "--figure=rides.png"]))
+            commands.append(command_line(["jounce", "plot", *files, "--figure=rides.png"]))
         return Doing(
             "Rides over each other", [], python=python, question=self.model_dump(), command="\n".join(commands)
         )
@@ -532,7 +532,7 @@ class PreviewTask(_Reading):
             said = self._read("columns", "variable")
             read = f"\ncolumns, findings = jn.read_columns({self.files[0]!r}, {_WANTED}{said})\n"
             read += "print(columns, findings)\n"
-        command = shlex.join(["jounce", "plot", *words, "--figure=record.png"]) if self.form == "recording" else ""
+        command = command_line(["jounce", "plot", *words, "--figure=record.png"]) if self.form == "recording" else ""
         return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=_LIMITS,
                      patience=60.0, question=self.model_dump(), command=command)  # fmt: skip
 
