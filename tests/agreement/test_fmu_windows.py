@@ -25,7 +25,7 @@ def course(tmp_path_factory):
     """Courses of the tyre's force as the runner prints them, by rig and platform."""
     if WINE is None:
         pytest.skip("Wine is not installed (Debian: apt-get install wine64 wine)")
-    pytest.importorskip("ziglang", reason="the library for Windows is compiled by zig: pip install jounce[fmu]")
+    pytest.importorskip("ziglang", reason="the library for Windows is compiled by zig, of the extra fmu")
     folder = tmp_path_factory.mktemp("windows")
     here, windows = this_platform(), "x86_64-windows"
     runners = {}

@@ -51,6 +51,17 @@ def test_an_import_without_asking_is_found() -> None:
     assert unasked('require("sqlalchemy", "store")\nfrom sqlalchemy.engine import make_url') == set()
 
 
+def test_nobody_is_told_to_install_jounce_by_a_name_that_no_index_has() -> None:
+    by_name = re.compile(r"""pip install ['"]?jounce\b(?!-)|['"]jounce\[""")
+    pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *ROOT.glob("docs/**/*.md")]
+    texts = FILES | {str(file.relative_to(ROOT)): file.read_text(encoding="utf-8") for file in pages}
+    assert {name: found for name, text in texts.items() if (found := by_name.findall(text))} == {}
+    assert by_name.findall("pip install 'jounce[pdf]' or pip install jounce==1, 'jounce[io]'") == [
+        "pip install 'jounce", "pip install jounce", "'jounce[",
+    ]  # fmt: skip
+    assert by_name.findall("pip install 'jounce-0.1.0-py3-none-any.whl[pdf]'") == []
+
+
 def test_the_extra_that_is_named_brings_the_package() -> None:
     asked = {pair for source in FILES.values() for pair in _ASKED.findall(source)}
     assert len(asked) > 10

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.core.optional import how_to_install
 from jounce.variants import shards, workers
 
 STUDY = """schema = "jounce.sweep/1"
@@ -381,7 +382,7 @@ def test_without_the_extra_it_is_said_what_to_install(cli, study, monkeypatch) -
     monkeypatch.setitem(sys.modules, "distributed", None)
     outcome = cli("sweep", study(), "--out", "out", "--cluster", "tcp://127.0.0.1:8786")
     assert outcome.exit_code == 2
-    assert "pip install 'jounce[cluster]'" in outcome.err
+    assert how_to_install("cluster") in outcome.err
 
 
 def test_a_range_beyond_what_is_allowed_is_refused_with_its_line(cli, study, tmp_path: Path) -> None:

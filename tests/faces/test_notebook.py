@@ -15,7 +15,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.display import shown_in
-from jounce.core.optional import MissingPackageError
+from jounce.core.optional import MissingPackageError, how_to_install
 from jounce.notebook.sliders import _slider, _unit, curves_of
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
@@ -67,7 +67,7 @@ def test_numbers_that_cannot_be_moved(numbers: Any, message: str, kart: Any) -> 
 
 def test_without_its_package_live_says_what_to_install(kart: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "anywidget", None)
-    with pytest.raises(MissingPackageError, match=r"jounce\[notebook\]"):
+    with pytest.raises(MissingPackageError, match=re.escape(how_to_install("notebook"))):
         jn.notebook.live(kart, [RATE], lambda rig: jn.simulate(rig, TRIAL))
 
 

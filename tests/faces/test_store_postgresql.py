@@ -96,7 +96,7 @@ def server() -> Iterator[Server]:
     if binaries is None:
         pytest.skip("PostgreSQL is not installed here (no initdb)")
     if importlib.util.find_spec("psycopg") is None:
-        pytest.skip("its driver is not installed here (pip install 'jounce[postgresql]')")
+        pytest.skip("its driver is not installed here (the extra postgresql)")
     folder = Path(tempfile.mkdtemp(prefix="jounce-pg-", dir="/tmp"))  # a socket's path must be short
     try:
         started = Server(folder, binaries)

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from jounce.core.optional import how_to_install
 from jounce.report.render import figures_here
 
-PDF = r"'typst' is not installed.*pip install 'jounce\[pdf\]'"
+PDF = f"'typst' is not installed.*{re.escape(how_to_install('pdf'))}"
 RECORD = "time [s], left.plate.z [mm], left.plate.force [N]\n" + "".join(
     f"{i / 1000}, {i % 7}, {i}\n" for i in range(50)
 )
@@ -82,5 +83,5 @@ def test_only_a_store_needs_a_database(tmp_path, words, needed):
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     said = " ".join(done.stderr.split())
     assert done.stdout.endswith("2\n"), done.stdout  # no wheel can be graded by such a record
-    assert ("'sqlalchemy' is not installed" in said) == ("pip install 'jounce[store]'" in said) == needed, said
+    assert ("'sqlalchemy' is not installed" in said) == (how_to_install("store") in said) == needed, said
     assert not (tmp_path / "lane.db").exists()

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import importlib
+import json
+import re
+from pathlib import Path
 from types import ModuleType
 
 from jounce.core.errors import JounceError
@@ -24,5 +27,30 @@ def require(module: str, extra: str) -> ModuleType:
         if error.name is None or error.name.partition(".")[0] != module.partition(".")[0]:
             raise
         raise MissingPackageError(
-            f"the package {module!r} is not installed", hint=f"Install it with: pip install 'jounce[{extra}]'"
+            f"the package {module!r} is not installed", hint=f"Install it with: {how_to_install(extra)}"
         ) from None
+
+
+def how_to_install(extra: str) -> str:
+    """Give the command that brings an extra: of the folder that jounce was installed from, else package by package.
+
+    An index need not have jounce, and may have something else of that name.
+    """
+    from importlib import metadata
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
+    from jounce.core.commands import command_line
+
+    try:
+        own = metadata.distribution("jounce")
+    except metadata.PackageNotFoundError:  # sources on the path, nothing installed
+        return command_line(["pip", "install", f".[{extra}]"])
+    source = json.loads(own.read_text("direct_url.json") or "{}")
+    address = urlsplit(source.get("url", ""))
+    folder = Path(url2pathname(address.path))
+    if address.scheme == "file" and (folder / "pyproject.toml").is_file():
+        editable = ["-e"] if source.get("dir_info", {}).get("editable") else []
+        return command_line(["pip", "install", *editable, f"{folder}[{extra}]"])
+    needed = [one.partition(";") for one in own.requires or ()]
+    return command_line(["pip", "install", *(name for name, _, when in needed if re.search(rf"\b{extra}\b", when))])

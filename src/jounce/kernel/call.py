@@ -17,13 +17,14 @@ import sys
 import sysconfig
 from collections.abc import Callable
 from functools import cache, cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from llvmlite import binding as llvm
 
 from jounce.core.errors import JounceError
-from jounce.core.optional import require
+from jounce.core.optional import MissingPackageError, require
 from jounce.core.sources import digest_of
 from jounce.core.waiting import told
 from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
@@ -211,7 +212,7 @@ def _kept_object(bitcode: bytes, name: str, platform: str) -> bytes:
 
 def bitcode_from_sources(name: str) -> bytes:
     """Compile a loop by Numba, and keep its bitcode beside the sources where that is possible."""
-    require("numba", "loops")
+    _require_numba()
     from jounce.kernel.loops.build import bitcode_of
 
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
@@ -219,6 +220,21 @@ def bitcode_from_sources(name: str) -> bytes:
         content = bitcode_of(name)
     write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content
+
+
+def _require_numba() -> None:
+    """Refuse where Numba is missing; sources that were never built need no Numba here, they want to be built."""
+    root = Path(__file__).parents[3]
+    try:
+        require("numba", "loops")
+    except MissingPackageError:
+        if not (root / "Makefile").is_file():
+            raise
+        raise MissingPackageError(
+            "the loops of these sources are not built, and numba is not installed",
+            where=str(root),
+            hint="Run: make loops",
+        ) from None
 
 
 def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
@@ -237,7 +253,7 @@ def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
 
 def _by_numba(name: str) -> Callable[[tuple[Any, ...]], int]:
     """Compile a loop as Numba does, with its own entry: slower to start, and it knows every build of Python."""
-    require("numba", "loops")
+    _require_numba()
     from jounce.kernel.loops.build import function_of
 
     with IN_LLVM:

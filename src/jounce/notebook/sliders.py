@@ -126,8 +126,8 @@ def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, Displa
 
 
 _ALIVE = (
-    "The sliders move where the notebook runs: open it in Jupyter with jounce[notebook] installed, and run this cell. "
-    "Until then, this is the rig as it was."
+    "The sliders move where the notebook runs: open it in Jupyter with the extra notebook of jounce, and run this "
+    "cell. Until then, this is the rig as it was."
 )
 
 

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 
 from jounce.core.errors import RecordingError
-from jounce.core.optional import MissingPackageError, require
+from jounce.core.optional import MissingPackageError, how_to_install, require
 from jounce.recordings import read_recording, readers
 
 TIME = np.arange(40) * 0.001
@@ -15,7 +16,7 @@ WAVE = np.sin(TIME * 200.0)
 
 
 def test_missing_package_says_what_to_install() -> None:
-    with pytest.raises(MissingPackageError, match=r"'not_there_at_all'.*pip install 'jounce\[io\]'"):
+    with pytest.raises(MissingPackageError, match=f"'not_there_at_all'.*{re.escape(how_to_install('io'))}"):
         require("not_there_at_all", "io")
 
 

@@ -14,6 +14,7 @@ from typing import Literal
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import OutputError, SimulationError
 from jounce.core.findings import Finding
+from jounce.core.optional import how_to_install
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, working_folder, write_atomically
 from jounce.exchange.fmu import build as native
@@ -146,7 +147,7 @@ def export_fmu(
                 where="export",
                 found=", ".join(wanted),
                 allowed=this_platform(),
-                hint="Install the extra fmu (pip install 'jounce[fmu]') to compile for every platform.",
+                hint=f"Install the extra fmu ({how_to_install('fmu')}) to compile for every platform.",
             )
         text = "no compiler was found: the FMU holds sources only; compile on the target or install the extra fmu"
         findings.append(Finding(str(file), "warning", text))

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError
-from jounce.core.optional import require
+from jounce.core.optional import how_to_install, require
 from jounce.core.writing import sweep_beside, temporary_beside
 
 require("sqlalchemy", "store")
@@ -237,8 +237,8 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         what = "no database: the address cannot be read"
         raise DescriptionError(what, where="store", found=shown(location), allowed=allowed, hint=hint) from None
     except ModuleNotFoundError as error:
-        package = "jounce[postgresql]" if error.name == "psycopg" else error.name
-        what, hint = "the driver of this database is not installed", f"Install it with: pip install '{package}'"
+        command = how_to_install("postgresql") if error.name == "psycopg" else f"pip install {error.name}"
+        what, hint = "the driver of this database is not installed", f"Install it with: {command}"
         raise RecordingError(what, where=shown(location), hint=hint) from None
     try:
         with reported_errors(shown(location)), engine.begin() as connection:
