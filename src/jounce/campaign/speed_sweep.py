@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from jounce.campaign.result import CampaignResult, TrialComparison
 from jounce.core.errors import DescriptionError, FitError, SimulationError
+from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
@@ -127,8 +128,7 @@ _LABELS = {
 
 
 def _speeds(speeds: ArrayLike | Sequence[str]) -> Array:
-    values: Iterable[object] = np.atleast_1d(np.asarray(speeds, dtype=object)).tolist()
-    velocity = np.array([to_si(value, "m/s", where="speeds") for value in values])
+    velocity = as_values(speeds, "m/s", where="speeds")
     if len(velocity) == 0 or not np.all(velocity > 0.0):
         raise DescriptionError(
             "not speeds to drive at", where="speeds", found=speeds, allowed="one or more above 0 m/s"

@@ -202,12 +202,15 @@ def base_units(si: str) -> dict[str, int]:
 def to_si(value: object, si: str, *, where: str = "") -> float:
     """Read one physical value in ``si``: text with its unit (``"22.73 N/mm"``), or a bare number that is already SI.
 
+    Numbers of other libraries are read, too, and those that carry a unit (a quantity of Pint, a duration) by it.
     A DescriptionError at the place ``where`` refuses a missing or wrong unit, and what is not a finite number.
     """
     if type(value) is float and -LARGEST <= value <= LARGEST:  # most are: descriptions made from others
         return value
-    if isinstance(value, bool) or not isinstance(value, (Real, str)):
-        raise DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
+    if not isinstance(value, str) and (type(value) is bool or not isinstance(value, Real) or hasattr(value, "dtype")):
+        from jounce.core.samples import as_number
+
+        value = as_number(value, si, where=where)
     if not isinstance(value, str):
         try:
             number = float(value)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.identify.warping import warping_path
 from jounce.recordings.signals import correlation_coefficients, estimate_lag, resample
@@ -77,7 +78,7 @@ def compare(reference: ArrayLike, compared: ArrayLike, time: ArrayLike, *, place
     >>> round(result.peak_error, 6), round(result.magnitude, 6), round(abs(result.phase), 6), round(abs(result.lag), 9)
     (0.1, 0.1, 0.0, 0.0)
     """
-    m, c, t = (np.asarray(values, dtype=float) for values in (reference, compared, time))
+    m, c, t = (as_samples(values, si, where=place) for values, si in ((reference, ""), (compared, ""), (time, "s")))
     _check(m, c, t, place)
     deviation = m - m.mean()
     constant = np.ptp(m) == 0.0
@@ -191,7 +192,7 @@ def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, p
     >>> iso18571(bump, bump, 10e3).rating, iso18571(bump, 1.1 * bump, 10e3).grade
     (1.0, 'excellent')
     """
-    t, c = np.asarray(reference, dtype=float), np.asarray(compared, dtype=float)
+    t, c = as_samples(reference, where=place), as_samples(compared, where=place)
     _check_rated(t, c, sample_rate, place)
     findings = []
     if abs(sample_rate - SAMPLE_RATE) > 1e-6 * SAMPLE_RATE:

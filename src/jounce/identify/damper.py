@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.decay import lost_samples, noise_of, quantum_of, zigzag
@@ -82,8 +83,17 @@ def read_motion(
     """
     if velocity_from not in ("recorded", "displacement"):
         raise unknown(str(velocity_from), ("recorded", "displacement"), what="velocity_from", where=name)
-    columns = {"displacement": displacement, "velocity": velocity, "force": force, "time": time}
-    arrays = {key: np.asarray(value, float) for key, value in columns.items() if value is not None}
+    columns = {
+        "displacement": (displacement, "m"),
+        "velocity": (velocity, "m/s"),
+        "force": (force, "N"),
+        "time": (time, "s"),
+    }
+    arrays = {
+        key: as_samples(value, si, where=f"{name}: {key}", error=FitError)
+        for key, (value, si) in columns.items()
+        if value is not None or key != "velocity"
+    }
     _check(arrays, name)
     sign_of(stroke_positive, "stroke", where=name), sign_of(force_positive, "force", where=name)
     findings: list[Finding] = []

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -1124,9 +1125,11 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
 def _checked(
     time: ArrayLike, record: ArrayLike, mass: float, stiffness: float | None, quantity: str, name: str
 ) -> tuple[Array, Array]:
-    t, signal = np.asarray(time, float), np.asarray(record, float)
     if quantity not in QUANTITIES:
         raise unknown(str(quantity), QUANTITIES, what="quantity", where=name)
+    si = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}[quantity]
+    t = as_samples(time, "s", where=f"{name}: time", error=FitError)
+    signal = as_samples(record, si, where=f"{name}: {quantity}", error=FitError)
     if t.ndim != 1 or t.shape != signal.shape:
         raise FitError(
             "time and record are not two columns of the same length", where=name, found=f"{t.shape} and {signal.shape}"

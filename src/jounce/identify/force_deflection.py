@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.decay import zigzag
@@ -51,7 +52,8 @@ class ForceDeflectionTrial(Shown):
 
     def arrays(self) -> tuple[Array, Array]:
         """Deflection [m] and force [N] as float arrays of shape (n,), checked."""
-        deflection, force = np.asarray(self.deflection, float), np.asarray(self.force, float)
+        deflection = as_samples(self.deflection, "m", where=f"{self.name}: deflection", error=FitError)
+        force = as_samples(self.force, "N", where=f"{self.name}: force", error=FitError)
         if deflection.ndim != 1 or deflection.shape != force.shape:
             raise FitError(
                 "deflection and force are not two columns of the same length",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.kernel.call import Loop
 
@@ -52,7 +53,7 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     ----------
     Ikhouane and Rodellar (2007), Systems with Hysteresis, Wiley (normalised form).
     """
-    path = np.ascontiguousarray(displacement, dtype=np.float64)
+    path = as_samples(displacement, "m", where="displacement", error=DescriptionError)
     if path.ndim != 1 or not np.all(np.isfinite(path)):
         raise DescriptionError(
             "not a path", where="displacement", found=f"shape {path.shape}", allowed="finite numbers of shape (n,)"

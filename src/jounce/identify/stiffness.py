@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.estimate import (
@@ -67,7 +68,7 @@ class FittedCurve:
 
     def __call__(self, deflection: ArrayLike) -> Array:
         """Give the force [N] at deflections of the trials [m], same shape."""
-        x = np.asarray(deflection, float) - self.origin
+        x = as_samples(deflection, "m", where="deflection") - self.origin
         if self.kind == "polynomial":
             return np.asarray(self.preload + x * np.polynomial.polynomial.polyval(x, self.coefficients))
         if self.kind == "power":
@@ -77,7 +78,7 @@ class FittedCurve:
 
     def tangent(self, deflection: ArrayLike) -> Array:
         """Give dF/dx [N/m] at deflections of the trials [m], same shape."""
-        x = np.asarray(deflection, float) - self.origin
+        x = as_samples(deflection, "m", where="deflection") - self.origin
         if self.kind == "polynomial":
             powers = np.arange(1, len(self.coefficients) + 1)
             return np.asarray(np.polynomial.polynomial.polyval(x, np.array(self.coefficients) * powers))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -16,6 +16,7 @@ from jounce.core.datasets import dataset
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.findings import Finding
+from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import Length, Mass, Unit, bare_si, to_si
 from jounce.core.writing import Formats
@@ -100,32 +101,13 @@ def _quantity(text: str, unit: str, where: str) -> float:
     return bare_si(number, unit, where=where)
 
 
-def si_values(values: object, unit: str, name: str) -> Array:
-    """Read a number or an array in SI, or a list in which each is a number or a text with its unit.
-
-    >>> si_values(["-4 cm", 0.0, "40 mm"], "m", "travel").tolist()
-    [-0.04, 0.0, 0.04]
-    """
-    if isinstance(values, np.ndarray) and values.dtype.kind in "fiu":
-        return np.atleast_1d(np.asarray(values, dtype=np.float64))
-    if isinstance(values, str) or not isinstance(values, Iterable):
-        return np.array([to_si(_plain(values), unit, where=name)])
-    return np.array([to_si(_plain(item), unit, where=f"{name}[{i}]") for i, item in enumerate(values)])
-
-
-def _plain(item: object) -> object:
-    """A number of NumPy as a plain one."""
-    return item.item() if isinstance(item, np.generic) else item
-
-
 def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
     """Check values to sweep over: finite, ascending, at least one; text is read as a range."""
     if isinstance(values, str):
         return text_range(values, unit, name)
-    shape = np.shape(np.asarray(values, dtype=object))
-    if len(shape) > 1 or 0 in shape:
-        raise DescriptionError("not a list of values", where=name, found=f"shape {shape}", allowed="(n,), n > 0")
-    checked = si_values(values, unit, name)
+    checked = as_values(values, unit, where=name)
+    if not checked.size:
+        raise DescriptionError("not a list of values", where=name, found="nothing", allowed="one value or more")
     if not np.all(np.isfinite(checked)):
         raise DescriptionError("not a finite number", where=name, found=checked[~np.isfinite(checked)][0])
     refuse_metres(checked, name, unit)
@@ -676,7 +658,7 @@ def path_values(values: Values, name: str, unit: str = "m") -> Array:
     """Values pose by pose, in any order."""
     if isinstance(values, str):
         return text_range(values, unit, name)
-    checked = si_values(values, unit, name)
+    checked = as_values(values, unit, where=name)
     if checked.ndim != 1 or not len(checked) or not np.all(np.isfinite(checked)):
         raise DescriptionError("not a list of finite values", where=name, found=str(values)[:60])
     if len(checked) > _MOST_POSES:

@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError, nearest
+from jounce.core.samples import as_samples, as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import walk_variants
 from jounce.kinematics.axle import Axle, AxleVariables, check_roll, rolled, steering_rows
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
-from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, si_values, sweep_values
+from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, sweep_values
 from jounce.parts import Corner, Rig
 from jounce.parts.corners import LARGE
 from jounce.parts.rig import unit_of, unknown_path
@@ -236,7 +237,7 @@ def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, 
             )
         where = f"changes: {path}"
         if len(parts) == 1:
-            read = [si_values(given, unit_of(rig, path), where)]
+            read = [as_values(given, unit_of(rig, path), where=where)]
         else:
             read = _places(given, where)
         for part, column in zip(parts, read, strict=True):
@@ -262,11 +263,13 @@ def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, 
 
 def _places(given: object, where: str) -> list[Array]:
     """Columns x, y, z (m) of places, one for each variant."""
-    rows = list(given) if isinstance(given, Sequence) and not isinstance(given, str) else np.asarray(given)
-    if np.ndim(np.asarray(rows, dtype=object)) != 2 or np.shape(np.asarray(rows, dtype=object))[1] != 3:
+    if isinstance(given, Sequence) and not isinstance(given, str):
+        rows = [as_values(row, "m", where=f"{where}[{i}]") for i, row in enumerate(given)]
+    else:
+        rows = list(np.atleast_2d(as_samples(given, "m", where=where, error=DescriptionError)))
+    if not rows or {row.shape for row in rows} != {(3,)}:
         raise DescriptionError("not a list of places", where=where, found=str(given)[:60], allowed="[[x, y, z], ...]")
-    places = np.array([si_values(list(row), "m", f"{where}[{i}]") for i, row in enumerate(rows)])
-    return list(places.T)
+    return list(np.array(rows).T)
 
 
 def _chosen(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import AssemblyError
 from jounce.core.files import existing_file
 from jounce.core.optional import require
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import to_si
 
@@ -173,7 +174,8 @@ def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], sca
     """
     trimesh = require("trimesh", "mesh")
     if isinstance(surface, tuple):
-        found = trimesh.Trimesh(vertices=np.asarray(surface[0], dtype=float), faces=np.asarray(surface[1]))
+        vertices = as_samples(surface[0], where="surface: vertices", error=AssemblyError)
+        found = trimesh.Trimesh(vertices=vertices, faces=np.asarray(surface[1]))
     else:
         found = _read(trimesh, Path(surface))
     if not found.is_watertight or not found.is_winding_consistent or found.volume <= 0.0:

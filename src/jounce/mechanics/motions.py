@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import AssemblyError
+from jounce.core.samples import as_samples
 from jounce.core.segments import SINE, Segments, piecewise_linear
 
 
@@ -109,7 +110,8 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
     AssemblyError
         When there are fewer than two points or the times do not ascend.
     """
-    t, x = np.asarray(time, dtype=float), np.asarray(value, dtype=float)
+    t = as_samples(time, "s", where="time", error=AssemblyError)
+    x = as_samples(value, where="value", error=AssemblyError)
     if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or not np.all(np.diff(t) > 0.0) or not np.all(np.isfinite(x)):
         found = f"times of shape {t.shape}, values of shape {x.shape}"
         raise AssemblyError("not a motion", found=found, allowed="two finite points or more, ascending in time")

@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from jounce.core.description import Description
+from jounce.core.samples import listed
 from jounce.core.types import Array
 from jounce.core.units import (
     Length,
@@ -25,8 +26,7 @@ Triple = tuple[float, float, float]
 
 
 def _three(value: Any) -> Any:
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
+    value = listed(value)
     if not isinstance(value, (list, tuple)):
         raise ValueError(
             f'three values along x, y and z are needed, as in ["150 mm", "400 mm", "155 mm"]; found {value!r}'

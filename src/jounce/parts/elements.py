@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from jounce.core.description import Description, misplaced
+from jounce.core.samples import Listed
 from jounce.core.units import (
     Angle,
     Force,
@@ -37,7 +38,7 @@ class PolynomialCurve(Description):
     """Force ``F = c[0] x + c[1] x^2 + ...`` without a constant term; ``x`` in m, ``c[i]`` in N/m^(i+1)."""
 
     kind: Literal["polynomial"] = "polynomial"
-    coefficients: tuple[Number, ...] = Field(min_length=1, max_length=9)
+    coefficients: Annotated[tuple[Number, ...], Listed] = Field(min_length=1, max_length=9)
 
 
 class PowerCurve(Description):
@@ -52,8 +53,8 @@ class TableCurve(Description):
     """Force through points of deflection (m, compression positive), straight lines between them and beyond."""
 
     kind: Literal["table"] = "table"
-    deflection: tuple[Length, ...] = Field(min_length=2)
-    force: tuple[Force, ...] = Field(min_length=2)
+    deflection: Annotated[tuple[Length, ...], Listed] = Field(min_length=2)
+    force: Annotated[tuple[Force, ...], Listed] = Field(min_length=2)
 
     @model_validator(mode="after")
     def _check(self) -> TableCurve:
@@ -65,8 +66,8 @@ class VelocityTable(Description):
     """Damper force through points of velocity (m/s, bump positive), straight lines between them and beyond."""
 
     kind: Literal["table"] = "table"
-    velocity: tuple[Speed, ...] = Field(min_length=2)
-    force: tuple[Force, ...] = Field(min_length=2)
+    velocity: Annotated[tuple[Speed, ...], Listed] = Field(min_length=2)
+    force: Annotated[tuple[Force, ...], Listed] = Field(min_length=2)
 
     @model_validator(mode="after")
     def _check(self) -> VelocityTable:
@@ -236,9 +237,9 @@ class MapDamper(Description):
     """
 
     kind: Literal["map"] = "map"
-    length: tuple[PositiveLength, ...] = Field(min_length=2)
-    velocity: tuple[Speed, ...] = Field(min_length=2)
-    force: tuple[tuple[Force, ...], ...]
+    length: Annotated[tuple[PositiveLength, ...], Listed] = Field(min_length=2)
+    velocity: Annotated[tuple[Speed, ...], Listed] = Field(min_length=2)
+    force: Annotated[tuple[Annotated[tuple[Force, ...], Listed], ...], Listed]
 
     @model_validator(mode="after")
     def _is_a_grid(self) -> Self:

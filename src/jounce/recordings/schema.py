@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from jounce.core.datasets import dataset
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.remembered import remembered
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 
 if TYPE_CHECKING:
@@ -230,10 +231,10 @@ def recording(
     """
     import xarray as xr
 
-    instants = np.asarray(time, dtype=float)
+    instants = as_samples(time, "s", where="time")
     variables = {}
     for name, (values, unit, long_name) in channels.items():
-        samples = np.asarray(values, dtype=float)
+        samples = as_samples(values, unit, where=name)
         if samples.shape != instants.shape:
             raise RecordingError(
                 "the channel has not as many samples as time",

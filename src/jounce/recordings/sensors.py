@@ -17,6 +17,7 @@ from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description
 from jounce.core.errors import shown, unknown
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
 from jounce.recordings.schema import channel_unit
@@ -189,7 +190,7 @@ def filter_signals(
     >>> filter_signals([1.0, 1.0, 1.0], 1000.0, Sensor(high_pass="1 Hz")).tolist()
     [0.0, 0.0, 0.0]
     """
-    signals = np.asarray(values, dtype=float) * (sensor.gain * sensor.orientation)
+    signals = np.atleast_1d(as_samples(values, where=where)) * (sensor.gain * sensor.orientation)
     sections = sections_of(sensor, sample_rate, where=where)
     if len(sections) == 0:
         return signals

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 
 _TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
@@ -31,6 +32,22 @@ def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None
             found=f"{frequency:g} Hz",
             allowed=f"above 0 and below {0.5 * sample_rate:g} Hz, half the sample rate",
         )
+
+
+def _signals(values: ArrayLike, what: str, fewest: int) -> Array:
+    """Signals with samples along the first axis, enough of them for what is to be done."""
+    signals = as_samples(values, where="signal")
+    count = len(signals) if signals.ndim else 0
+    if count < fewest:
+        raise RecordingError(f"the signal is too short to {what}", found=f"{count} samples", allowed=f"{fewest}")
+    return signals
+
+
+def _check_finite(*signals: Array) -> None:
+    for one in signals:
+        finite = np.isfinite(one).reshape(len(one), -1).all(axis=1)
+        if not finite.all():
+            raise RecordingError(f"sample {int(np.argmin(finite)) + 1} is not a finite number", where="signal")
 
 
 def band_limit(
@@ -89,19 +106,14 @@ def band_limit(
             design = math.atan(warped) / math.pi * sample_rate
             sections.append(signal.butter(order, design, kind, fs=sample_rate, output="sos"))
     if not sections:
-        return np.array(values, dtype=float)
+        return _signals(values, "filter", 0).copy()
     return _both_ways(np.concatenate(sections), values)
 
 
 def _both_ways(sections: Array, values: ArrayLike) -> Array:
     from scipy import signal
 
-    signals = np.asarray(values, dtype=float)
-    needed = 3 * (2 * len(sections) + 1) + 1
-    if signals.shape[0] < needed:
-        raise RecordingError(
-            "the signal is too short to filter", found=f"{signals.shape[0]} samples", allowed=f"{needed}"
-        )
+    signals = _signals(values, "filter", 3 * (2 * len(sections) + 1) + 1)
     return np.asarray(signal.sosfiltfilt(sections, signals, axis=0), dtype=float)
 
 
@@ -191,7 +203,7 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     >>> t.tolist(), x.round(12).tolist()
     ([0.0, 0.25, 0.5, 0.75, 1.0], [0.0, 0.5, 1.0, 1.5, 2.0])
     """
-    instants, signals = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
+    instants, signals = as_samples(time, "s", where="time"), as_samples(values, where="signal")
     if not sample_rate > 0.0 or not math.isfinite(sample_rate):
         raise RecordingError("the sample rate is not positive", where="resample", found=f"{sample_rate:g} Hz")
     if instants.ndim != 1 or instants.size < 2 or signals.shape[:1] != instants.shape:
@@ -201,6 +213,9 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
             found=f"shapes {instants.shape} and {signals.shape}",
             allowed="as many values as instants, at least two",
         )
+    _check_finite(instants, signals)
+    if not np.all(np.diff(instants) > 0.0):
+        raise RecordingError("time does not ascend strictly", where="resample")
     wanted = uniform_instants(float(instants[0]), float(instants[-1]), sample_rate)
     return wanted, read_at(instants, signals, wanted, sample_rate)
 
@@ -278,11 +293,7 @@ def derivative(values: ArrayLike, sample_rate: float) -> Array:
     >>> derivative([0.0, 1.0, 4.0, 9.0], 1.0).tolist()
     [0.0, 2.0, 4.0, 6.0]
     """
-    signals = np.asarray(values, dtype=float)
-    if signals.shape[0] < 3:
-        raise RecordingError(
-            "the signal is too short to differentiate", found=f"{signals.shape[0]} samples", allowed="3"
-        )
+    signals = _signals(values, "differentiate", 3)
     return np.asarray(np.gradient(signals, 1.0 / sample_rate, axis=0, edge_order=2), dtype=float)
 
 
@@ -346,9 +357,8 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     """
     from scipy.interpolate import CubicSpline
 
-    signals = np.asarray(values, dtype=float)
-    if signals.shape[0] < 2:
-        raise RecordingError("the signal is too short to shift", found=f"{signals.shape[0]} samples", allowed="2")
+    signals = _signals(values, "shift", 2)
+    _check_finite(signals)
     samples = np.arange(signals.shape[0], dtype=float)
     spline = CubicSpline(samples, signals)
     wanted = samples - lag * sample_rate
@@ -393,7 +403,7 @@ def estimate_lag(
     >>> round(estimate_lag(pulse, late, 1000.0), 5)
     0.0123
     """
-    a, b = np.asarray(reference, dtype=float), np.asarray(compared, dtype=float)
+    a, b = as_samples(reference, where="reference"), as_samples(compared, where="compared")
     if a.shape != b.shape or a.ndim != 1 or a.size < 3:
         raise RecordingError(
             "the signals cannot be compared",
@@ -401,6 +411,7 @@ def estimate_lag(
             found=f"shapes {a.shape} and {b.shape}",
             allowed="two signals of the same length, at least 3 samples",
         )
+    _check_finite(a, b)
     most = a.size // 5 if maximum_lag is None else int(abs(maximum_lag) * sample_rate)
     most = max(1, min(most, a.size // 2))
     if np.ptp(a) == 0.0 or np.ptp(b) == 0.0:

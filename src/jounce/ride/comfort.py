@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 
 Averaging = Literal["linear", "exponential"]
@@ -175,7 +176,7 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
 
 
 def _checked(values: ArrayLike, sample_rate: float) -> Array:
-    signal = np.asarray(values, dtype=float)
+    signal = as_samples(values, where="signal")
     if signal.ndim != 1 or signal.size < 2 or not sample_rate > 0.0:
         raise RecordingError(
             "not a signal", found=f"shape {signal.shape} at {sample_rate:g} Hz", allowed="at least 2 samples at a rate"

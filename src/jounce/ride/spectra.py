@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, nearest, unknown
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -250,7 +251,7 @@ def channel_transfer(
 
 def model_transfer(model: LinearModel, frequency: ArrayLike, output: str, given: str = "road.z") -> Transfer:
     """Transfer function (SI) of a linearised model at frequencies in Hz, like those of `transfer_function`."""
-    f = np.atleast_1d(np.asarray(frequency, dtype=float))
+    f = np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
     response = np.asarray(model.frequency_response(f, output, given), dtype=np.complex128)
     return Transfer(f, response, np.ones_like(f), math.inf)
 
@@ -268,12 +269,12 @@ def response_spectrum(
     the unit of the output squared per Hz. ``tracks`` is the input, or several that follow the same road, each with its
     delay in s (rear wheels: wheelbase over speed).
     """
-    f = np.atleast_1d(np.asarray(frequency, dtype=float))
+    f = np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
     delays = {tracks: 0.0} if isinstance(tracks, str) else tracks
     gain = np.zeros(f.shape, dtype=np.complex128)
     for track, delay in delays.items():
         gain += model.frequency_response(f, output, track) * np.exp(-2j * math.pi * f * delay)
-    return np.asarray(abs(gain) ** 2 * np.asarray(density), dtype=np.float64)
+    return np.asarray(abs(gain) ** 2 * as_samples(density, where="density"), dtype=np.float64)
 
 
 def third_octaves(spectrum: Spectrum) -> Bands:
@@ -298,16 +299,7 @@ def third_octaves(spectrum: Spectrum) -> Bands:
 
 
 def _checked(values: ArrayLike, sample_rate: float, what: str) -> Array:
-    try:
-        signal = np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise RecordingError(
-            "not a signal",
-            where=what,
-            found=type(values).__name__,
-            allowed="an array of numbers",
-            hint='Give the values of one channel, e.g. run["sprung.az"].',
-        ) from None
+    signal = as_samples(values, where=what)
     if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not sample_rate > 0.0:
         raise RecordingError(
             "too little for a spectrum",

@@ -9,7 +9,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from jounce.core.errors import RecordingError, unknown
+from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 
 Start = Literal["rest", "first", "mean"]
@@ -111,7 +112,8 @@ def weighting_response(name: str, frequency: ArrayLike) -> NDArray[np.complex128
     [0.4825, 1.0544, 0.0887]
     """
     row = weighting(name)
-    s = 2j * math.pi * np.asarray(frequency, dtype=float)
+    f = as_samples(frequency, "Hz", where="frequency", error=DescriptionError)
+    s: NDArray[np.complex128] = np.asarray(2j * math.pi * f, dtype=np.complex128)
     response = _high_pass(s, row.f1) * _low_pass(s, row.f2)
     if math.isfinite(row.f4):
         response = response * _low_pass(s, row.f4, row.q4)
@@ -135,7 +137,7 @@ def _high_pass(s: NDArray[np.complex128], frequency: float) -> NDArray[np.comple
 def tolerance(name: str, frequency: ArrayLike) -> tuple[Array, Array]:
     """Smallest and largest ratio (1) of a filter's gain to the design value that ISO 8041-1 allows, at Hz."""
     first, second, third, last = weighting(name).limits
-    f = np.asarray(frequency, dtype=float)
+    f = as_samples(frequency, "Hz", where="frequency", error=DescriptionError)
     outer, inner = (f <= first) | (f >= last), (f >= second) & (f <= third)
     low = np.where(outer, 0.0, np.where(inner, 0.89, 0.79))
     return low, np.where(inner & ~outer, 1.12, 1.26)
@@ -195,8 +197,8 @@ def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start =
 
 
 def _checked(values: ArrayLike, sample_rate: float, row: Weighting, start: str) -> Array:
-    signal = np.asarray(values, dtype=float)
     at = f"weighting {row.name}"
+    signal = as_samples(values, where=at)
     if start not in STARTS:
         raise unknown(str(start), STARTS, what="start of the record", where=at)
     if signal.ndim != 1 or signal.size < 2:

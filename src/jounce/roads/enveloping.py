@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from pydantic import model_validator
 
 from jounce.core.errors import DescriptionError
+from jounce.core.samples import as_samples
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, PositiveLength, PositiveNumber
@@ -135,7 +136,7 @@ class Enveloped(RoadOf):
         """
         if self.method != "tandem-cam":
             return self.slope_at(x)
-        at = np.asarray(x, dtype=float)
+        at = as_samples(x, "m", where="x", error=DescriptionError)
         low, high = float(at.min()) - 1.0, float(at.max()) + 1.0
         return self._window(low, high)[1].evaluate(at.ravel())[0].reshape(at.shape)
 

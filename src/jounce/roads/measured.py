@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator
 
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import State, existing_file, state_of
+from jounce.core.samples import Listed
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, Unit
@@ -29,13 +29,9 @@ FEWEST = {"linear": 2, "cubic": 4}
 _JUMP, _STEEP = 1.0, 10.0  # m and 1; a step from one row to the next that is higher and steeper is padding, no road
 
 
-def _plain(value: object) -> object:
-    return value.tolist() if isinstance(value, np.ndarray) else value
-
-
-Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], BeforeValidator(_plain)]
-Forces = Annotated[tuple[Annotated[float, Unit("N")], ...], BeforeValidator(_plain)]
-Times = Annotated[tuple[Annotated[float, Unit("s")], ...], BeforeValidator(_plain)]
+Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], Listed]
+Forces = Annotated[tuple[Annotated[float, Unit("N")], ...], Listed]
+Times = Annotated[tuple[Annotated[float, Unit("s")], ...], Listed]
 
 
 class Table(SampledRoad):

@@ -14,6 +14,7 @@ from pydantic import model_validator
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.kinds import Kinds
+from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength
@@ -201,7 +202,7 @@ class Road(Description, ABC):
         return laid_out(self.profile(), passes(self.start, self.recurrence, high), low, high)
 
     def _evaluated(self, x: ArrayLike) -> tuple[Array, Array]:
-        at = np.asarray(x, dtype=float)
+        at = as_samples(x, "m", where="x", error=DescriptionError)
         if not np.isfinite(at).all():
             raise DescriptionError("not a distance", found="NaN or infinity", allowed="finite distances in m")
         low, high = (float(at.min()), float(at.max())) if at.size else (0.0, 0.0)

@@ -12,6 +12,7 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.description import Seed, Whole
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
@@ -120,7 +121,7 @@ def track_coherence(
     >>> track_coherence([0.0, 0.05, 0.5], 1.5).round(3).tolist()
     [1.0, 0.708, 0.001]
     """
-    at = np.asarray(n, dtype=float)
+    at = as_samples(n, "1/m", where="n", error=DescriptionError)
     if model == "exponential":
         return np.asarray(np.exp(-decay * at * track))
     from scipy.special import gamma, kv

@@ -17,6 +17,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding
 from jounce.core.remembered import remembered
+from jounce.core.samples import Listed
 from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
@@ -58,8 +59,8 @@ class Load(Description):
     value: Number | None = None
     start: NonNegativeTime = 0.0
     ramp: NonNegativeTime = 0.0
-    time: tuple[NonNegativeTime, ...] = ()
-    values: tuple[Number, ...] = ()
+    time: Annotated[tuple[NonNegativeTime, ...], Listed] = ()
+    values: Annotated[tuple[Number, ...], Listed] = ()
 
     @model_validator(mode="before")
     @classmethod
@@ -107,14 +108,14 @@ class PitchMoment(Load):
     """Moment of braking and driving on the body, N m, nose down positive."""
 
     value: Moment | None = None
-    values: tuple[Moment, ...] = ()
+    values: Annotated[tuple[Moment, ...], Listed] = ()
 
 
 class DrivingAcceleration(Load):
     """Deceleration (positive when braking) or lateral acceleration (positive to the left), m/s^2."""
 
     value: Acceleration | None = None
-    values: tuple[Acceleration, ...] = ()
+    values: Annotated[tuple[Acceleration, ...], Listed] = ()
 
 
 LOADS = ("pitch_moment", "deceleration", "lateral_acceleration")

@@ -14,6 +14,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.files import content_of
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -142,7 +143,8 @@ def iri(
     >>> round(wave.iri_m_per_km, 3), len(wave.segments)
     (3.975, 2)
     """
-    x, z = np.asarray(distance, dtype=float), np.asarray(height, dtype=float)
+    x = as_samples(distance, "m", where=f"{place}: distance")
+    z = as_samples(height, "m", where=f"{place}: height")
     length, start_length = to_si(segment, "m", where="segment"), to_si(run_up, "m", where="run_up")
     spacing = _checked_spacing(x, z, place)
     samples = base_samples(spacing)

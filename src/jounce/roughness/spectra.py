@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
@@ -66,7 +67,7 @@ def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array
     >>> (1e6 * road_psd("A", [0.1, 0.2])).round(6).tolist()
     [16.0, 4.0]
     """
-    at = np.asarray(n, dtype=float)
+    at = as_samples(n, "1/m", where="n", error=DescriptionError)
     if not (np.isfinite(at).all() and (at > 0.0).all()):
         raise DescriptionError("not a spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m")
     return np.asarray(as_roughness(road) * (at / REFERENCE) ** -waviness)
@@ -211,7 +212,7 @@ def estimate_roughness(
 
 
 def _checked(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
-    at, z = np.asarray(x, dtype=float), np.asarray(height, dtype=float)
+    at, z = as_samples(x, "m", where="x"), as_samples(height, "m", where="height")
     if at.ndim != 1 or at.shape != z.shape or len(at) < 16:
         raise RecordingError(
             "not a profile", found=f"{at.shape} distances, {z.shape} heights", allowed="16 or more of both"

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.mechanics.facts import moved_by
@@ -70,7 +71,7 @@ class LinearModel(Shown):
                 raise unknown(name, names, what=what, where="frequency response")
         row, first = self.outputs.index(output), self.inputs.index(track)
         found = []
-        for s in 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float)):
+        for s in 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency")):
             drive = np.array([1.0, s])
             x = np.linalg.solve(s * np.eye(len(self.states)) - self.A, self.B[:, first : first + 2] @ drive)
             found.append(self.C[row] @ x + self.D[row, first : first + 2] @ drive)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import SimulationError, unknown
+from jounce.core.samples import as_samples
 from jounce.core.types import Array, Complex
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester, as_tester
@@ -32,7 +33,7 @@ class LinearTesterRig:
     def transfer(self, frequency: ArrayLike, output: str, place: str = "") -> Complex:
         """Complex amplitude of an output (SI) for 1 rad of an eccentric exciter's angle, at frequencies in Hz."""
         row, (first, last) = self._row(output), self._inputs(place)
-        s = 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float))
+        s = 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
         drive = s[:, None] ** np.arange(last - first)
         size = len(self.A)
         states = np.linalg.solve(
@@ -108,7 +109,7 @@ def steady_response(
     """
     return _steady(
         linear_rig_on_tester(rig_on_tester(rig, as_tester(tester))),
-        np.atleast_1d(np.asarray(frequency, dtype=float)),
+        np.atleast_1d(as_samples(frequency, "Hz", where="frequency")),
         wheel,
     )
 

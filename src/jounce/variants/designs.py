@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.samples import as_values
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import Unit, to_si
@@ -127,7 +128,7 @@ def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
     6
     """
     for path, given in _named(values).items():
-        if isinstance(given, str) or not isinstance(given, Sequence | np.ndarray) or not len(given):
+        if not is_list(given):
             raise DescriptionError("not a list of values", where=path, found=given, allowed='e.g. ["14 kg", "16 kg"]')
     return Design("grid", dict(values), _count(math.prod(len(given) for given in values.values())))
 
@@ -306,7 +307,7 @@ def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Des
 
 def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) -> Design:
     for path, spread in _named(spreads).items():
-        if not isinstance(spread, str | Mapping | Sequence | np.ndarray):
+        if not isinstance(spread, str | Mapping) and not is_list(spread):
             raise DescriptionError("nothing to spread over", where=path, found=spread, allowed=_FORMS)
     if not is_whole(seed) or seed < 0:
         raise DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
@@ -322,6 +323,14 @@ def _named(given: object) -> Mapping[str, Any]:
 def is_whole(number: object) -> bool:
     """Whether it is a whole number, Python's or NumPy's."""
     return isinstance(number, int | np.integer) and not isinstance(number, bool)
+
+
+def is_list(values: Any) -> bool:
+    """Whether it is a list, array or column of any library that holds something; no text and no mapping."""
+    try:
+        return len(values) > 0 and not isinstance(values, str | Mapping)
+    except TypeError:  # a single number, too, may have a length in name only
+        return False
 
 
 def _count(count: int) -> int:
@@ -485,10 +494,7 @@ def _ends(values: Sequence[float], path: str, given: object) -> tuple[float, flo
 
 
 def _list(given: Sequence[float | str], unit: str, path: str) -> list[float]:
-    found = [
-        to_si(value.item() if isinstance(value, np.generic) else value, unit, where=f"{path}[{i}]")
-        for i, value in enumerate(given)
-    ]
+    found: list[float] = as_values(given, unit, where=path).tolist()
     if not np.all(np.isfinite(found)):
         raise DescriptionError("not finite numbers", where=path, found=str(list(given))[:60])
     return found

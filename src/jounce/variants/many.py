@@ -14,8 +14,9 @@ import numpy as np
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, unforeseen, unknown
 from jounce.core.remembered import remembered
+from jounce.core.samples import as_values
 from jounce.core.types import Array
-from jounce.core.units import Unit, to_si
+from jounce.core.units import Unit
 from jounce.parts import Rig, Vehicle
 from jounce.parts.rig import change_table, parameters_of, quantity_at, unknown_path
 from jounce.recordings.schema import channels_of
@@ -30,7 +31,7 @@ from jounce.simulation.result import angles_of, branch_limits, held_to_its_branc
 from jounce.simulation.sampled import STEPS_SHARE, TRIES
 from jounce.simulation.settings import RunSettings
 from jounce.variants import few_channels, stepped
-from jounce.variants.designs import MOST, Design
+from jounce.variants.designs import MOST, Design, is_list
 from jounce.variants.few_channels import FewChannels
 from jounce.variants.findings import Tally
 from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
@@ -799,13 +800,9 @@ def _changed(description: Any, changes: Mapping[str, float], prefix: str) -> Any
 
 
 def _column(given: object, unit: str, path: str) -> Array:
-    if isinstance(given, np.ndarray) and given.dtype.kind in "fiu":
-        found = np.array(given, dtype=float)  # of our own: results keep it
-    elif isinstance(given, str) or not isinstance(given, Sequence | np.ndarray):
+    if not is_list(given):
         raise DescriptionError("not a list of values", where=f"variants: {path}", found=given, allowed="one a variant")
-    else:
-        plain = (value.item() if isinstance(value, np.generic) else value for value in given)
-        found = np.array([to_si(value, unit, where=f"variants: {path}[{i}]") for i, value in enumerate(plain)])
+    found = np.array(as_values(given, unit, where=f"variants: {path}"))  # of our own: results keep it
     if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
         raise DescriptionError("not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60])
     return found

@@ -122,7 +122,7 @@ def test_a_channel_that_is_missing() -> None:
         (lambda: power_spectrum(NOISE, 0.0), "too little for a spectrum"),
         (
             lambda: power_spectrum(recording(np.arange(9.0), {"sprung.az": (NOISE[:9], "m/s^2", "")}), RATE),
-            "not a signal; found 'Dataset'; allowed: an array of numbers. Give the values of one channel",
+            "signal: a whole Dataset; give the values of one channel",
         ),
         (lambda: power_spectrum([*NOISE[:20], np.nan], RATE), "sample 21 is not a finite number"),
         (lambda: power_spectrum(NOISE, RATE, segment="300 s"), "the segment does not fit the record"),
