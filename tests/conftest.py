@@ -1,9 +1,10 @@
-"""What all tests share: reproducible random examples, a throw-away cache of compiled models, and ``--quick``."""
+"""What all tests share: reproducible random examples, a throw-away cache of compiled models, and options."""
 
 from __future__ import annotations
 
 import gc
 import os
+import random
 import shutil
 import subprocess
 import sys
@@ -18,7 +19,9 @@ import pytest
 for _library in ("OPENBLAS", "OMP", "MKL"):  # before NumPy comes: on small matrices threads only wait for each other
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
-from rules.evidence import Evidence, name_of, told  # noqa: E402 - it imports NumPy
+import rounding  # noqa: E402 - it imports NumPy
+from rounded import is_rounded  # noqa: E402
+from rules.evidence import Evidence, name_of, told  # noqa: E402
 
 hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, max_examples=60)
 hypothesis.settings.register_profile("quick", derandomize=True, deadline=None, max_examples=15)
@@ -34,6 +37,9 @@ QUICK = ("unit", "properties")  # the other kinds of test run models, which are 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--quick", action="store_true", help="only what answers at once: `make quick`")
     parser.addoption("--evidence", action="store_true", help="write what the page on validation says")
+    parser.addoption("--rounding-noise", type=int, metavar="SEED", help="round as another library would")
+    parser.addoption("--shuffle", type=int, metavar="SEED", help="run files, and the tests of each, in random order")
+    parser.addoption("--rounded", action="store_true", help="only files that hang on linear algebra or an optimiser")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -42,6 +48,8 @@ def pytest_configure(config: pytest.Config) -> None:
     config.stash[COLLECTED] = set()
     config.stash[SOURCES] = {}
     config.pluginmanager.register(Evidence(writes=config.getoption("--evidence")))
+    if config.getoption("--rounding-noise") is not None:
+        rounding.install(config.getoption("--rounding-noise"))
     if config.getoption("--quick"):
         hypothesis.settings.load_profile("quick")
         _skip_where_something_is_compiled_or_drawn()
@@ -150,7 +158,17 @@ def sources(request: pytest.FixtureRequest) -> dict[str, dict[str, str] | None]:
     return request.config.stash[SOURCES]
 
 
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Files in random order, and the tests within each: a file's fixtures are made once all the same."""
+    if (seed := config.getoption("--shuffle")) is not None:
+        place = random.Random(seed)
+        files = {item.path: place.random() for item in items}
+        items.sort(key=lambda item: (files[item.path], place.random()))
+
+
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    if config.getoption("--rounded") and collection_path.match("test_*.py") and not is_rounded(collection_path):
+        return True
     if not config.getoption("--quick"):
         return None
     below = collection_path.relative_to(Path(__file__).parent).parts if collection_path != config.rootpath else ()

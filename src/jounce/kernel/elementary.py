@@ -14,7 +14,9 @@ Call = Callable[[str, Sequence[ir.Value]], ir.Value]
 """An intrinsic of LLVM by its short name, of vectors."""
 
 _FUSED = ("contract",)  # products may be fused into sums, but nothing reordered: the reduction lives on rounding
-_QUARTER = (math.pi / 2.0, 6.123233995736766e-17)  # of a turn, and what its double lacks
+# A quarter of a turn in parts (fdlibm, e_rem_pio2.c). The first two have 33 bits: their products with counts up to 2^20
+# are exact, whether the processor fuses them into the difference or not.
+_QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
 # Polynomials of the square of an angle up to an eighth of a turn (fdlibm, k_sin.c and k_cos.c), highest power first.
 _SINE = (
     1.58969099521155010221e-10,
@@ -82,7 +84,7 @@ class _Arithmetic:
 def sine_and_cosine(b: ir.IRBuilder, call: Call, x: ir.Value) -> tuple[ir.Value, ir.Value]:
     """Sine and cosine of angles (rad)."""
     of = _Arithmetic(b, x.type)
-    quarters = call("rint", [of.multiply(x, 1.0 / _QUARTER[0])])
+    quarters = call("rint", [of.multiply(x, 2.0 / math.pi)])
     angle = x
     for part in _QUARTER:
         angle = of.subtract(angle, of.multiply(quarters, part))

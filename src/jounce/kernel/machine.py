@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import threading
 from collections.abc import Iterable
 from functools import cache
@@ -10,6 +11,8 @@ from typing import Any
 
 import llvmlite
 from llvmlite import binding as llvm
+
+from jounce.core.errors import SimulationError
 
 IN_LLVM = threading.RLock()
 """Held by whoever compiles or loads code: a process is split only while nobody does, or its half would find it torn."""
@@ -57,13 +60,57 @@ def this_machine(level: int = 3) -> Any:
     """Give the machine that this process runs on; at level 0 its code is made quickly rather than quick."""
     _initialise()
     return llvm.Target.from_default_triple().create_target_machine(
-        opt=level, cpu=llvm.get_host_cpu_name(), features=_features(), jit=True
+        opt=level, cpu=processor(), features=_features(), jit=True
     )
+
+
+LEVEL_3 = ("avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")  # Intel from 2013 on, AMD from 2015 on
+LEVELS: dict[str, tuple[str, ...]] = {
+    "x86-64": (),
+    "x86-64-v2": ("cx16", "popcnt", "sse4.2", "ssse3"),
+    "x86-64-v3": LEVEL_3,
+}
+"""Levels of processors that ``JOUNCE_PROCESSOR`` may name, and what each needs: those of the x86-64 psABI."""
+
+
+@cache
+def processor() -> str:
+    """Name of the processor that code is made for: this one, or the level that ``JOUNCE_PROCESSOR`` names.
+
+    Raises
+    ------
+    SimulationError
+        Where there is no such level, or this processor is below it: its code would end the process.
+    """
+    level = os.environ.get("JOUNCE_PROCESSOR")
+    if not level:
+        return str(llvm.get_host_cpu_name())
+    if level not in levels():
+        raise SimulationError(
+            "code cannot be made for this level of processors",
+            where="JOUNCE_PROCESSOR",
+            found=level,
+            allowed=", ".join(levels()) or "nothing: this processor is no x86-64",
+            hint="Unset it: code is then made for the processor that is there.",
+        )
+    return level
+
+
+def levels() -> list[str]:
+    """Levels that this processor reaches."""
+    there = _instructions()
+    known = LEVELS if llvm.get_process_triple().startswith("x86_64") else {}
+    return [name for name, needs in known.items() if all(there.get(one, False) for one in needs)]
 
 
 @cache
 def features() -> dict[str, bool]:
-    """Special instructions of this processor by name, whether it has them; none where LLVM does not know it."""
+    """Special instructions that code may use by name, whether it may; none where LLVM does not know the processor."""
+    there = _instructions()
+    return dict.fromkeys(LEVELS[processor()], True) if os.environ.get("JOUNCE_PROCESSOR") else there
+
+
+def _instructions() -> dict[str, bool]:
     with contextlib.suppress(RuntimeError):
         return dict(llvm.get_host_cpu_features())
     return {}
@@ -84,4 +131,4 @@ def compiled_for() -> str:
     A folder may be shared with other systems (a container's home), and LLVM ends a process that gives it their objects.
     """
     versions = f"{llvmlite.__version__} {llvm.llvm_version_info}"
-    return f"{versions} {llvm.get_process_triple()} {llvm.get_host_cpu_name()} {_features()}"
+    return f"{versions} {llvm.get_process_triple()} {processor()} {_features()}"

@@ -4,6 +4,8 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from jounce.core.errors import SimulationError
+from jounce.kernel import machine
 from jounce.kernel.lowering import Wide
 from jounce.kernel.native import compile_functions
 
@@ -11,8 +13,25 @@ WIDE = 8
 LIBRARY = {"sin": np.sin, "cos": np.cos, "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2}
 
 
+@pytest.fixture(scope="module", params=["", *machine.LEVELS])
+def processor(request):
+    """Make code for this processor, then for those without vectors of four, without fused products."""
+    if request.param not in ("", *machine.levels()):
+        pytest.skip("this processor is below that level")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JOUNCE_PROCESSOR", request.param)
+        forget_processor()
+        yield
+    forget_processor()
+
+
+def forget_processor():
+    machine.processor.cache_clear()
+    machine.features.cache_clear()
+
+
 @pytest.fixture(scope="module")
-def native():
+def native(processor):
     """Each function of eight systems, of one or two states."""
     x = ca.SX.sym("x", 2)
     none = [ca.SX.sym(name, 0) for name in "upm"]
@@ -70,3 +89,12 @@ def test_what_is_no_number_stays_none(native):
         for name in ("sin", "cos", "asin", "acos"):
             assert np.array_equal(np.isnan(evaluated(native, name, x)), np.isnan(LIBRARY[name](x))), name
     assert np.isnan(evaluated(native, "atan2", x, np.ones(8))[0])
+
+
+@pytest.mark.parametrize("level", ["x86-64-v9", "haswell"])
+def test_a_level_that_is_none_or_not_reached_is_refused(monkeypatch, level):
+    monkeypatch.setenv("JOUNCE_PROCESSOR", level)
+    forget_processor()
+    with pytest.raises(SimulationError, match=f"JOUNCE_PROCESSOR.*found '{level}'; allowed: .*Unset it"):
+        machine.this_machine()
+    forget_processor()

@@ -11,6 +11,8 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from jounce.kernel.machine import LEVEL_3
+
 SOURCES = ("kernel/loops", "kernel/methods", "kernel/arrays", "kernel/engine", "kernel/poses")
 """What the loops are made of, and what they are called with: built code is that of these modules as they are."""
 
@@ -53,13 +55,12 @@ class Platform:
     needs: tuple[str, ...] = ()
 
 
-_LEVEL_3 = ("avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")  # x86-64-v3: Intel from 2013 on, AMD from 2015 on
 PLATFORMS = {
-    "linux-x86_64": Platform("x86_64-unknown-linux-gnu", "x86-64-v3", _LEVEL_3),
+    "linux-x86_64": Platform("x86_64-unknown-linux-gnu", "x86-64-v3", LEVEL_3),
     "linux-aarch64": Platform("aarch64-unknown-linux-gnu", "generic"),
-    "darwin-x86_64": Platform("x86_64-apple-macosx11.0", "x86-64-v3", _LEVEL_3),
+    "darwin-x86_64": Platform("x86_64-apple-macosx11.0", "x86-64-v3", LEVEL_3),
     "darwin-arm64": Platform("arm64-apple-macosx11.0", "apple-m1"),
-    "windows-amd64": Platform("x86_64-pc-windows-msvc-elf", "x86-64-v3", _LEVEL_3),  # MCJIT loads ELF there, too
+    "windows-amd64": Platform("x86_64-pc-windows-msvc-elf", "x86-64-v3", LEVEL_3),  # MCJIT loads ELF there, too
 }
 
 
