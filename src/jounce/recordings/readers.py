@@ -26,6 +26,7 @@ from jounce.core.columns import (
     ColumnTable,
     columns_in,
     name_and_unit,
+    names_time,
     parse_header,
     text_of,
 )
@@ -34,6 +35,7 @@ from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.types import Array
+from jounce.core.units import is_unit
 from jounce.core.workbooks import sheets_of
 from jounce.recordings.hdf5 import announcement, check_size, held_rows
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
@@ -653,6 +655,8 @@ def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
     table = _renamed(columns_in(_as_text(kept[title]), path), options.header)
     if not is_ours:
         others = tuple(name for name, rows in kept.items() if name != title and _holds_numbers(rows))
+        with _understood(path, "an Excel workbook"):
+            table = _without_days(table, path, title)
         return SignalTable(table, left_out=others)
     about = [["" if cell is None else str(cell) for cell in [*row, *[""] * 3][:3]] for row in kept[EXCEL[1]][1:]]
     if not options.header and len(about) == len(table):
@@ -694,22 +698,65 @@ def _as_text(rows: list[list[Any]]) -> str:
     filled = [[i for i, cell in enumerate(row) if cell not in (None, "")] for row in rows]
     used = [i for places in filled if len(places) > 1 for i in places]
     first, end = min(used, default=0), max(used, default=-1) + 1
-    began = next((cell for row in rows for cell in row if isinstance(cell, datetime)), None)
     lines = []
-    for row in rows:
-        cells = [_cell_text(cell, began) for cell in [*row, *[None] * end]]
+    for row in _with_seconds(rows):
+        cells = [_cell_text(cell) for cell in [*row, *[None] * end]]
         lines.append("\t".join(cells[first:end]) if any(cells[first:end]) else " ".join(filter(None, cells)))
     return "".join(f"{line}\n" for line in lines)
 
 
-def _cell_text(cell: Any, began: datetime | None) -> str:
-    """A cell as a text file has it; instants in s since the first, times of day since midnight."""
+def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
+    """Rows in which the unit above durations is s, whether another one is written there or none."""
+    found = [list(row) for row in rows]
+    below = {
+        i: n for n, row in reversed([*enumerate(rows)]) for i, cell in enumerate(row) if isinstance(cell, timedelta)
+    }
+    for i, n in below.items():
+        head = rows[n - 1][i] if n and i < len(rows[n - 1]) else None
+        if isinstance(head, str):
+            is_bare_unit = is_unit(head) and not names_time(head)
+            found[n - 1][i] = "s" if is_bare_unit else f"{name_and_unit(head)[0]} [s]"
+    return found
+
+
+def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
+    """The table with durations in s that pandas wrote: days, shown as whole numbers that they are not."""
+    columns, remarks = list(table.columns), list(table.remarks)
+    for place, column in enumerate(columns):
+        seconds = (column.values * 86400.0).round(9)
+        if (
+            column.fault is None
+            and column.unit in ("", "s")
+            and names_time(column.name)
+            and not np.array_equal(column.values, column.values.round())
+            and np.allclose(seconds / 86400.0, column.values, rtol=1e-15, atol=0.0)
+            and _format_below(path, sheet, column.written or column.label) == "0"
+        ):
+            columns[place] = replace(column, unit="s", values=seconds, written=column.written or column.label)
+            remarks.append(f"{column.label!r} holds durations as pandas writes them, in days: they were read as s")
+    return replace(table, columns=tuple(columns), remarks=tuple(remarks))
+
+
+def _format_below(path: Path, sheet: str, header: str) -> str:
+    """How a workbook shows the first number below a header."""
+    book = require("openpyxl", "io").load_workbook(path, read_only=True, data_only=True)
+    try:
+        place = None
+        for row in book[sheet].iter_rows():
+            if place is not None and place < len(row) and isinstance(row[place].value, int | float):
+                return str(row[place].number_format)
+            place = next((i for i, cell in enumerate(row) if cell.value == header), place)
+    finally:
+        book.close()
+    return ""
+
+
+def _cell_text(cell: Any) -> str:
+    """A cell as a text file has it: clocks as ISO 8601 has them, durations in s."""
     if cell is None:
         return ""
-    if isinstance(cell, datetime) and began is not None:
-        cell -= began
-    elif isinstance(cell, time):
-        cell = timedelta(hours=cell.hour, minutes=cell.minute, seconds=cell.second, microseconds=cell.microsecond)
+    if isinstance(cell, datetime | time):
+        return cell.isoformat()
     if isinstance(cell, timedelta):
         cell = cell.total_seconds()
     return repr(cell) if isinstance(cell, float) else " ".join(str(cell).replace('"', "'").split())

@@ -68,6 +68,42 @@ def test_instants_are_seconds(tmp_path: Path, instant) -> None:
     np.testing.assert_array_equal(found["tyre.force"], [f for _, f in SAMPLES])
 
 
+@pytest.mark.parametrize("head", [["time [s]"], ["time"], ["time [ms]"], ["time", "s"], ["time", "ms"]])
+@pytest.mark.parametrize(
+    "instant",
+    [
+        lambda t: datetime(2026, 5, 3, 23, 59, 59, 990_000) + timedelta(seconds=t),  # noqa: DTZ001 - as Excel has it
+        lambda t: time(9, 0, 0, round(1e6 * t)),
+        lambda t: timedelta(seconds=t),
+    ],
+)
+def test_clocks_and_durations_need_no_unit(tmp_path: Path, instant, head: list[str]) -> None:
+    rows = [list(row) for row in zip(head, ["tyre.force", "N"] if head[1:] else ["tyre.force [N]"], strict=True)]
+    found, _ = jn.read_recording(book(tmp_path / "a.xlsx", run=[*rows, *([instant(t), f] for t, f in SAMPLES)]))
+    np.testing.assert_allclose(found["time"], [t for t, _ in SAMPLES], rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("head", ["time [s]", "time"])
+@pytest.mark.parametrize("since", ["0 s", "2026-03-29 01:59:59.99"])
+def test_times_that_pandas_writes_are_seconds(tmp_path: Path, head: str, since: str) -> None:
+    pd = pytest.importorskip("pandas")
+    first = pd.Timedelta(since) if since == "0 s" else pd.Timestamp(since)
+    times = first + pd.to_timedelta([t for t, _ in SAMPLES], unit="s")
+    pd.DataFrame({head: times, "tyre.force [N]": [f for _, f in SAMPLES]}).to_excel(tmp_path / "a.xlsx", index=False)
+    found, _ = jn.read_recording(tmp_path / "a.xlsx")
+    np.testing.assert_allclose(found["time"], [t for t, _ in SAMPLES], rtol=1e-12, atol=1e-12)
+
+
+def test_seconds_shown_without_decimals_stay_seconds(tmp_path: Path) -> None:
+    rows = [["time [s]", "tyre.force [N]"], *([1e-3 * i / 7.0, 200.0] for i in range(50))]
+    file = book(tmp_path / "a.xlsx", run=rows)
+    workbook = openpyxl.load_workbook(file)
+    for row in workbook.active.iter_rows():
+        row[0].number_format = "0"
+    workbook.save(file)
+    assert float(jn.read_recording(file)[0]["time"][7]) == 1e-3
+
+
 def test_of_several_sheets_with_numbers_one_is_chosen(tmp_path: Path) -> None:
     head = ["time [s]", "tyre.force [N]"]
     sheets = {"first": [head, *SAMPLES], "second": [head, *([t, -f] for t, f in SAMPLES)], "notes": [["by hand"]]}
