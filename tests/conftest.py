@@ -126,8 +126,8 @@ def _make_code_quickly() -> None:
         (reduced_car, "_reductions"),
         (kinematics, "_models"),
         (compliances, "_models"),
-        (lanes, "_KEPT"),
-        (lanes, "_ROWS"),
+        (lanes, "_codes"),
+        (lanes, "_dependences"),
         (stepped, "_codes"),
     ]
     key_here = native.key_here

@@ -11,6 +11,7 @@ import numpy as np
 from jounce.control.actuators import Instant, Lookup, clipped
 from jounce.control.controller import Controller
 from jounce.control.design import CornerModel
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.parts.rig import structure_of
 
@@ -37,15 +38,13 @@ class Program:
     memory: int
 
 
-_programs: dict[tuple[object, ...], Program] = {}
+_programs: Recent[Program] = Recent()
 
 
 def program(controller: Controller, corners: tuple[str, ...]) -> Program:
     """Write a controller out for its corners (``("",)`` for a quarter car); those of one structure share a program."""
     key = (type(controller), structure_of(controller), corners)
-    if key not in _programs:
-        _programs[key] = _written(controller, corners)
-    return _programs[key]
+    return _programs.of(key, lambda: _written(controller, corners))
 
 
 def _written(controller: Controller, corners: tuple[str, ...]) -> Program:

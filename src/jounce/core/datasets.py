@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.turns import turn
+
 if TYPE_CHECKING:
     import xarray as xr
 
@@ -79,7 +81,16 @@ def _direct(
 
 @cache
 def _inside_is_known() -> bool:
-    """Whether what is put together directly is what the public constructor makes."""
+    """Whether what is put together directly is what the public constructor makes.
+
+    Here xarray loads what it leaves for the first use (dask, where that is installed). Threads that load a package at
+    once may see it half loaded, so one of them goes first.
+    """
+    with turn(_inside_is_known):
+        return _tried()
+
+
+def _tried() -> bool:
     import xarray as xr
 
     try:

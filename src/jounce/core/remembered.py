@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
+import os
 import sys
 import weakref
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from functools import wraps
+from threading import RLock
 from typing import Any, ClassVar, Generic, TypeVar
+
+from jounce.core.turns import turn
 
 Thing = TypeVar("Thing")
 Found = TypeVar("Found")
@@ -20,6 +23,7 @@ def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
 
     The object must never change, and what the function gives is shared by all who ask: it must not change either, and
     must not hold the object, which would then live for ever. Objects count by identity, not by what they are equal to.
+    Threads that ask at once get the same: one of them calls, the others wait.
 
     >>> @remembered
     ... def size(description):
@@ -38,14 +42,16 @@ def remembered(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
         kept = known.get(place)
         if kept is not None and kept[0]() is thing:
             return kept[1]
-        found = function(thing)
 
         def forget(gone: weakref.ref[Any]) -> None:
             if place in known and known[place][0] is gone:
-                del known[place]
+                known.pop(place, None)
 
-        known[place] = weakref.ref(thing, forget), found
-        return found
+        with turn((recall, place)):
+            kept = known.get(place)
+            if kept is None or kept[0]() is not thing:
+                kept = known[place] = weakref.ref(thing, forget), function(thing)
+            return kept[1]
 
     return recall
 
@@ -62,22 +68,40 @@ class Recent(Generic[Found]):
     """
 
     most: ClassVar[int] = sys.maxsize
+    _lock: ClassVar[Any] = RLock()  # held for moments only, never while something is made
 
     def __init__(self, own: int = sys.maxsize) -> None:
         self._own, self._kept = own, OrderedDict[Hashable, Found]()
 
     def of(self, key: Hashable, make: Callable[[], Found]) -> Found:
-        """Give what belongs to a key; two threads that ask for it at once may both make it, and get the same."""
-        found: Found = self._kept.get(key, _NOTHING)
-        if found is _NOTHING:
-            found = self._kept.setdefault(key, make())
+        """Give what belongs to a key; where several threads want it, the first makes it and the others wait."""
+        value = self._recall(key)
+        if value is _NOTHING:
+            with turn((id(self), key)):
+                value = self._recall(key)
+                if value is _NOTHING:
+                    value = make()
+                    self._keep(key, value)
+        return value
+
+    def _recall(self, key: Hashable) -> Found:
+        with self._lock:
+            value: Found = self._kept.get(key, _NOTHING)
+            if value is not _NOTHING:
+                self._kept.move_to_end(key)
+        return value
+
+    def _keep(self, key: Hashable, value: Found) -> None:
+        with self._lock:
+            self._kept[key] = value
             while len(self._kept) > min(self._own, self.most):
                 self._kept.popitem(last=False)
-        else:
-            with contextlib.suppress(KeyError):  # let go by another thread
-                self._kept.move_to_end(key)
-        return found
 
     def clear(self) -> None:
         """Let go of all."""
-        self._kept.clear()
+        with self._lock:
+            self._kept.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=Recent._lock._at_fork_reinit)

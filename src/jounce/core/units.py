@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import lru_cache
 from numbers import Real
 from typing import Annotated, Any
 
@@ -13,6 +13,7 @@ from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from jounce.core.errors import DescriptionError, shown
+from jounce.core.remembered import Recent
 
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*)?", re.DOTALL)
 _COMMA = re.compile(r"([+-]?\d+),(\d+(?:[eE][+-]?\d+)?(?:\s*[^\d\s,].*)?)", re.DOTALL)
@@ -21,14 +22,21 @@ _DIMENSIONLESS = {"", "1", "-"}
 _UNIT_HINT = "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg', 'm/s^2'."
 
 
-@cache
 def _registry() -> Any:
-    import pint
+    """The library's registry: one for all threads, since units of two registries do not mix."""
 
-    try:
-        return pint.UnitRegistry(cache_folder=":auto:", autoconvert_offset_to_baseunit=True)
-    except OSError:  # no folder that could be written: slower, with the same units
-        return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
+    def make() -> Any:
+        import pint
+
+        try:
+            return pint.UnitRegistry(cache_folder=":auto:", autoconvert_offset_to_baseunit=True)
+        except OSError:  # no folder that could be written: slower, with the same units
+            return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
+
+    return _registries.of("pint", make)
+
+
+_registries: Recent[Any] = Recent()
 
 
 _LONGEST_UNIT = 64

@@ -6,6 +6,7 @@ stderr unless it is told otherwise: ``logging.getLogger("jounce").setLevel("ERRO
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import threading
@@ -20,7 +21,14 @@ LOGGED_LATEST = 30.0
 _LOOKS = 4  # of the teller, in the shorter of the two
 _LOG = logging.getLogger("jounce")
 _listeners: list[Callable[[str | None], None]] = []
-_told: list[str | Callable[[], str]] = []  # what is being waited for, the outermost first
+
+
+class _Here(threading.local):
+    waits = False
+
+
+_here = _Here()
+"""Whether this thread is in a block of :func:`told`; parts of it are not reported apart."""
 
 
 class _Wait(NamedTuple):
@@ -30,43 +38,43 @@ class _Wait(NamedTuple):
 
 
 class _Teller:
-    """The thread that tells of the wait there is; it lives on between waits that follow each other closely.
+    """The thread that tells of the wait that began last; it lives on between waits that follow each other closely.
 
     A thread for each would take longer to start than many a thing that is waited for.
     """
 
     _lock: threading.RLock
-    _wait: _Wait | None
+    _waits: list[_Wait]
     _thread: threading.Thread | None
 
     def __init__(self) -> None:
         self.forget()
 
     def forget(self) -> None:
-        self._lock, self._wait, self._thread = threading.RLock(), None, None
+        self._lock, self._waits, self._thread = threading.RLock(), [], None
 
     def begin(self, wait: _Wait) -> None:
         with self._lock:
-            self._wait = wait
+            self._waits.append(wait)
             if self._thread is None or not self._thread.is_alive():
                 self._thread = threading.Thread(target=self._tell, name="jounce waits", daemon=True)
                 self._thread.start()
 
-    def end(self) -> None:
-        """End the wait: nothing is told of it from here on."""
-        with self._lock:
-            self._wait = None
+    def end(self, wait: _Wait) -> None:
+        """End a wait: nothing is told of it from here on."""
+        with self._lock, contextlib.suppress(ValueError):  # begun before a fork
+            self._waits.remove(wait)
 
     def _tell(self) -> None:
-        wait, last = self._wait, 0.0
+        wait, last = None, 0.0
         while True:
             time.sleep(min(LOGGED_EVERY, SHOWN_EVERY) / _LOOKS)
             with self._lock:
-                if self._wait is None:
+                if not self._waits:
                     self._thread = None
                     return
-                if self._wait is not wait:
-                    wait, last = self._wait, 0.0
+                if self._waits[-1] is not wait:
+                    wait, last = self._waits[-1], 0.0
                 every = SHOWN_EVERY if wait.listener else min(max(LOGGED_EVERY, last), LOGGED_LATEST)
                 waited = time.monotonic() - wait.started
                 if waited < last + every:
@@ -93,20 +101,18 @@ def told(what: str | Callable[[], str]) -> Iterator[None]:
     >>> with told("compiling the model (once on this machine)"):
     ...     pass   # ready at once: nothing was to be told
     """
-    _told.append(what)
-    if len(_told) > 1:  # a part of what is told already
-        try:
-            yield
-        finally:
-            _told.pop()
+    if _here.waits:  # a part of what is told already
+        yield
         return
     listener = _listeners[-1] if _listeners else None
-    _teller.begin(_Wait(what, time.monotonic(), listener))
+    wait = _Wait(what, time.monotonic(), listener)
+    _here.waits = True
+    _teller.begin(wait)
     try:
         yield
     finally:
-        _told.pop()
-        _teller.end()
+        _here.waits = False
+        _teller.end(wait)
         if listener:
             listener(None)
 

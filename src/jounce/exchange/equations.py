@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
 from typing import ClassVar
@@ -11,6 +10,7 @@ from typing import ClassVar
 import casadi as ca
 
 from jounce.core.serialise import Plain
+from jounce.core.turns import once
 from jounce.core.writing import Formats, working_folder
 from jounce.exchange.expressions import LATEX, PYTHON, Language, Written, identifiers, latex_name, written
 from jounce.mechanics.facts import speed_of
@@ -73,7 +73,7 @@ class Equations(Plain):
         states = (*self.coordinates, *self.speeds, *self.internal)
         return {"x": states, "u": self.inputs, "p": self.parameters, "m": self.modes}
 
-    @cached_property
+    @once
     def _graph(self) -> ca.Function:
         """The function with what happens several times taken out."""
         symbols = [ca.SX.sym(name, len(names)) for name, names in self.arguments.items()]

@@ -26,6 +26,8 @@ _wanted: list[bool] = []
 @contextmanager
 def compiling_apart() -> Iterator[None]:
     """Have what is compiled in the block compiled by children, where the system can split a process."""
+    # Of forks beside threads. It is no danger here: none of them is in the compiler.
+    warnings.filterwarnings("ignore", category=DeprecationWarning, module=__name__)
     _wanted.append(True)
     try:
         yield
@@ -41,8 +43,7 @@ def made_apart(make: Callable[[], bytes]) -> bytes | None:
     if not (_wanted and SPLITS):
         return None
     reading, writing = os.pipe()
-    with warnings.catch_warnings(), IN_LLVM:  # the warning is of threads: none of them is in the compiler
-        warnings.simplefilter("ignore", DeprecationWarning)
+    with IN_LLVM:
         child = os.fork()
     if child == 0:
         _do(make, writing)

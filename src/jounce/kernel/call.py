@@ -16,7 +16,7 @@ import logging
 import sys
 import sysconfig
 from collections.abc import Callable
-from functools import cache, cached_property
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +26,7 @@ from llvmlite import binding as llvm
 from jounce.core.errors import JounceError
 from jounce.core.optional import MissingPackageError, require
 from jounce.core.sources import digest_of
+from jounce.core.turns import once
 from jounce.core.waiting import told
 from jounce.kernel.cache import joined, keep, key_here, parted, read_sealed, recall, write_sealed
 from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
@@ -73,14 +74,14 @@ class Loop:
             raise self._refusal(code, arguments)
         return code
 
-    @cached_property
+    @once
     def _loaded(self) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
         if not objects_are_known():
             _LOG.warning("this build of Python is not known to the loops of jounce: Numba compiles %r here", self.name)
             return {}, _by_numba(self.name)
         return _load(self.name, _HERE if self.here else this_platform())
 
-    @cached_property
+    @once
     def _call(self) -> Callable[[tuple[Any, ...]], int]:
         return self._loaded[1]
 
@@ -164,11 +165,10 @@ def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     for symbol in PYTHON:
         llvm.add_symbol(symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value)
     head, code = parted(content)
-    loaded = Code([code], (ENTRY,))
-    function, facts = _PROTOTYPE(loaded.address[ENTRY]), _facts()
-    place = ctypes.addressof(facts)
+    address, facts = Code([code], (ENTRY,)).address[ENTRY], _facts()
+    function, place = _PROTOTYPE(address), ctypes.addressof(facts)
 
-    def call(arguments: tuple[Any, ...], _loaded: Any = (loaded, facts)) -> int:  # which live as long as this function
+    def call(arguments: tuple[Any, ...], _held: Any = (address, facts)) -> int:  # they live as long as this function
         return int(function(arguments, place))
 
     return head, call

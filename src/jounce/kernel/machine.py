@@ -18,16 +18,28 @@ IN_LLVM = threading.RLock()
 """Held by whoever compiles or loads code: a process is split only while nobody does, or its half would find it torn."""
 
 
+class Address(int):
+    """Where a function of loaded code lives. Whoever holds the address holds the code: it is not unloaded before."""
+
+    def __new__(cls, value: int, code: Any) -> Address:
+        """Tie an address to what keeps its code loaded."""
+        address = super().__new__(cls, value)
+        address._code = code
+        return address
+
+    _code: Any
+
+
 class Code:
-    """Loaded machine code; ``address[name]`` is where the function of that name lives while this object does."""
+    """Loaded machine code; ``address[name]`` is where the function of that name lives."""
 
     def __init__(self, objects: Iterable[bytes], names: tuple[str, ...]) -> None:
         with IN_LLVM:
-            self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), this_machine())
+            engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), this_machine())
             for code in objects:
-                self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
-            self._engine.finalize_object()
-            self.address = {name: int(self._engine.get_function_address(name)) for name in names}
+                engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+            engine.finalize_object()
+            self.address = {name: Address(engine.get_function_address(name), engine) for name in names}
         if not all(self.address.values()):
             raise ValueError("the object lacks a function")
 

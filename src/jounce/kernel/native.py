@@ -54,7 +54,7 @@ class Source:
 
 
 class Native(Code):
-    """Native code of a model; ``address[name]`` is where the function of that name lives while this object does."""
+    """Native code of a model; ``address[name]`` is where the function of that name lives."""
 
     def evaluate(self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Call one function ``f(x, u, p, m)`` from Python; matrices come column-major, as CasADi stores them."""

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 import casadi as ca
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.remembered import Recent
+from jounce.core.turns import once
 from jounce.core.types import Array
 from jounce.kernel.native import Native, compile_functions
 from jounce.kinematics.catalogue import Quantity, quantities
@@ -57,12 +57,12 @@ class KinematicModel:
         values = rig.parameters()
         return np.array([values[path] for path in self.parameters])
 
-    @cached_property
+    @once
     def points(self) -> Native:
         """Machine code of ``points``, under the name ``output``."""
         return compile_functions({"output": self.functions["points"]})
 
-    @cached_property
+    @once
     def tangents(self) -> Native:
         """Machine code of the slopes of all rows along a change of tracks and numbers, under the name ``output``.
 
@@ -71,7 +71,7 @@ class KinematicModel:
         """
         return self._moved(self.functions["output"])
 
-    @cached_property
+    @once
     def place_tangents(self) -> Native:
         """The same of ``points``, and of the rows camber and steer after them, which say how the wheel's axis turns."""
         angles = [next(i for i, row in enumerate(self.rows) if row.name == name) for name in ("camber", "steer")]

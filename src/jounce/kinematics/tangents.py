@@ -33,7 +33,7 @@ class Tangents:
 
     @cached_property
     def _evaluate(self) -> ctypes._FuncPointer:
-        model = self.sweep.model
+        model = self.sweep.model  # which holds the code
         return _MANY((model.place_tangents if self._places else model.tangents).address["output"])
 
     def run(self) -> Array:

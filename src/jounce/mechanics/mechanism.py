@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import AssemblyError, unknown
+from jounce.core.turns import turn
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics import joints, listing, loads, outputs
@@ -1027,9 +1028,10 @@ class Mechanism(Structure):
     def _kept(self, dropped: frozenset[str]) -> Model:
         """The model without some of the loop equations, formed once."""
         key = (dropped, *self._size())
-        if key not in self._finished:
-            self._finished[key] = self._formed(dropped, balance=True)
-        return self._finished[key]
+        with turn((id(self), key)):
+            if key not in self._finished:
+                self._finished[key] = self._formed(dropped, balance=True)
+            return self._finished[key]
 
     def _size(self) -> tuple[object, ...]:
         """What grows with everything that is added."""

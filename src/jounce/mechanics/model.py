@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
 
 import casadi as ca
 
+from jounce.core.turns import once
 from jounce.mechanics.facts import Equation, Facts, Output
 
 _KINKED = {
@@ -147,7 +147,7 @@ class Model:
     alike: Alike | None = None
     generic: Generic | None = None
 
-    @cached_property
+    @once
     def facts(self) -> Facts:
         """Names and counts."""
         return Facts(

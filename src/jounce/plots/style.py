@@ -10,11 +10,12 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager
 from functools import cache, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
+from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.writing import Formats
 
 if TYPE_CHECKING:
@@ -88,25 +89,25 @@ _SETTINGS: dict[str, Any] = {
 
 def library() -> Any:
     """Give matplotlib, also where MPLBACKEND names a window that there is none of: jounce opens none."""
-    if "matplotlib" in sys.modules:
-        return sys.modules["matplotlib"]
-    asked = os.environ.pop("MPLBACKEND", "")
-    import matplotlib as mpl
+    with PROCESS_SETTINGS:
+        asked = "" if "matplotlib" in sys.modules else os.environ.pop("MPLBACKEND", "")
+        import matplotlib as mpl
 
-    if asked:
-        os.environ["MPLBACKEND"] = asked
-        with contextlib.suppress(ValueError):
-            mpl.rcParams["backend"] = asked
-    return mpl
+        if asked:
+            os.environ["MPLBACKEND"] = asked
+            with contextlib.suppress(ValueError):
+                mpl.rcParams["backend"] = asked
+        return mpl
 
 
-def style() -> AbstractContextManager[None]:
-    """Give the context in which figures are made and written."""
+@contextmanager
+def style() -> Iterator[None]:
+    """Make and write figures in the product's style: one thread at a time, since it is set for the whole process."""
     mpl = library()
     settings: dict[Any, Any] = {**mpl.rcParamsDefault, **_SETTINGS}
     del settings["backend"]  # the user's, which a context would not give back; figures are drawn without one
-    drawn: AbstractContextManager[None] = mpl.rc_context(settings)
-    return drawn
+    with PROCESS_SETTINGS, mpl.rc_context(settings):
+        yield
 
 
 def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
@@ -399,8 +400,7 @@ _GLYPH = re.compile(r"Glyph (\d+) .*missing from")
 @contextmanager
 def _glyphs_told() -> Iterator[None]:
     """Say once of all letters, not of each with every drawing, that the font of pictures does not have them."""
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+    with caught_warnings() as caught:
         yield
     missing: set[str] = set()
     for one in caught:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import math
 import struct
-import warnings
 import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ import numpy as np
 from jounce.core.columns import name_and_unit
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.process_settings import caught_warnings
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import held_part
 
@@ -53,8 +53,7 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
 
     findings: list[Finding] = []
     try:
-        with warnings.catch_warnings(record=True) as doubts:
-            warnings.simplefilter("always")
+        with caught_warnings() as doubts:
             content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
         told = (" ".join(str(doubt.message).split(chr(10))[0].split()) for doubt in doubts)
         findings += [Finding(str(path), "problem", text) for text in dict.fromkeys(told)]

@@ -10,7 +10,6 @@ import re
 import struct
 import sys
 import traceback
-import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
@@ -34,6 +33,7 @@ from jounce.core.errors import JounceError, RecordingError, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.optional import require
+from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.types import Array
 from jounce.core.units import is_unit
 from jounce.core.workbooks import sheets_of
@@ -134,31 +134,33 @@ def _is_signal(values: object) -> bool:
 @contextmanager
 def _quiet() -> Iterator[None]:
     """What libraries log about damaged files is said by findings."""
-    before = logging.root.manager.disable
-    logging.disable(logging.CRITICAL)
-    try:
-        yield
-    finally:
-        logging.disable(before)
+    with PROCESS_SETTINGS:
+        before = logging.root.manager.disable
+        logging.disable(logging.CRITICAL)
+        try:
+            yield
+        finally:
+            logging.disable(before)
 
 
 @contextmanager
 def _understood(path: Path, what: str) -> Iterator[None]:
     """Whatever a library raises over a file is one refusal: damaged files make them raise errors of any kind."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+        with caught_warnings():
             yield
     except (JounceError, MemoryError):
         raise
     except Exception as error:  # noqa: BLE001 - bare Exceptions, KeyErrors and struct errors alike
-        text, hook = " ".join(str(error).split())[:200], sys.unraisablehook
-        sys.unraisablehook = lambda _: None  # half-made objects print tracebacks of their own when they are freed
-        try:
-            traceback.clear_frames(error.__traceback__)
-            gc.collect()
-        finally:
-            sys.unraisablehook = hook
+        text = " ".join(str(error).split())[:200]
+        with PROCESS_SETTINGS:
+            hook = sys.unraisablehook
+            sys.unraisablehook = lambda _: None  # half-made objects print tracebacks of their own when they are freed
+            try:
+                traceback.clear_frames(error.__traceback__)
+                gc.collect()
+            finally:
+                sys.unraisablehook = hook
         raise RecordingError(f"not {what}, or damaged ({text or type(error).__name__})", where=str(path)) from None
 
 

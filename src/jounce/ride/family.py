@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.remembered import Recent
 from jounce.core.types import Array, Complex
 from jounce.mechanics.facts import ROAD, is_road
 from jounce.parts import Rig
@@ -344,14 +345,11 @@ class _Graphs:
     along: _Each
 
 
-_made: dict[tuple[str, str], _Graphs] = {}
+_made: Recent[_Graphs] = Recent()
 
 
 def _graphs(compiled: Compiled, rig: Rig) -> _Graphs:
-    key = type(rig).__name__, structure_of(rig)
-    if key not in _made:
-        _made[key] = _built(compiled)
-    return _made[key]
+    return _made.of((type(rig).__name__, structure_of(rig)), lambda: _built(compiled))
 
 
 def _built(compiled: Compiled) -> _Graphs:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import warnings
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
@@ -17,6 +16,7 @@ import numpy as np
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import State, existing_file, state_of
+from jounce.core.process_settings import caught_warnings
 from jounce.core.samples import Listed
 from jounce.core.segments import Segments
 from jounce.core.types import Array
@@ -351,8 +351,7 @@ def _read(file: str) -> Any:
     import pyopencrg
 
     try:
-        with np.errstate(all="ignore"), warnings.catch_warnings():  # damaged numbers overflow
-            warnings.simplefilter("ignore")
+        with np.errstate(all="ignore"), caught_warnings():  # damaged numbers overflow
             road = pyopencrg.read(file, check=False)
             problems = [*road.check().errors, *_overlong_rows(file)]
             if road.mods and not problems:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
-from functools import cache, cached_property
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.remembered import Recent
 from jounce.core.sources import digest_of
+from jounce.core.turns import once
 from jounce.core.types import Array
 from jounce.kernel.engine import Engine
 from jounce.kernel.methods.explicit import shortened
@@ -65,7 +66,7 @@ class Compiled:
         """The symbolic model, built when it is first asked for."""
         return self.source()
 
-    @cached_property
+    @once
     def functions(self) -> dict[str, ca.Function]:
         """The native functions as graphs."""
         return _program(self.model, self.moved, len(self.free)).graphs
@@ -75,17 +76,17 @@ class Compiled:
         """Number of states without sensitivities."""
         return len(self.facts.states)
 
-    @cached_property
+    @once
     def output_names(self) -> tuple[str, ...]:
         """Channel names in the order of the outputs."""
         return tuple(output.name for output in self.facts.outputs)
 
-    @cached_property
+    @once
     def equilibria(self) -> Recent[Any]:
         """States of rest found lately (see ``statics.find_equilibrium``)."""
         return Recent(_STATES_OF_REST)
 
-    @cached_property
+    @once
     def engine(self) -> Engine:
         """Addresses of the native functions, with sensitivities where there are free parameters."""
         address, suffix = self.native.address, "_s" if self.free else ""
@@ -98,7 +99,7 @@ class Compiled:
             *(address[name] for name in STEP_NAMES),
         )
 
-    @cached_property
+    @once
     def short_engine(self) -> Engine:
         """The same with a pair of lower order, for runs whose steps the input keeps short."""
         return shortened(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))

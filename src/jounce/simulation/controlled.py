@@ -19,6 +19,7 @@ from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values
 from jounce.core.errors import JounceError, SimulationError
+from jounce.core.remembered import Recent
 from jounce.core.segments import Segments, flat
 from jounce.core.types import Array, Complex
 from jounce.kernel.engine import Callback, Feedback, feedback
@@ -311,15 +312,12 @@ class _Law:
         return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
 
 
-_laws: dict[int, tuple[object, Native]] = {}
+_laws: Recent[tuple[object, Native]] = Recent()
 
 
 def _compiled_law(function: Any) -> Native:
-    """Native code of a law, made once a process."""
-    key = id(function)
-    if key not in _laws:
-        _laws[key] = function, compile_functions({"control": function})
-    return _laws[key][1]
+    """Native code of a law; the law is kept beside it, so that no other has its place in memory."""
+    return _laws.of(id(function), lambda: (function, compile_functions({"control": function})))[1]
 
 
 def raise_controller_error(loop: Loop) -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import SimulationError
 from jounce.core.remembered import Recent
 from jounce.core.segments import Segments
+from jounce.core.turns import once
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.kernel.native import Native, Source, kept_code
@@ -93,12 +93,12 @@ class Reduction(Sampling):
             moved += tuple(path for path in places.table if path not in (MIDDLE, HALF))
         return replace(_sensitive(self.rig, structure_of(self.rig), degree, moved, len(free)), free=free)
 
-    @cached_property
+    @once
     def are_factors(self) -> NDArray[np.bool_]:
         """Which quantities, but for the first, count by their value: masses, and the tyre's lean."""
         return np.array([name in _MASSES or name.startswith("tyre.") for name in self.names[1:]])
 
-    @cached_property
+    @once
     def only_shown(self) -> NDArray[np.bool_]:
         """Which quantities, but for the first, are channels alone."""
         return np.array([name.startswith("wheel.") for name in self.names[1:]])
@@ -197,7 +197,7 @@ class Reduction(Sampling):
                 slopes[:, group, place[k]] = slope.reshape(count, _LANES)[:, : len(group)]
         return values, slopes
 
-    @cached_property
+    @once
     def tangents(self) -> Native:
         """Native code of the slopes of all quantities."""
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 import threading
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 from jounce.core.segments import Segments
+from jounce.core.turns import once
 from jounce.core.types import Array
 from jounce.kernel.engine import Samples, Status
 from jounce.simulation.compiled import Compiled
@@ -37,17 +37,17 @@ class FewChannels:
     wanted: tuple[str, ...]
     _own: threading.local = field(default_factory=threading.local, init=False, compare=False)
 
-    @cached_property
+    @once
     def names(self) -> tuple[str, ...]:
         """Channels that are made: those wanted, and those that tell whether it is still a suspension."""
         known = self.compiled.output_names
         return tuple(dict.fromkeys([*self.wanted, *(known[row] for row in branch_limits(known)), *angles_of(known)]))
 
-    @cached_property
+    @once
     def _rows(self) -> list[int]:
         return [self.compiled.output_names.index(name) for name in self.names]
 
-    @cached_property
+    @once
     def _address(self) -> int:
         return code_of_outputs(self.compiled, self._rows).address["output"]
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.core.remembered import Recent
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Control, Engine, Samples, Status
@@ -110,12 +111,10 @@ def code_of_outputs(compiled: Compiled, channels: Sequence[int], width: int = 0)
 
 def _code(compiled: Compiled, key: str, source: Callable[[], Source]) -> Native:
     whole = f"{compiled.identity} {key}"
-    if whole not in _codes:
-        _codes[whole] = kept_code(whole, source)[0]
-    return _codes[whole]
+    return _codes.of(whole, lambda: kept_code(whole, source)[0])
 
 
-_codes: dict[str, Native] = {}
+_codes: Recent[Native] = Recent()
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import threading
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import metadata
@@ -22,6 +22,7 @@ from typing import Any
 
 from jounce.core.errors import JounceError
 from jounce.core.optional import require
+from jounce.core.process_settings import PROCESS_SETTINGS
 from jounce.core.trust import trust_said, trusting
 from jounce.core.types import Array
 from jounce.recordings.writers import netcdf_of
@@ -62,10 +63,16 @@ def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
         return netcdf_of(found)
 
 
-def own_locks() -> AbstractContextManager[object]:
+@contextmanager
+def own_locks() -> Iterator[None]:
     """Keep xarray from asking a cluster that this process belongs to for the lock of what is in memory."""
-    dask = sys.modules.get("dask")
-    return nullcontext() if dask is None else dask.config.set(scheduler="synchronous")
+    if sys.modules.get("dask") is None:
+        yield
+        return
+    import dask  # which waits where another thread still loads it
+
+    with PROCESS_SETTINGS, dask.config.set(scheduler="synchronous"):
+        yield
 
 
 def here(work: Work, tasks: Sequence[Task], threads: int | None) -> Results:

@@ -21,6 +21,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
+from jounce.core.turns import turn
 from jounce.core.units import base_units, conversion_factor, is_unit
 from jounce.core.writing import lasting_folder
 
@@ -448,12 +449,13 @@ def unpacked(component: FmuComponent) -> Path:
     """Folder with the binary and the resources of an FMU, which goes with this process; made once for each file."""
     wanted = component.binary()
     key = str(component.path.resolve()), state_of(component.path)
-    if key not in _unpacked:
-        folder = lasting_folder()
-        atexit.register(shutil.rmtree, folder, ignore_errors=True)
-        _unpack(component.path, folder, wanted.rpartition("/")[0] + "/")
-        _unpacked[key] = folder
-    return _unpacked[key]
+    with turn(key):
+        if key not in _unpacked:
+            folder = lasting_folder()
+            atexit.register(shutil.rmtree, folder, ignore_errors=True)
+            _unpack(component.path, folder, wanted.rpartition("/")[0] + "/")
+            _unpacked[key] = folder
+        return _unpacked[key]
 
 
 def _unpack(file: Path, folder: Path, binaries: str) -> None:

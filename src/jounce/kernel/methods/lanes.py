@@ -17,13 +17,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.kernel.arrays import Block, IntegerMatrix, Integers, Matrix, Vector
 from jounce.kernel.call import Loop
 from jounce.kernel.engine import Tracks
 from jounce.kernel.machine import vector_width
 from jounce.kernel.methods.exact import Run
-from jounce.kernel.native import Native, Source, kept_code
+from jounce.kernel.native import Source, kept_code
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -299,23 +300,24 @@ def dependence(identity: str, output: Callable[[], ca.Function]) -> tuple[tuple[
 
     ``identity`` says everything that they follow from, a function of (states, inputs, extended parameters, modes).
     """
-    if identity not in _ROWS:
 
-        def source() -> Source:
-            import casadi as ca
+    def source() -> Source:
+        import casadi as ca
 
-            function = output()
-            arguments = [ca.SX.sym(name, function.size1_in(i)) for i, name in enumerate("xupm")]
-            found = ca.jacobian_sparsity(ca.densify(function(*arguments)), ca.vertcat(*arguments[:2]))
-            rows, columns = (np.array(part, dtype=int) for part in found.get_triplet())
-            of = [np.unique(columns[rows == row]).tolist() for row in range(function.size1_out(0))]
-            return Source({}, notes=json.dumps(of))
+        function = output()
+        arguments = [ca.SX.sym(name, function.size1_in(i)) for i, name in enumerate("xupm")]
+        found = ca.jacobian_sparsity(ca.densify(function(*arguments)), ca.vertcat(*arguments[:2]))
+        rows, columns = (np.array(part, dtype=int) for part in found.get_triplet())
+        of = [np.unique(columns[rows == row]).tolist() for row in range(function.size1_out(0))]
+        return Source({}, notes=json.dumps(of))
 
-        _ROWS[identity] = tuple(map(tuple, json.loads(kept_code(f"outputs depend on {identity}", source)[1])))
-    return _ROWS[identity]
+    def make() -> tuple[tuple[int, ...], ...]:
+        return tuple(map(tuple, json.loads(kept_code(f"outputs depend on {identity}", source)[1])))
+
+    return _dependences.of(identity, make)
 
 
-_ROWS: dict[str, tuple[tuple[int, ...], ...]] = {}
+_dependences: Recent[tuple[tuple[int, ...], ...]] = Recent()
 
 
 def course(
@@ -451,16 +453,16 @@ def code(identity: str, sizes: Sizes, functions: Callable[[], tuple[ca.Function,
 
     These are the switching functions and the rates, of (states, inputs, extended parameters, modes).
     """
-    key = (identity, sizes)
-    if key not in _KEPT:
+
+    def make() -> Code:
         native, notes = kept_code(f"lanes {sizes} {identity}", lambda: _source(sizes, *functions()))
         numbers = tuple(json.loads(notes))
-        found = Code(tuple(native.address[name] for name in sizes.names), replace(sizes, numbers=len(numbers)), numbers)
-        _KEPT[key] = found, native
-    return _KEPT[key][0]
+        return Code(tuple(native.address[name] for name in sizes.names), replace(sizes, numbers=len(numbers)), numbers)
+
+    return _codes.of((identity, sizes), make)
 
 
-_KEPT: dict[tuple[str, Sizes], tuple[Code, Native]] = {}
+_codes: Recent[Code] = Recent()
 
 
 def _source(sizes: Sizes, switch: ca.Function, rate: ca.Function) -> Source:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from llvmlite import ir
 
+from jounce.core.remembered import Recent
 from jounce.kernel.native import Native, Source, kept_code
 
 if TYPE_CHECKING:
@@ -39,13 +39,15 @@ def padded(count: int) -> int:
 
 def row_loops(width: int, count: int) -> RowLoops:
     """Native loops for rows of ``width`` numbers, of which ``count`` are states."""
-    native = _native(width, count)
+
+    def make() -> Native:
+        return kept_code(f"rows {width} {count}", lambda: Source({}, _Loops(width, count)))[0]
+
+    native = _loops.of((width, count), make)
     return RowLoops(*(native.address[name] for name in _NAMES))
 
 
-@cache
-def _native(width: int, count: int) -> Native:
-    return kept_code(f"rows {width} {count}", lambda: Source({}, _Loops(width, count)))[0]
+_loops: Recent[Native] = Recent()
 
 
 @dataclass(frozen=True)

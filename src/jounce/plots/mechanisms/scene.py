@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.plots.display import number
 from jounce.plots.signals import sampled
@@ -193,22 +194,23 @@ def scene_of(rig: Corner) -> Scene:
     )
 
 
-_known: dict[str, tuple[dict[str, tuple[str, ...]], dict[str, str], set[str]]] = {}
+_Carried: TypeAlias = tuple[dict[str, tuple[str, ...]], dict[str, str], set[str]]
+_known: Recent[_Carried] = Recent()
 
 
-def _carried(rig: Corner) -> tuple[dict[str, tuple[str, ...]], dict[str, str], set[str]]:
+def _carried(rig: Corner) -> _Carried:
     """Lines to draw, the body that each hardpoint moves with, and which bodies stand on the car; once a structure."""
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
     from jounce.parts.rig import structure_of
 
-    key = structure_of(rig)
-    if key not in _known:
+    def make() -> _Carried:
         linkage = suspension(rig, Mechanism())
         lines = {name: points for name, points in linkage.lines.items() if name != "strut"}
         owners = {name: owner.name for name, owner in linkage.owners.items()}
-        _known[key] = lines, owners, {linkage.chassis.name, linkage.rack.name}
-    lines, owners, holders = _known[key]
+        return lines, owners, {linkage.chassis.name, linkage.rack.name}
+
+    lines, owners, holders = _known.of(structure_of(rig), make)
     return dict(lines), owners, holders
 
 
