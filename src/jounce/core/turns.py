@@ -72,8 +72,9 @@ class once(cached_property[Value]):  # noqa: N801 - used as a decorator, like `c
         """Compute the value at the first access; later ones find it in the object's ``__dict__``."""
         if thing is None:
             return self
-        with turn((id(thing), self.attrname)):
-            value = thing.__dict__.get(self.attrname, _MISSING)
+        name = str(self.attrname)
+        with turn((id(thing), name)):
+            value = thing.__dict__.get(name, _MISSING)
             if value is _MISSING:
-                value = thing.__dict__[self.attrname] = self.func(thing)
+                value = thing.__dict__[name] = self.func(thing)
             return value
