@@ -89,7 +89,7 @@ def test_efforts_are_those_of_python(cli, tmp_path) -> None:
     wanted = jn.steering_effort(rig, *sides, "-20 mm:20 mm:20 mm")
     for name in ("rack_force", "left.rack_force", "handwheel_torque", "handwheel_angle"):
         assert outcome.json[name]["values"] == pytest.approx(wanted[name].to_numpy().tolist(), rel=1e-12), name
-    assert out.read_text(encoding="utf-8").startswith("rack_travel [m], rack_force [N]")
+    assert out.read_text(encoding="utf-8").startswith("rack_travel [m],rack_force [N]")
     assert picture.stat().st_size > 10_000
 
 

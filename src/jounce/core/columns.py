@@ -23,7 +23,29 @@ _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
 _LONGEST_CELL = 1000
 _BLANK = "no cell of the column is filled"
 _MISSING = frozenset(
-    ("", "-", "--", "---", "nan", "-nan", "nan(ind)", "-nan(ind)", "n/a", "n.a.", "na", "#n/a", "#nv", "null", "none")
+    (
+        "",
+        "-",
+        "--",
+        "---",
+        "nan",
+        "-nan",
+        "nan(ind)",
+        "-nan(ind)",
+        "1.#qnan",
+        "-1.#ind",
+        "-1.#ind00",
+        "1.#qnan0",
+        "n/a",
+        "n.a.",
+        "na",
+        "<na>",
+        "nat",
+        "#n/a",
+        "#nv",
+        "null",
+        "none",
+    )
 )
 """What loggers and spreadsheets write, in any case, where a channel has no sample."""
 NO_NUMBER = "No cell of the column is a number."
@@ -176,20 +198,25 @@ def columns_in(text: str, file: Path) -> ColumnTable:
     comments, first = _leading_comments(lines)
     if first == len(lines):
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
+    remarks: tuple[str, ...] = ()
+    if named := _names_in_comment(lines, first):
+        first, lines[named[0]] = named
+        comments, remarks = comments[:-1], ("the names were read from the last comment",)
     start = _header_line(lines, first)
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
-    separator = _separator(lines[start])
-    if separator == "," and rows and _is_blank_separated(lines[start], rows[0]):
-        separator = " "
+    separator = _separator_of(lines[start], rows[0] if rows else "")
     try:
         header = _header_cells(lines[start], separator)
         _check_header(header, file, start + 1, separator)
+        if rows and all(row.startswith('"') for row in rows) and len(_cells(rows[0], separator)) == len(header) + 1:
+            header = ["", *header]  # a table of R, whose rows have names
         units = _units_below(rows, header, separator)
         if units:
             rows, numbers = rows[1:], numbers[1:]
         if not rows:
             raise RecordingError("a header but no rows of numbers", where=f"{file}, line {start + 1}")
-        columns, remarks = _columns(rows, numbers, header, units, file, separator)
+        columns, understood = _columns(rows, numbers, header, units, file, separator)
+        remarks += understood
         if not text.endswith(("\n", "\r")) and _is_cut_off(rows, separator):
             remarks += ("the last line has no end and its last number fewer digits than all others: was it cut off?",)
     except csv.Error as error:
@@ -244,10 +271,16 @@ def _check_memory(size: int, file: Path) -> None:
         )
 
 
+_DOS_END, _SECTOR = b"\x1a", 512
+"""What DOS puts behind the last line, and fills the file up with to so many bytes."""
+
+
 def text_of(file: Path) -> str:
     """Text of a file of columns; what is binary, missing or larger than the memory is refused."""
     _check_memory(existing_file(file, RecordingError).stat().st_size, file)
     content = file.read_bytes()
+    if _DOS_END in content[-_SECTOR:] and _DOS_END in content[len(content.rstrip(_DOS_END + b"\0\r\n\t ")) :]:
+        content = content.rstrip(_DOS_END + b"\0\r\n\t ") + b"\n"
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
     text = content.decode("utf-16", errors="replace") if wide else ""
     if "\0" in text if wide else b"\0" in content:
@@ -277,6 +310,18 @@ def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:
     return tuple(comments), len(lines)
 
 
+def _names_in_comment(lines: list[str], first: int) -> tuple[int, str] | None:
+    """The last comment, by its line, where it names the columns of the numbers that follow, as NumPy writes them."""
+    places = [i for i in range(first) if lines[i].lstrip().startswith("#")]
+    if not places or not _BEGINS_WITH_NUMBER.match(lines[first].lstrip()):
+        return None
+    text = lines[places[-1]].strip(" \t#")
+    separator = _separator_of(text, lines[first])
+    names, numbers = _row(text, separator), _row(lines[first], separator)
+    is_header = len(names) == len(numbers) > 1 and _are_names(names) and all(map(_has_number, numbers))
+    return (places[-1], text) if is_header else None
+
+
 _LONGEST_PREAMBLE = 200  # lines
 
 
@@ -289,9 +334,7 @@ def _header_line(lines: list[str], first: int) -> int:
     likely = None
     for place, index in enumerate(filled[:-1]):
         below = [lines[i] for i in filled[place + 1 : place + 3]]
-        separator = _separator(lines[index])
-        if separator == "," and _is_blank_separated(lines[index], below[-1]):
-            separator = " "
+        separator = _separator_of(lines[index], below[-1])
         cells = _row(lines[index], separator)
         if len(cells) > 1 and all(map(_has_number, cells)):
             break
@@ -373,21 +416,24 @@ def _separator(header: str) -> str:
     return next((mark for mark in ("\t", ";", ",") if mark in outside), ",")
 
 
-def _is_blank_separated(header: str, first: str) -> bool:
-    """Whether neither header nor first row have a separator, but several numbers stand in the row."""
-    cells = first.split()
-    plain = not any(mark in re.sub(r"\[[^\[\]]*\]|\([^()]*\)", "", header) for mark in ',;\t"')
-    return plain and len(cells) > 1 and all(_is_number(cell.replace(",", ".")) for cell in cells)
+def _separator_of(header: str, row: str) -> str:
+    """Separator of a table: blanks where the header has no other, and several numbers stand in the row."""
+    separator = _separator(header)
+    outside = re.sub(r"\[[^\[\]]*\]|\([^()]*\)|\"[^\"]*\"", "", header)
+    if separator != "," or "," in outside or '"' in outside:
+        return separator
+    cells = _cells(row, " ")
+    return " " if len(cells) > 1 and all(_is_number(cell.replace(",", ".")) for cell in cells) else ","
 
 
 def _cells(line: str, separator: str) -> list[str]:
-    if separator == " ":
+    if separator == " " and '"' not in line:
         return line.split()
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
 
 
 def _header_cells(line: str, separator: str) -> list[str]:
-    if separator != " ":
+    if separator != " " or '"' in line:
         return _cells(line, separator)
     wide = re.split(r"\s{2,}", line.strip())
     return wide if len(wide) > 1 else re.findall(r"[^\s\[(]+(?:\s?\[[^\[\]]*\]|\s?\([^()]*\))?", line)
@@ -403,12 +449,33 @@ def name_and_unit(cell: str) -> tuple[str, str]:
     if text.endswith("]") and "[" in text:
         name, _, unit = text[:-1].rpartition("[")
         return name.strip(), unit.strip()
+    if text.endswith(".") and ".." in text:
+        return _of_r(text)
     if text.endswith(")") and "(" in text:
         name, _, unit = text[:-1].rpartition("(")
     else:
         name, _, unit = max((text.rpartition(mark) for mark in (" / ", " in ")), key=lambda part: len(part[0]))
     name, unit = name.strip(), unit.strip()
     return (name, unit) if name and _is_loose_unit(unit) else (text, "")
+
+
+def _of_r(text: str) -> tuple[str, str]:
+    """Name and unit of a header in which R has put points for signs (``make.names``); no unit where two could be meant.
+
+    >>> [_of_r(text) for text in ("sprung.az..m.s.2.", "strut.force..N.", "rate..N.mm.")]
+    [('sprung.az', 'm/s^2'), ('strut.force', 'N'), ('rate..N.mm.', '')]
+    """
+    splits = ((text[: mark.start()], text[mark.start() + 2 : -1]) for mark in re.finditer(r"(?=\.\.)", text))
+    return next(((name, _UNITS_OF_R[unit]) for name, unit in splits if name and unit in _UNITS_OF_R), (text, ""))
+
+
+_USUAL = (
+    "m,cm,mm,km,in,ft,s,sec,ms,us,min,N,kN,lbf,kg,g,mg,Hz,kHz,rad,deg,mrad,rpm,V,mV,A,mA,W,kW,J,kJ,Pa,kPa,MPa,bar,"
+    "m/s,cm/s,mm/s,km/h,mph,in/s,ft/s,m/s^2,mm/s^2,m/s2,m s^-1,m s^-2,m s-1,m/s^3,rad/s,deg/s,rad/s^2,deg/s^2,1/s,"
+    "1/m,N s/m,N s/mm,kN s/m,Ns/m,Ns/mm,Nm,kNm,Nm/rad,Nm/deg,N m/rad,N m/deg,N m s/rad"
+)
+_UNITS_OF_R = {re.sub("[^A-Za-z0-9]", ".", unit): unit for unit in _USUAL.split(",")}
+"""Units by what R makes of them; not those that share it with another (``N/mm`` and ``N mm``)."""
 
 
 def _is_loose_unit(text: str) -> bool:
@@ -530,7 +597,7 @@ def _columns(
     return tuple(columns), tuple(remarks)
 
 
-_OF_DAY = re.compile(r"(\d{1,2}):(\d{2}):(\d{2}(?:[.,]\d+)?)")
+_OF_DAY = re.compile(r"(?:(\d{1,6}) days? \+?)?(\d{1,2}):(\d{2}):(\d{2}(?:[.,]\d+)?)")
 _OF_CALENDAR = re.compile(r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2}):?(\d{2}))?")
 _DAY = 86400.0
 
@@ -538,7 +605,8 @@ _DAY = 86400.0
 def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     """Seconds since the first of clock times, and what was understood; None for cells that are none.
 
-    Times of day (``23:59:59.75``) go on past midnight; instants of ISO 8601 are compared in UTC where they have a zone.
+    Times of day (``23:59:59.75``) go on past midnight, durations may have days (``0 days 00:00:01``); instants of ISO
+    8601 are compared in UTC where they have a zone.
 
     >>> seconds_of(["23:59:59.75", "00:00:00.25"])
     (array([0. , 0.5]), 's since 23:59:59.75, past midnight')
@@ -550,9 +618,9 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     if _OF_DAY.fullmatch(cells[0]):
         times = [_OF_DAY.fullmatch(cell) for cell in cells]
         parts = [one.groups() for one in times if one is not None]
-        if len(parts) < len(cells) or any(int(h) > 24 or int(m) > 59 for h, m, _ in parts):
+        if len(parts) < len(cells) or any(int(h) > 24 or int(m) > 59 for _, h, m, _ in parts):
             return None
-        seconds = np.array([3600 * int(h) + 60 * int(m) for h, m, _ in parts], dtype=float)
+        seconds = np.array([_DAY * int(d or 0) + 3600 * int(h) + 60 * int(m) for d, h, m, _ in parts], dtype=float)
         seconds += np.array([s.replace(",", ".") for *_, s in parts], dtype=float)
         nights = np.concatenate(([0], np.cumsum(np.diff(seconds) < -0.5 * _DAY)))
         since = f"s since {cells[0]}" + (", past midnight" if nights[-1] else "")

@@ -795,7 +795,7 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     >>> import jounce as jn
     >>> sweep = jn.sweep_travel(jn.load("reference-double-wishbone"), [-0.04, 0.0, 0.04])
     >>> file = jn.write_sweep(sweep, pathlib.Path(tempfile.mkdtemp()) / "sweep.csv")
-    >>> file.read_text(encoding="utf-8").splitlines()[0].startswith("wheel_travel [m], rack_travel [m]")
+    >>> file.read_text(encoding="utf-8").splitlines()[0].startswith("wheel_travel [m],rack_travel [m]")
     True
     """
     return SWEEP_FILES.write(sweep, path, force=force)
@@ -812,7 +812,7 @@ def _write_csv(sweep: xr.Dataset, file: Path) -> None:
     names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
     sizes = {str(name): size for name, size in sweep.sizes.items()}
     columns = [_on_grid(sweep[name].variable, sizes) for name in names]
-    header = ", ".join(f"{name} [{sweep[name].attrs.get('units', '1')}]" for name in names)
+    header = ",".join(f"{name} [{sweep[name].attrs.get('units', '1')}]" for name in names)
     rows = (",".join(repr(value) if np.isfinite(value) else "" for value in row) for row in zip(*columns, strict=True))
     file.write_bytes(("\n".join([header, *rows]) + "\n").encode())
 

@@ -398,7 +398,7 @@ def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
 def _csv(columns: dict[str, tuple[Array, int]]) -> str:
     """Text of a file: header to (values, decimals)."""
     rows = zip(*(np.char.mod(f"%.{digits}f", values) for values, digits in columns.values()), strict=True)
-    return "\n".join([f"# {SYNTHETIC}", ", ".join(columns), *map(",".join, rows)]) + "\n"
+    return "\n".join([f"# {SYNTHETIC}", ",".join(columns), *map(",".join, rows)]) + "\n"
 
 
 def _generator(seed: int, name: str) -> np.random.Generator:

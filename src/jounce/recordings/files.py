@@ -488,7 +488,7 @@ def _locate_channels(
             where=main.file,
             found=", ".join(column.label for column in main),
             allowed="time [s], or any unit of time",
-            hint=nearest("time", main.names) or "Map it with columns, or give the sample time.",
+            hint=f"{nearest('time', main.names)} {_HOW_TIME}".strip(),
         )
     if not set(located) - {"time"}:
         for column in empty:
@@ -498,7 +498,7 @@ def _locate_channels(
             where=main.file,
             found=", ".join([column.label for column in main] + others),
             allowed="columns such as 'sprung.az [m/s^2]'",
-            hint="Map columns to channels with columns.",
+            hint="Map columns to channels with columns, with their units: {'sprung.az': 'NAME [m/s^2]'}.",
         )
     findings = []
     if ignored:
@@ -524,6 +524,9 @@ def _locate_channels(
             Finding(main.file, "note", text + (f"; resample{without} brings them onto one time" if others else ""))
         )
     return located, findings
+
+
+_HOW_TIME = "Map it with columns, {'time': 'NAME [s]'}, or give the sample time."
 
 
 def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:

@@ -104,3 +104,11 @@ def announcement(name: str, announced: int, held: int, where: str, *, refused: b
             "the file holds none of the samples that it announces", where=f"{where}: {name}", found=f"0 of {announced}"
         )
     return [Finding(f"{where}: {name}", "problem", text, float(held))]
+
+
+def surplus(known: int, there: int, where: str) -> list[Finding]:
+    """A doubt about a file with more bytes than it accounts for."""
+    if known >= there:
+        return []
+    text = f"its columns take {known} bytes and {there} are there: is it damaged? Compare it with the original."
+    return [Finding(where, "warning", text, float(there - known))]

@@ -37,10 +37,12 @@ from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.types import Array
 from jounce.core.units import is_unit
 from jounce.core.workbooks import sheets_of
-from jounce.recordings.hdf5 import announcement, check_size, held_rows
+from jounce.recordings.hdf5 import announcement, check_size
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.labview import FIRST, plain_columns
 from jounce.recordings.matlab import read_matrices
+from jounce.recordings.netcdf import Group, opened
+from jounce.recordings.parquet import check_counts, check_end
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
 from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
 
@@ -228,56 +230,58 @@ def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
 
 @reader(
     "netcdf",
-    "netCDF-4 recording",
+    "netCDF recording, version 4 or 3",
     (".nc", ".nc4"),
-    source="netCDF-4, https://docs.unidata.ucar.edu/netcdf-c",
+    source="netCDF, https://docs.unidata.ucar.edu/netcdf-c",
     example="run.nc written by jounce simulate --out run.nc",
+    has_variables=True,
     is_isolated=True,
 )
 def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
-    """Every variable over ``time`` with its ``units`` and ``long_name``."""
-    import h5netcdf
+    """Every variable over the dimension of ``time`` (or of most variables) with its ``units`` and ``long_name``.
 
-    columns, long_names, left_out = [], dict[str, str](), []
-    findings: list[Finding] = []
-    with _understood(path, "a netCDF-4 file"), h5netcdf.File(path, "r") as file:
-        signals = {str(name): one for name, one in file.variables.items()}
-        if "time" not in signals or signals["time"].dimensions != ("time",):
-            raise RecordingError("no time", where=str(path), allowed="a coordinate 'time' on a dimension 'time'")
-        over_time = {
-            name: one for name, one in signals.items() if one.dimensions == ("time",) and one.dtype.kind in "fiu"
-        }
-        held = {name: held_rows(one._h5ds)[1] for name, one in over_time.items()}
-        for name, one in over_time.items():
-            findings += announcement(name, one.shape[0], held[name], str(path))
-        rows = min(held.values(), default=0)
-        check_size(rows * len(over_time), str(path))
-        for name, one in over_time.items():
-            about = dict(one.attrs)
-            values = np.ascontiguousarray(_decoded(name, one[:rows], about), dtype=float)
-            columns.append(Column(name, str(about.get("units", "")), values, str(path)))
-            long_names[name] = str(about.get("long_name", ""))
-        left_out = [name for name in signals if name not in over_time]
-        attributes = {str(key): value for key, value in file.attrs.items()}
-    return SignalTable(
-        _named(columns, path, options), long_names, attributes, tuple(left_out), findings=tuple(findings)
-    )
+    Of a file with groups the only one with signals is read, or that of ``options.variable``.
+    """
+    columns, long_names, remarks = [], dict[str, str](), []
+    with _understood(path, "a netCDF file"), opened(path) as root:
+        groups = dict(root.signals())
+        place, group = _chosen_group(groups, options.variable, path)
+        findings = list(root.findings)
+        dimensions = [one.along for one in group.variables.values() if one.along]
+        time = group.variables["time"].along if "time" in group.variables else ""
+        along = time or max(dimensions, key=dimensions.count)
+        signals = {name: one for name, one in group.variables.items() if one.along == along}
+        held = {name: one.held() for name, one in signals.items()}
+        for name, one in signals.items():
+            findings += announcement(name, max(one.shape), held[name], str(path))
+        rows = min(held.values())
+        check_size(rows * len(signals), str(path))
+        for name, one in signals.items():
+            unit, since = one.unit
+            bare, own = (name, unit) if unit else name_and_unit(name)
+            columns.append(Column(bare, own, one.values(rows), str(path)))
+            long_names[bare] = str(one.attributes.get("long_name", ""))
+            if since:
+                remarks.append(f"{name!r} is a clock: {unit} since {since}")
+        left_out = [name for name in group.variables if name not in signals]
+        left_out += [name for name in groups if name != place]
+    table = replace(_named(columns, path, options), remarks=tuple(remarks))
+    return SignalTable(table, long_names, group.attributes, tuple(left_out), findings=tuple(findings))
 
 
-_CODES, _GAPS = ("scale_factor", "add_offset", "_Unsigned", "dtype"), ("_FillValue", "missing_value")
-
-
-def _decoded(name: str, raw: Array, about: Mapping[str, Any]) -> Array:
-    """Values of numbers that are packed or stand for gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
-    gaps = [np.asarray(about[key]) for key in _GAPS if key in about]
-    none = raw.dtype.kind == "f" and all(gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps)
-    if not any(key in about for key in _CODES) and (none or not gaps):
-        return raw
-    import xarray as xr
-
-    variable = xr.Variable(("time",), raw, dict(about))
-    decoded = xr.conventions.decode_cf_variable(name, variable, decode_times=False, decode_timedelta=False)
-    return np.asarray(decoded.values)
+def _chosen_group(groups: Mapping[str, Group], variable: str, path: Path) -> tuple[str, Group]:
+    if variable or (len(groups) > 1 and "" not in groups):
+        if variable not in groups:
+            raise RecordingError(
+                f"no group {variable!r} with signals" if variable else "several groups hold signals",
+                where=str(path),
+                found=", ".join(filter(None, groups)) or "none",
+                hint=nearest(variable, groups) or "Say which one with variable.",
+            )
+        return variable, groups[variable]
+    if not groups:
+        raise RecordingError("no variable with numbers over time", where=str(path))
+    return next(iter(groups.items()))
 
 
 _WIDEST = 64
@@ -469,6 +473,8 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
     A signal of a bus message is named as in the database.
     """
     asammdf = require("asammdf", "io")
+    # asammdf 8.1 and later ask lists of columns (MDF 4.2) for `self.self`, and read none of them
+    require("asammdf.blocks.v4_blocks", "io").ListData.self = property(lambda one: one)
     findings: list[Finding] = []
     long_names = dict[str, str]()
     with _understood(path, "an MDF file"), _quiet(), asammdf.MDF(path) as file:
@@ -594,10 +600,10 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     columns, long_names = [], dict[str, str]()
-    with _understood(path, "a Parquet file"), parquet.ParquetFile(path) as file:
-        _check_counts(file.metadata, path)
+    with _understood(path, "a Parquet file"), parquet.ParquetFile(path, page_checksum_verification=True) as file:
+        check_counts(file.metadata, path)
+        findings = check_end(file.metadata, path)
         table = file.read()
-        findings = _gaps(file.metadata, path)
         attributes = attributes_in((table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace"))
         for field_, chunks in zip(table.schema, table.columns, strict=True):
             told = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
@@ -762,35 +768,6 @@ def _cell_text(cell: Any) -> str:
     if isinstance(cell, timedelta):
         cell = cell.total_seconds()
     return repr(cell) if isinstance(cell, float) else " ".join(str(cell).replace('"', "'").split())
-
-
-_PARQUET_ENDS = 12  # bytes: its mark at both ends, and the length of what says where the columns are
-
-
-def _check_counts(metadata: Any, path: Path) -> None:
-    """Refuse a Parquet file that tells its rows in several places, and not alike."""
-    groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
-    flat = [i for i in range(metadata.num_columns) if metadata.schema.column(i).max_repetition_level == 0]
-    told = [sum(group.num_rows for group in groups)]
-    told += [sum(group.column(i).num_values for group in groups) for i in flat]
-    if any(count != metadata.num_rows for count in told) or any(
-        group.column(i).num_values != group.num_rows for group in groups for i in flat
-    ):
-        what = "the file tells other numbers of rows in other places: it is damaged"
-        counts = ", ".join(map(str, sorted({metadata.num_rows, *told})))
-        raise RecordingError(what, where=str(path), found=counts, hint="Use an original copy.")
-
-
-def _gaps(metadata: Any, path: Path) -> list[Finding]:
-    """A doubt about a Parquet file with other bytes than those of its columns, which has no indices beside them."""
-    groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
-    parts = [group.column(i) for group in groups for i in range(group.num_columns)]
-    known = int(sum(part.total_compressed_size for part in parts))
-    there = path.stat().st_size - _PARQUET_ENDS - metadata.serialized_size
-    if known == there or any(part.has_offset_index or part.has_column_index for part in parts):
-        return []
-    text = f"its columns take {known} bytes and {there} are there: is it damaged? Compare it with the original."
-    return [Finding(str(path), "warning", text, float(there - known))]
 
 
 def _by_clock(

@@ -100,7 +100,7 @@ def _csv_of(dataset: xr.Dataset) -> bytes:
     signals = _signals(dataset)
     for name in signals:
         _check_name(name, ",;\t", ".nc")
-    header = ", ".join(f"{name} [{_unit(signal)}]" for name, signal in signals.items())
+    header = ",".join(f"{name} [{_unit(signal)}]" for name, signal in signals.items())
     table = np.column_stack([signal.values for signal in signals.values()])
     rows = (",".join(map(repr, row)) for row in table.tolist())
     return ("\n".join([header, *rows]) + "\n").encode()

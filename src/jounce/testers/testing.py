@@ -213,8 +213,8 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
         columns.append(factor * signal.values)
         header.append(f"{name} [{unit}]")
     facts = [f"# {key} = {_written(str(key), value)}" for key, value in record.attrs.items()]
-    rows = [", ".join(f"{value:.10g}" for value in row) for row in np.column_stack(columns)]
-    return write_atomically(Path(path), "\n".join([*facts, ", ".join(header), *rows]) + "\n", force=force)
+    rows = [",".join(f"{value:.10g}" for value in row) for row in np.column_stack(columns)]
+    return write_atomically(Path(path), "\n".join([*facts, ",".join(header), *rows]) + "\n", force=force)
 
 
 def _written(key: str, value: object) -> str:

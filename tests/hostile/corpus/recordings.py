@@ -123,6 +123,20 @@ def netcdf() -> Sample:
         return Sample("netcdf", "a.nc", write_recording(made, Path(folder) / "a.nc").read_bytes())
 
 
+@_sample
+def netcdf3() -> Sample:
+    from scipy.io import netcdf_file
+
+    stream = io.BytesIO()
+    with netcdf_file(stream, "w", version=2) as file:
+        file.createDimension("time", None)
+        for name, values, unit in (("time", TIME, "s"), ("strut.stroke", STROKE, "m"), ("strut.force", FORCE, "N")):
+            made = file.createVariable(name, "f8", ("time",))
+            made.units, made[:] = unit, values
+        file.flush()
+        return Sample("netcdf", "a3.nc", stream.getvalue())
+
+
 def _mat(**more: Any) -> bytes:
     from scipy.io import savemat
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from jounce.core import columns, units
 from jounce.core.columns import read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
 
@@ -49,6 +50,87 @@ def test_reads_windows_lines_byte_order_mark_and_quotes(tmp_path: Path) -> None:
 def test_reads_files_of_old_spreadsheets(tmp_path: Path) -> None:
     assert read_columns_csv(written(tmp_path, "winkel [°]\n1\n".encode("cp1252")))[0].unit == "°"
     assert read_columns_csv(written(tmp_path, "t [s]\tz [m]\n0\t1\n".encode("utf-16"))).names == ("t", "z")
+
+
+@pytest.mark.parametrize("end", [b"\x1a", b"\r\n\x1a", b"\r\n\x1a\x1a\x1a", b"\r\n\x1a\r\n", b"\r\n\x1a" + 100 * b"\0"])
+def test_the_end_mark_of_dos_is_no_row(tmp_path: Path, end: bytes) -> None:
+    table = read_columns_csv(written(tmp_path, b"x [mm];z [mm]\r\n0;1\r\n1;2" + end))
+    assert table["z"].values.tolist() == [1.0, 2.0]
+
+
+@pytest.mark.parametrize("end", [b"\r\n\x1a\r\n2;3\r\n", b"\r\n\0\0"])
+def test_an_end_mark_before_other_rows_and_zeros_without_one_are_refused(tmp_path: Path, end: bytes) -> None:
+    with pytest.raises(RecordingError, match=r"as many cells|not a text file"):
+        read_columns_csv(written(tmp_path, b"x [mm];z [mm]\r\n0;1\r\n1;2" + end))
+
+
+def test_names_of_r_have_their_units(tmp_path: Path) -> None:
+    head = '"","time..s.","sprung.az..m.s.2.","v..m.s..1.","c..N.s.mm.","k..N.m.","Weg...mm","a.b"'
+    table = read_columns_csv(written(tmp_path, f'{head}\n"1",0,1,2,3,4,5,6\n"2",1,2,NA,4,5,6,7\n'))
+    assert [(one.name, one.unit) for one in table][1:] == [
+        ("time", "s"),
+        ("sprung.az", "m/s^2"),
+        ("v", "m s^-1"),
+        ("c", "N s/mm"),
+        ("k..N.m.", ""),  # N m, or N/m
+        ("Weg...mm", ""),
+        ("a.b", ""),
+    ]
+    assert table["sprung.az..m.s.2."] is table["sprung.az"]
+    with pytest.raises(RecordingError, match=r"line 3: column 'v..m.s..1.': .*'NA'"):
+        table["v"].readable()
+
+
+def test_a_unit_that_is_read_from_r_is_not_another_usual_one() -> None:
+    """A point may stand for a multiplication, a division, a power or a blank: of usual units only one may be so."""
+    usual = {unit for others in units._EVERYDAY.values() for unit in others} | set(units._EVERYDAY) | set(units._MEANT)
+    usual |= {"N*mm", "N*s/mm", "N*m/rad", "N*m/deg", "kg*m^2", "N s", "N*m*s", "N/m^2", "N s/m", "N/s"}
+    for unit in usual - {"%"}:
+        read = columns._UNITS_OF_R.get(re.sub("[^A-Za-z0-9]", ".", unit))
+        assert read is None or units.conversion_factor(unit, read) == pytest.approx(1.0, rel=1e-15), unit
+    assert all(map(units.is_unit, columns._UNITS_OF_R.values()))
+
+
+def test_names_in_the_last_comment_are_those_of_numpy(tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "a.txt", [[0.0, 1.0], [1.0, 2.0]], header="bench 3\n\ntime [s] strut.force [N]")
+    table = read_columns_csv(tmp_path / "a.txt")
+    assert [one.label for one in table] == ["time [s]", "strut.force [N]"]
+    assert (table.comments, table.remarks) == (("bench 3", ""), ("the names were read from the last comment",))
+    for comment in ("bench 3", "time [s], force [N], more", "1, 2"):
+        with pytest.raises(RecordingError, match="the header is missing"):
+            read_columns_csv(written(tmp_path, f"# {comment}\n0,1\n1,2\n"))
+
+
+def test_rows_of_r_have_names_that_have_no_header(tmp_path: Path) -> None:
+    table = read_columns_csv(written(tmp_path, '"t" "az..g."\n"1" 0 1.5\n"2" 0.1 2.5\n'))
+    assert [one.label for one in table] == ["column 1", "t", "az [g]"]
+    assert table["az"].values.tolist() == [1.5, 2.5]
+    with pytest.raises(RecordingError, match="as many cells"):  # no names: a column without a header, or names
+        read_columns_csv(written(tmp_path, "t,az\n1,0,1.5\n2,0.1,2.5\n"))
+
+
+@pytest.mark.parametrize(
+    "cells", [("0 days 00:00:00", "0 days 00:00:00.010000"), ("1 days 23:59:59.995", "2 days 00:00:00.005")]
+)
+def test_durations_of_pandas_are_seconds(tmp_path: Path, cells: tuple[str, str]) -> None:
+    table = read_columns_csv(written(tmp_path, f"time,z [m]\n{cells[0]},1\n{cells[1]},2\n"))
+    np.testing.assert_allclose(table["time"].in_si("s"), [0.0, 0.01], atol=1e-12)
+
+
+@pytest.mark.parametrize("cell", ["nan", "NaN", "NA", "<NA>", "#N/A", "-1.#IND", "1.#QNAN", "NULL", "NaT", ""])
+def test_what_programs_write_for_no_number_is_a_gap(tmp_path: Path, cell: str) -> None:
+    table = read_columns_csv(written(tmp_path, f"t [s],z [m]\n0,1\n1,{cell}\n2,3\n"))
+    part = table.columns[1].part
+    assert part is not None
+    assert part[1].tolist() == [1.0, 3.0]
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("first", ["", "sep=;\n", "\ufeff", "\ufeffsep=;\n"])
+def test_line_ends_and_first_lines_of_spreadsheets(tmp_path: Path, first: str, end: str) -> None:
+    table = read_columns_csv(written(tmp_path, f'{first}"t [s]";"z [m]"\n"0";"1,5"\n"1";"2,5"\n'.replace("\n", end)))
+    assert [one.label for one in table] == ["t [s]", "z [m]"]
+    assert table["z"].values.tolist() == [1.5, 2.5]
 
 
 def test_a_trailing_separator_everywhere_is_accepted(tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ def test_values_at_infinity_stay_empty(tmp_path: Path) -> None:
     found = jn.sweep_travel(arm, [0.0, 0.01])
     assert not np.any(np.isfinite(found["instant_centre_y"]))
     header, first, *_ = jn.write_sweep(found, tmp_path / "arm.csv").read_text(encoding="utf-8").splitlines()
-    assert first.split(",")[header.split(", ").index("instant_centre_y [m]")] == ""
+    assert first.split(",")[header.split(",").index("instant_centre_y [m]")] == ""
 
 
 def test_files_are_not_overwritten_unasked(sweep: xr.Dataset, tmp_path: Path) -> None:

@@ -209,7 +209,7 @@ def test_another_truth_gives_other_recordings_and_says_so(tmp_path):
         }
     )
     made = measurement_texts(SMALL, free)
-    assert made["trials/01.csv"].splitlines()[1] == "time [s], unsprung.az [m/s^2]"
+    assert made["trials/01.csv"].splitlines()[1] == "time [s],unsprung.az [m/s^2]"
     assert made["bench/decay_1.csv"] != measurement_texts(SMALL)["bench/decay_1.csv"]
     x, force = virtual_bench.tyre_cycle(0.010, 201, 250e3, 1.0, free)
     assert force[200] / (x[200] - 0.45e-3) == pytest.approx(120e3, rel=1e-3)

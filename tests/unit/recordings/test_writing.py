@@ -47,4 +47,4 @@ def test_failure_leaves_nothing(tmp_path: Path) -> None:
 
 def test_csv_is_readable_text(tmp_path: Path) -> None:
     lines = write_recording(RUN, tmp_path / "run.csv").read_text().splitlines()
-    assert lines[:3] == ["time [s], sprung.z [m]", "0.0,0.0", "0.1,1.0"]
+    assert lines[:3] == ["time [s],sprung.z [m]", "0.0,0.0", "0.1,1.0"]

@@ -103,7 +103,7 @@ def test_files_have_a_header_that_says_the_load(tmp_path):
     text = file.read_text(encoding="utf-8").splitlines()
     assert '# left.plate_mass = "20.0 kg"' in text
     assert '# vehicle = "the \\"blue\\" one"' in text
-    assert "time [s], left.plate.z [mm], left.plate.force [N]" in text
+    assert "time [s],left.plate.z [mm],left.plate.force [N]" in text
     with pytest.raises(OutputError):
         write_test(record, file)
     write_test(record, tmp_path / "lane.nc")
