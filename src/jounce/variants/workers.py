@@ -69,7 +69,7 @@ def own_locks() -> Iterator[None]:
     if sys.modules.get("dask") is None:
         yield
         return
-    import dask  # which waits where another thread still loads it
+    dask = require("dask", "cluster")  # waits where another thread still loads it
 
     with PROCESS_SETTINGS, dask.config.set(scheduler="synchronous"):
         yield
