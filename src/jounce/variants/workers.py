@@ -17,7 +17,7 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib import metadata
+from importlib import import_module, metadata
 from typing import Any
 
 from jounce.core.errors import JounceError
@@ -69,7 +69,7 @@ def own_locks() -> Iterator[None]:
     if sys.modules.get("dask") is None:
         yield
         return
-    dask = require("dask", "cluster")  # waits where another thread still loads it
+    dask = import_module("dask")  # waits where another thread still loads it
 
     with PROCESS_SETTINGS, dask.config.set(scheduler="synchronous"):
         yield
