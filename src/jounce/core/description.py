@@ -77,15 +77,11 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
     def _frozen(self, name: str, value: object) -> DescriptionError:
         if name not in type(self).model_fields:
             return unknown(name, type(self).model_fields, what="field", where=type(self).__name__)
-        new = f"{name}': {shown(value)}"
-        hint = (
-            f"Make a changed copy: model_copy(update={{'{new}}}), or rig.with_changes({{'...{new}}}) by the whole path."
-        )
+        change = f"'{name}': {shown(value)}"
         if hasattr(self, "with_changes"):
-            call = f"model_copy(update={{'{new}}}), or rig.with_changes({{'...{new}}}) by the whole path"
-        if hasattr(self, "with_changes"):
-            call = f"with_changes({{'{new}}})"
-        hint = f"Make a changed copy: {call}."
+            hint = f"Make a changed copy: with_changes({{{change}}})."
+        else:
+            hint = f"Make a changed copy: model_copy(update={{{change}}}), or of a whole rig: rig.with_changes(...)."
         return DescriptionError("descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
