@@ -310,7 +310,7 @@ def test_curved_lumped_models_step_side_by_side():
             "tyre.curve": {"kind": "polynomial", "coefficients": [1.8e5, 2e6]},
         }
     )
-    trial, words = course(duration="0.5 s"), ["rms sprung.az", "min tyre.force", "Wk sprung.az"]
+    trial, words = course(duration="2.5 s"), ["rms sprung.az", "min tyre.force", "Wk sprung.az"]
     masses = np.linspace(400.0, 520.0, 17)
     many = jn.simulate_many(rig, trial, {"sprung.mass": masses}, metrics=words)
     assert many.attrs["side_by_side"] == 17
@@ -358,12 +358,28 @@ def test_channels_over_time_are_those_of_simulate(least, monkeypatch):
 def test_weighted_metrics_are_those_of_the_ride_metrics():
     from jounce.ride.weighting import weighted
 
-    rig, trial = jn.load("audi-a6-quarter-car"), course()
+    rig, trial = jn.load("audi-a6-quarter-car"), course(duration="3 s")
     found = jn.simulate_many(rig, trial, {"sprung.mass": [460.0]}, metrics="Wk sprung.az")
     run = jn.simulate(rig, trial)["sprung.az"].values
     assert float(found["Wk sprung.az"][0]) == pytest.approx(
         float(np.sqrt(np.mean(weighted(run, 1000.0, "Wk") ** 2))), rel=1e-9
     )
+
+
+@pytest.mark.parametrize("word", ["Wk", "Wd", "We", "Wc", "Wf"])
+def test_runs_too_short_for_a_weighting_are_refused_as_ride_metrics_refuses_them(word):
+    rig, trial = jn.load("audi-a6-quarter-car"), course(duration="2 s")
+    with pytest.raises(jn.RecordingError, match=f"too short for {word}; found '2 s'; allowed: ") as many:
+        jn.simulate_many(rig, trial, {"sprung.mass": [460.0]}, metrics=["rms sprung.az", f"{word} sprung.az"])
+    with pytest.raises(jn.RecordingError) as one:
+        jn.ride_metrics(jn.simulate(rig, trial), weighting={"z": word}, metrics=["weighted_rms"])
+    with pytest.raises(jn.RecordingError) as best:
+        jn.optimise(rig, {"strut.damper.coefficient": (500.0, 3000.0)}, f"sprung.az {word}", trial=trial)
+    for error in (one, best):
+        assert str(many.value).partition("measurement")[2].rstrip(".") in str(error.value)
+    changes = {"trial.duration": [2.0, 30.0]}
+    with pytest.raises(jn.RecordingError, match=f"too short for {word}; found '2 s'"):
+        jn.simulate_many(rig, trial, changes, metrics=f"{word} sprung.az")
 
 
 def test_speeds_seeds_and_controllers_vary():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import operator
 import os
@@ -14,13 +15,14 @@ from dataclasses import fields, is_dataclass
 from functools import wraps
 from typing import Any, Literal, TypeVar, get_args, get_origin
 
-from jounce.core.errors import DescriptionError, JounceError, shown
+from jounce.core.errors import DescriptionError, JounceError, named
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 _KINDS = {
     "Rig": ("a rig or a vehicle", "jn.load(...) reads one from a file or the library."),
     "Trial": ("a trial", "Make one: jn.Trial(road=..., speed=..., duration=...)."),
+    "HoldsTrial": ("what holds one", ""),
     "RideTrial": ("a trial for ride studies", "Make one: jn.iso_trial(rig, ...) or jn.road_trial(rig, ...)."),
     "Road": ("a road", "Make one, e.g. jn.HalfSine(...), or read it: jn.load_road(...)."),
     "Dataset": (
@@ -84,11 +86,11 @@ def misfit(
         if signature.parameters[name].kind in (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD):
             continue
         for place, wrong, hint in _misfits(value, hints.get(name, Any), name):
-            words, ways = zip(*dict.fromkeys(_words(hint)), strict=True)
+            words, ways = map(dict.fromkeys, zip(*_words(hint), strict=True))
             swapped = [other for other, kind in hints.items() if other in signature.parameters and _is_for(wrong, kind)]
             advice = [f"It would do for {swapped[0]!r}: are the arguments in order?"] if swapped else []
             return DescriptionError(
-                f"{_named(wrong)} was given",
+                f"{named(wrong)} was given",
                 where=f"{function.__name__}: {place}",
                 allowed=" or ".join(words),
                 hint=" ".join([*advice, *filter(None, ways)]),
@@ -111,10 +113,8 @@ class _Names(dict[str, Any]):
     """Names of a module, and those it imports for type checkers only: they are in another module of jounce."""
 
     def __missing__(self, name: str) -> Any:
-        if name == "xr":
-            import xarray
-
-            return xarray
+        if name in ("pd", "xr"):
+            return importlib.import_module({"pd": "pandas", "xr": "xarray"}[name])
         for module in [module for key, module in sys.modules.items() if key.startswith("jounce.")]:
             if name in vars(module):
                 return vars(module)[name]
@@ -271,12 +271,3 @@ def _words(hint: Any) -> list[tuple[str, str]]:
 
 def _either(hint: Any) -> str:
     return " or ".join(dict.fromkeys(word for word, _ in _words(hint)))
-
-
-def _named(value: Any) -> str:
-    """A value as a message names it: itself where it is short, otherwise by its kind."""
-    if value is None or isinstance(value, (str, bool, int, float)):
-        return shown(value)
-    name = type(value).__name__
-    article = "an" if name[0] in "AEIOUaeiou" else "a"
-    return f"{article} {name}"

@@ -103,6 +103,18 @@ def shown(value: object) -> str:
     return shortened(text, _LONGEST_VALUE)
 
 
+def named(value: object) -> str:
+    """A value as messages name it: plain ones as they are, all others by their kind.
+
+    >>> named("5 mm"), named(3), named([1, 2]), named(KeyError())
+    ("'5 mm'", '3', 'a list', 'a KeyError')
+    """
+    if value is None or isinstance(value, (str, bool, int, float)):
+        return shown(value)
+    name = type(value).__name__
+    return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"
+
+
 def nearest(name: str, options: Iterable[str]) -> str:
     """Return the sentence ``did you mean 'x'?``, or an empty text when nothing is near."""
     match = difflib.get_close_matches(name[:_LONGEST_VALUE], list(options), n=1, cutoff=0.6)

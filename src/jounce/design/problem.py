@@ -228,6 +228,13 @@ class TrialEvaluator:
     metrics: tuple[Metric, ...]
     output_step: float = 2e-3
 
+    def __post_init__(self) -> None:
+        from jounce.ride.weighting import check_duration
+
+        for metric in self.metrics:
+            if metric.weighting:
+                check_duration(metric.weighting, self.trial.duration, where=metric.text)
+
     @property
     def is_exact(self) -> bool:
         """Whether its slopes are exact: they ride along with the simulation."""

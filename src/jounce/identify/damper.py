@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +18,12 @@ from jounce.core.types import Array
 from jounce.identify.decay import lost_samples, noise_of, quantum_of, zigzag
 from jounce.identify.estimate import Estimate, central_differences, linear_least_squares, r_squared, uncertainty
 from jounce.identify.signs import ForcePositive, Signs, StrokePositive, closed_part, damper_signs, sign_of
+from jounce.recordings.carried import as_recording, clock_of, damper_channels
 from jounce.recordings.quality import clipped_share
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
 
 VelocityFrom = Literal["recorded", "displacement"]
 LawName = Literal["linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"]
@@ -513,10 +518,10 @@ class DamperCurve(Shown):
 
 
 def fit_damper(  # noqa: PLR0913 - each is a choice of its own
-    displacement: ArrayLike,
-    velocity: ArrayLike | None,
-    force: ArrayLike,
-    time: ArrayLike,
+    displacement: ArrayLike | xr.Dataset | pd.DataFrame,
+    velocity: ArrayLike | None = None,
+    force: ArrayLike | None = None,
+    time: ArrayLike | None = None,
     *,
     law: LawName = "linear",
     degree: int = 3,
@@ -536,14 +541,15 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
 
     Parameters
     ----------
-    displacement : array (n,)
-        [m], compression positive unless stated otherwise, any zero.
+    displacement : array (n,), Dataset or DataFrame
+        [m], compression positive unless stated otherwise, any zero; or alone, a recording or a table (``name [unit]``)
+        in which one place has a displacement, a force and, where it was recorded, a velocity.
     velocity : array (n,) or None
         [m/s], of the same sign as the displacement; None: the derivative of the displacement.
     force : array (n,)
         [N], positive where it resists compression unless stated otherwise.
     time : array (n,)
-        [s], increasing.
+        [s], increasing; not needed beside channels of a recording, which carry it.
     law : {"linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"}
         See above.
     degree : int
@@ -587,10 +593,7 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     [300, 900, 0]
     """
     motion, findings = read_motion(
-        displacement,
-        velocity,
-        force,
-        time,
+        *_carried(displacement, velocity, force, time, name),
         velocity_from=velocity_from,
         stroke_positive=stroke_positive,
         force_positive=force_positive,
@@ -638,12 +641,23 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     return replace(result, findings=tuple(findings))
 
 
+def _carried(
+    displacement: Any, velocity: Any, force: Any, time: Any, name: str
+) -> tuple[ArrayLike, ArrayLike | None, ArrayLike, ArrayLike]:
+    """A record with what its data carry: channels of a recording their time, a recording or a table all."""
+    if force is None and velocity is None and not hasattr(displacement, "dtype"):
+        displacement, velocity, force = damper_channels(as_recording(displacement, where=name), where=name)
+    if force is None:
+        raise FitError("the force is missing", where=name, allowed="displacement, velocity or None, force, time")
+    return displacement, velocity, force, clock_of((displacement, force), where=name) if time is None else time
+
+
 def damper_curve(
     result: DamperResult,
-    displacement: ArrayLike,
-    velocity: ArrayLike | None,
-    force: ArrayLike,
-    time: ArrayLike,
+    displacement: ArrayLike | xr.Dataset | pd.DataFrame,
+    velocity: ArrayLike | None = None,
+    force: ArrayLike | None = None,
+    time: ArrayLike | None = None,
     *,
     velocity_from: VelocityFrom = "recorded",
 ) -> DamperCurve:
@@ -653,7 +667,7 @@ def damper_curve(
     ----------
     result : DamperResult
         The fitted law.
-    displacement, velocity, force, time : array (n,)
+    displacement, velocity, force, time : array (n,), Dataset or DataFrame
         A record as for :func:`fit_damper` [m, m/s, N, s], which counts stroke and force as the fitted one did;
         displacement is counted from the middle of its own stroke.
     velocity_from : {"recorded", "displacement"}
@@ -673,10 +687,7 @@ def damper_curve(
     True
     """
     motion, _ = read_motion(
-        displacement,
-        velocity,
-        force,
-        time,
+        *_carried(displacement, velocity, force, time, "damper"),
         velocity_from=velocity_from,
         stroke_positive=result.stroke_positive,
         force_positive=result.force_positive,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +27,11 @@ from jounce.identify.estimate import (
     r_squared,
     uncertainty,
 )
+from jounce.recordings.carried import carried_channel, clock_of
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
 
 # closed-form response -------------------------------------------------------------------------------------------------
 
@@ -35,6 +40,7 @@ Quantity = Literal["displacement", "velocity", "acceleration"]
 QUANTITIES: tuple[Quantity, ...] = ("displacement", "velocity", "acceleration")
 Drag = Literal["auto", "yes", "no"]
 DRAG_CHOICES: tuple[Drag, ...] = ("auto", "yes", "no")
+_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 
 _MOST_HALF_CYCLES = 5000
 
@@ -861,8 +867,8 @@ class DecayResult(Shown):
 
 
 def fit_decay(
-    time: ArrayLike,
-    displacement: ArrayLike,
+    time: ArrayLike | xr.Dataset | pd.DataFrame,
+    displacement: ArrayLike | None = None,
     *,
     mass: float,
     stiffness: float | None = None,
@@ -884,9 +890,10 @@ def fit_decay(
 
     Parameters
     ----------
-    time : array (n,)
-        Increasing times [s].
-    displacement : array (n,)
+    time : array (n,), DataArray, Dataset or DataFrame
+        Increasing times [s]; or, without ``displacement``, a channel with its own time, a recording or a table
+        (``name [unit]``) with one channel of the ``quantity``.
+    displacement : array (n,), optional
         The record: displacement [m], or velocity [m/s] or acceleration [m/s^2] as ``quantity`` says; any zero, any
         sign.
     mass : float
@@ -928,6 +935,9 @@ def fit_decay(
     """
     if quadratic_drag not in DRAG_CHOICES:
         raise unknown(str(quadratic_drag), DRAG_CHOICES, what="quadratic_drag", where=name)
+    if displacement is None:
+        displacement = carried_channel(time, _UNITS.get(quantity, ""), where=name)
+        time = clock_of([displacement], where=name)
     t, signal = _checked(time, displacement, mass, stiffness, quantity, name)
     t, signal = _in_window(t, signal, begin, end, name)
     part = _best_part(t, signal, quantity, name, look_on=begin is None)

@@ -24,10 +24,11 @@ from jounce.identify.lags import Shifted, best_lag
 from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
+from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import check_recording
 from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
 from jounce.recordings.signals import shift_signals
-from jounce.roads import Trial
+from jounce.roads import Trial, as_trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation, known_actuator
@@ -52,7 +53,8 @@ class FitTrial(Shown):
     trial : Trial
         Road and speed, or base motion.
     measured : xarray.Dataset
-        Recording; every variable that is also an output of the model is compared.
+        Recording, made of a table with columns ``name [unit]`` where such is given; every variable that is also an
+        output of the model is compared.
     sensors : dict
         Channel to sensor: applied to the simulation before it is compared. Where a sensor says no ``datum``, or a
         channel has no sensor, :func:`jounce.identify.datum.with_datums` finds it; until then it is "undeformed".
@@ -66,6 +68,11 @@ class FitTrial(Shown):
 
     def __post_init__(self) -> None:
         check_rig(self.rig)
+        for name, value in (
+            ("trial", as_trial(self.trial)),
+            ("measured", as_recording(self.measured, where=f"{self.name}: measured")),
+        ):
+            object.__setattr__(self, name, value)
 
 
 @dataclass(frozen=True)

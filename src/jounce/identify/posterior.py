@@ -237,7 +237,7 @@ def rested(  # noqa: PLR0913 - as for the posterior
 
 
 def posterior(  # noqa: PLR0913 - each is a choice of its own
-    trials: Sequence[FitTrial],
+    trials: Sequence[FitTrial] | FitTrial,
     free: Mapping[str, str | float | Sequence[str | float] | Mapping[str, Any]],
     *,
     name: str = "update",
@@ -250,7 +250,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     bench: Mapping[str, Estimate] | None = None,
     draws: int = 20_000,
     seed: int = 1,
-    predict: Sequence[FitTrial] | None = None,
+    predict: Sequence[FitTrial] | FitTrial | None = None,
     predicted_with: int = 50,
     progress: Progress = _silent,
 ) -> Posterior:
@@ -258,7 +258,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
 
     Parameters
     ----------
-    trials : sequence of FitTrial
+    trials : FitTrial or sequence of FitTrial
         What was run and measured, as for :func:`update_model`.
     free : dict
         Path to bounds (SI or text with a unit), with ``doubt`` also to bounds and prior, as for :func:`update_model`.
@@ -315,6 +315,8 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     >>> low < 24e3 < high
     True
     """
+    trials = [trials] if isinstance(trials, FitTrial) else trials
+    predict = [predict] if isinstance(predict, FitTrial) else predict
     _check_counts(draws, predicted_with, seed)
     _check_names(trials, "trials")
     _check_names(predict or (), "predict")

@@ -321,7 +321,7 @@ class StiffnessResult(Shown):
 
 
 def fit_stiffness(
-    trials: Sequence[ForceDeflectionTrial],
+    trials: Sequence[ForceDeflectionTrial] | ForceDeflectionTrial,
     *,
     law: Law = "linear",
     degree: int = 3,
@@ -381,6 +381,7 @@ def fit_stiffness(
     >>> round(result.stiffness.value), round(result.repeatability)
     (22730, 30)
     """
+    trials = [trials] if isinstance(trials, ForceDeflectionTrial) else trials
     _check(trials, law, degree, discard_below, intercept, branch, zero)
     if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
         raise FitError("not a static force", where="operating_force", found=f"{operating_force} N", allowed="above 0 N")

@@ -377,7 +377,7 @@ class UpdateResult(Shown):
 
 
 def update_model(  # noqa: PLR0913 - each is a choice of its own
-    trials: Sequence[FitTrial],
+    trials: Sequence[FitTrial] | FitTrial,
     free: Mapping[str, str | float | Sequence[str | float] | Mapping[str, Any]],
     *,
     name: str = "update",
@@ -397,7 +397,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
 
     Parameters
     ----------
-    trials : sequence of FitTrial
+    trials : FitTrial or sequence of FitTrial
         What was run and measured; each carries its rig with start values. A free parameter whose start value differs
         between trials (tyre stiffness at two pressures) gets one common factor; values are those of the first trial.
         Where a channel's zero lies is the ``datum`` of its sensor, by default found from the quiet start of the record,
@@ -460,6 +460,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     >>> round(result.parameters["strut.spring.rate"].value, 3)
     24000.0
     """
+    trials = [trials] if isinstance(trials, FitTrial) else trials
     return updated(
         trials, free, name=name, method=method, weights=weights, channels=channels, align=align, lag_bound=lag_bound,
         starts=starts, seed=seed, tolerance=tolerance, doubt=doubt, bench=bench, nuisances=nuisances,

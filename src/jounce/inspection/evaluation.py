@@ -29,8 +29,10 @@ from jounce.inspection.signals import (
 from jounce.inspection.sweep import SWINGS, Sweep, exciter_height, find_sweep, spring_against_height
 from jounce.inspection.turn_forces import analyse, find_lift_off, fit_test, stretches_between
 from jounce.parts.testers import Tester, as_tester
+from jounce.recordings.carried import as_recording
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
 
@@ -52,7 +54,7 @@ class _Task:
 
 
 def evaluate(
-    record: xr.Dataset,
+    record: xr.Dataset | pd.DataFrame,
     tester: Tester | str | Path | None = None,
     vehicle: Any = None,
     methods: Iterable[str] | None = None,
@@ -61,7 +63,7 @@ def evaluate(
 
     Parameters
     ----------
-    record : xarray.Dataset
+    record : xarray.Dataset or pandas.DataFrame
         Plate forces (N) and heights (m) on ``time`` (s), one or two wheels, as ``read_record`` and simulations give
         them; ``left.static_load`` (N) and so on as attributes.
     tester : Tester, str or Path, optional
@@ -99,6 +101,7 @@ def evaluate(
     >>> round(found.adhesion, 2), found.lift_off
     (0.71, False)
     """
+    record = as_recording(record, where="record")
     facts, said = read_facts(record.attrs)
     tester = None if tester is None else as_tester(tester)
     task = _task(tester, vehicle, methods, str(facts.get("axle", "")))

@@ -19,8 +19,10 @@ from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_
 from jounce.parts import Corner, Rig
 from jounce.parts.corners import LARGE
 from jounce.parts.rig import unit_of, unknown_path
+from jounce.recordings.carried import by_path
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
 _MOST_RESULTS = 200_000_000  # numbers in one result
@@ -30,7 +32,7 @@ Changes = Mapping[str, Sequence[float | str] | Sequence[Sequence[float | str]] |
 
 def sweep_variants(
     rig: Rig,
-    changes: Changes,
+    changes: Changes | pd.DataFrame,
     travel: Values | None = None,
     *,
     rack: Values | None = None,
@@ -47,7 +49,7 @@ def sweep_variants(
     ----------
     rig : Rig
         The corner that all variants start from.
-    changes : mapping of str to array_like, shape (k,) or (k, 3)
+    changes : mapping of str to array_like, shape (k,) or (k, 3), or DataFrame
         Path of a number of the description to its value in each variant, or of a point (``"hardpoints.tie_rod_inner"``)
         to its places; SI or texts with units; all of one length.
     travel : float, str or array_like, shape (n,), optional
@@ -223,6 +225,7 @@ def _parameters(sweep: PreparedSweep, rig: Corner, changes: Changes) -> tuple[Ar
 
 
 def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, Array]:
+    changes = by_path(changes)
     if not changes:
         raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
     known = rig.parameters()

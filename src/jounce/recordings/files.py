@@ -16,6 +16,7 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
+from jounce.recordings.carried import as_recording
 from jounce.recordings.clocks import by_clock, is_steady, rate_of, told
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
@@ -529,13 +530,13 @@ def _locate_channels(
 _HOW_TIME = "Map it with columns, {'time': 'NAME [s]'}, or give the sample time."
 
 
-def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
+def write_recording(dataset: xr.Dataset | pd.DataFrame, path: Path | str, *, force: bool = False) -> Path:
     """Write a recording so that ``read_recording`` gives it back.
 
     Parameters
     ----------
-    dataset : xarray.Dataset
-        A recording.
+    dataset : xarray.Dataset or pandas.DataFrame
+        A recording, or a table with columns ``name [unit]``.
     path : Path or str
         ``.nc`` for netCDF-4, ``.mat`` for MATLAB, ``.mf4`` for MDF 4.10, ``.parquet`` and ``.xlsx`` for Excel (the last
         three need the extra ``io``) keep names, units, long names and attributes; ``.csv`` is text with
@@ -563,7 +564,7 @@ def write_recording(dataset: xr.Dataset, path: Path | str, *, force: bool = Fals
     >>> read_recording(file)[0].equals(run)
     True
     """
-    return RECORDING_FILES.write(dataset, path, force=force)
+    return RECORDING_FILES.write(as_recording(dataset), path, force=force)
 
 
 def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:

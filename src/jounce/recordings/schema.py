@@ -16,6 +16,7 @@ from jounce.core.samples import as_samples
 from jounce.core.types import Array
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
 QUANTITIES: dict[str, tuple[str, str]] = {
@@ -196,8 +197,8 @@ def describe(name: str) -> str:
 
 
 def recording(
-    time: ArrayLike,
-    channels: Mapping[str, tuple[ArrayLike, str, str]],
+    time: ArrayLike | pd.DataFrame,
+    channels: Mapping[str, tuple[ArrayLike, str, str]] | None = None,
     *,
     attributes: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
@@ -205,8 +206,9 @@ def recording(
 
     Parameters
     ----------
-    time : array_like, shape (n,)
-        Time of the samples in s.
+    time : array_like, shape (n,), or DataFrame
+        Time of the samples in s; or alone, a table of pandas or Polars with columns ``name [unit]``, one of them or the
+        index ``time [s]``.
     channels : mapping of str to (array_like of shape (n,), str, str)
         Values in SI, SI unit, and name in words (empty: derived from the name) of each channel. Float arrays are kept
         without a copy.
@@ -231,6 +233,10 @@ def recording(
     """
     import xarray as xr
 
+    if channels is None:
+        from jounce.recordings.carried import as_recording
+
+        return as_recording(time).assign_attrs(attributes or {})
     instants = as_samples(time, "s", where="time")
     variables = {}
     for name, (values, unit, long_name) in channels.items():

@@ -20,6 +20,7 @@ from jounce.core.errors import shown, unknown
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
+from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import channel_unit
 from jounce.recordings.signals import check_frequency
 
@@ -264,6 +265,7 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
     >>> apply_sensors(run, {"sprung.az": Sensor(bias="1 g", orientation=-1)})["sprung.az"].values.round(9).tolist()
     [9.80665, 8.80665, 7.80665]
     """
+    dataset = as_recording(dataset)
     names = [str(name) for name in dataset.data_vars]
     time = dataset["time"].values
     rate = (time.size - 1) / float(time[-1] - time[0]) if time.size > 1 else 1.0

@@ -16,7 +16,7 @@ from jounce.core.errors import RecordingError
 from jounce.core.types import Array
 from jounce.ride import comfort
 from jounce.ride.comfort import duration_of, integral
-from jounce.ride.weighting import Start, weighted, weighting
+from jounce.ride.weighting import Start, check_duration, weighted, weighting
 
 # numbers of one signal ------------------------------------------------------------------------------------------------
 
@@ -136,14 +136,7 @@ class Motion:
         """The part that counts, weighted over the whole record; refused when it is too short for the weighting."""
         row = weighting(name or self.usual)
         if row.name not in self._weighted:
-            total = duration_of(self.signal, self.rate)
-            if total < row.shortest * (1.0 - 1e-9):
-                raise RecordingError(
-                    f"the measurement is too short for {row.name}",
-                    where=self.channel,
-                    found=f"{total:g} s",
-                    allowed=f"{row.shortest:g} s or more, one period of its lower limit",
-                )
+            check_duration(row.name, duration_of(self.signal, self.rate), where=self.channel)
             found = weighted(self.values, self.rate, row.name, start=self.choices.start)
             self._weighted[row.name] = found[self.first :]
         return self._weighted[row.name]

@@ -14,6 +14,7 @@ from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import to_si
 from jounce.parts import Rig
+from jounce.recordings.carried import as_recording
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import check_time
 from jounce.recordings.schema import check_recording, is_channel, quantity_of
@@ -32,6 +33,7 @@ from jounce.ride.catalogue import (
 from jounce.ride.weighting import STARTS, Start, weighting
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
 
@@ -190,7 +192,7 @@ class RideMetrics(Shown):
 
 
 def ride_metrics(
-    run: xr.Dataset,
+    run: xr.Dataset | pd.DataFrame,
     rig: Rig | None = None,
     *,
     settling: float | str = 0.0,
@@ -206,9 +208,10 @@ def ride_metrics(
 
     Parameters
     ----------
-    run : xarray.Dataset
-        Recording in SI on uniform time. Accelerations are found by the ends of their names (``.az``,
-        ``.pitch_acceleration``), corners by ``strut.deflection``, ``tyre.force`` and so on (``front_left.tyre.force``).
+    run : xarray.Dataset or pandas.DataFrame
+        Recording in SI on uniform time, or a table with columns ``name [unit]``. Accelerations are found by the ends of
+        their names (``.az``, ``.pitch_acceleration``), corners by ``strut.deflection``, ``tyre.force`` and so on
+        (``front_left.tyre.force``).
     rig : Rig, optional
         Rig or vehicle of the run; gives the gaps of its stops where ``stop_gap`` does not.
     settling : float or str
@@ -253,6 +256,7 @@ def ride_metrics(
     >>> round(found.value("weighted_rms"), 2), round(found.value("lift_off_time"), 3)
     (2.64, 0.027)
     """
+    run = as_recording(run, where="run")
     rate, first, left_out = _time(run, settling)
     rows = {row.name: row for row in CATALOGUE}
     for name in metrics or ():

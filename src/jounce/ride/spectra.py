@@ -15,6 +15,7 @@ from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
+from jounce.recordings.carried import rate_of_channels
 from jounce.recordings.quality import check_time
 from jounce.ride.weighting import weighting_response
 from jounce.simulation.linear_model import LinearModel
@@ -117,7 +118,7 @@ class Bands:
 
 
 def power_spectrum(
-    values: ArrayLike, sample_rate: float, *, segment: float | str | None = None, window: str = "hann"
+    values: ArrayLike, sample_rate: float | None = None, *, segment: float | str | None = None, window: str = "hann"
 ) -> Spectrum:
     """One-sided power spectral density by Welch's method.
 
@@ -125,8 +126,8 @@ def power_spectrum(
     ----------
     values : array_like, shape (n,)
         Signal at a constant rate, in SI or any other unit (m/s^2, N, ...).
-    sample_rate : float
-        Samples per second, Hz.
+    sample_rate : float, optional
+        Samples per second, Hz; not needed for a channel of a recording, which carries its time.
     segment : float or str, optional
         Length of the pieces that are averaged, s or text with a unit; by default an eighth of the record. Longer pieces
         resolve more and scatter more.
@@ -153,17 +154,18 @@ def power_spectrum(
     >>> float(spectrum.frequency[spectrum.density.argmax()]), round(spectrum.mean_square(), 3)    # 3^2 / 2
     (10.0, 4.5)
     """
-    signal = _checked(values, sample_rate, "signal")
-    count = _piece(signal, sample_rate, segment, window)
-    frequency, density = _cross(signal, signal, sample_rate, count, window)
-    resolution = WINDOWS[window] * sample_rate / count
+    rate = rate_of_channels([values], where="signal") if sample_rate is None else sample_rate
+    signal = _checked(values, rate, "signal")
+    count = _piece(signal, rate, segment, window)
+    frequency, density = _cross(signal, signal, rate, count, window)
+    resolution = WINDOWS[window] * rate / count
     return Spectrum(frequency, density.real.copy(), resolution, _averages(signal.size, count, window))
 
 
 def transfer_function(
     given: ArrayLike,
     answer: ArrayLike,
-    sample_rate: float,
+    sample_rate: float | None = None,
     *,
     segment: float | str | None = None,
     window: str = "hann",
@@ -176,8 +178,8 @@ def transfer_function(
         Input signal at a constant rate, in SI or any other unit (m, m/s^2, ...).
     answer : array_like, shape (n,)
         Output signal on the same instants, in SI or any other unit (m/s^2, N, ...).
-    sample_rate : float
-        Samples per second, Hz.
+    sample_rate : float, optional
+        Samples per second, Hz; not needed for channels of a recording, which carry their time.
     segment : float or str, optional
         Length of the pieces that are averaged, s or text with a unit; by default an eighth of the record. It must be
         longer than the system rings, otherwise the peaks come out too low and the coherence drops.
@@ -203,23 +205,24 @@ def transfer_function(
     >>> bool(np.allclose(abs(late.response), 2.0, rtol=0.05)), bool(late.coherence.min() > 0.99)
     (True, True)
     """
-    x, y = _checked(given, sample_rate, "input"), _checked(answer, sample_rate, "output")
+    rate = rate_of_channels([given, answer], where="transfer function") if sample_rate is None else sample_rate
+    x, y = _checked(given, rate, "input"), _checked(answer, rate, "output")
     if x.shape != y.shape:
         raise RecordingError(
             "input and output have different lengths", where="transfer function", found=f"{x.size} and {y.size} samples"
         )
-    count = _piece(x, sample_rate, segment, window)
+    count = _piece(x, rate, segment, window)
     averages = _averages(x.size, count, window)
     if averages <= 1.0:
         raise RecordingError(
             "a transfer function needs two pieces or more",
             where="segment",
-            found=f"{count / sample_rate:g} s",
-            allowed=f"at most half the record of {x.size / sample_rate:g} s",
+            found=f"{count / rate:g} s",
+            allowed=f"at most half the record of {x.size / rate:g} s",
         )
-    frequency, cross = _cross(x, y, sample_rate, count, window)
-    own = _cross(x, x, sample_rate, count, window)[1].real
-    other = _cross(y, y, sample_rate, count, window)[1].real
+    frequency, cross = _cross(x, y, rate, count, window)
+    own = _cross(x, x, rate, count, window)[1].real
+    other = _cross(y, y, rate, count, window)[1].real
     response = np.divide(cross, own, out=np.zeros_like(cross), where=own > 0.0)
     both = own * other
     coherence = np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0)
@@ -300,7 +303,7 @@ def third_octaves(spectrum: Spectrum) -> Bands:
 
 def _checked(values: ArrayLike, sample_rate: float, what: str) -> Array:
     signal = as_samples(values, where=what)
-    if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not sample_rate > 0.0:
+    if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not 0.0 < sample_rate < math.inf:
         raise RecordingError(
             "too little for a spectrum",
             where=what,

@@ -183,8 +183,8 @@ def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
     """The road under the left and the right wheels."""
     if isinstance(rig, FullCar | FullCar3D) and isinstance(road, Crg):
         half = 0.5 * track_width(rig)
-        left, right = (road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0))
         try:
+            left, right = (road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0))
             left.profile()
             right.profile()
         except RecordingError:  # too narrow for the car: both sides roll along the given offset
@@ -194,6 +194,12 @@ def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
 
 
 # rides ----------------------------------------------------------------------------------------------------------------
+
+
+def _as_ride(rig: Rig, trial: RideTrial | Trial) -> RideTrial:
+    if not isinstance(trial, Trial):
+        return trial
+    return RideTrial(trial, _wheelbase(rig) / trial.speed if trial.speed else 0.0)
 
 
 Progress = Callable[[str], None]
@@ -348,15 +354,16 @@ class RideStudy(Plain):
         return plain_table(table)
 
 
-def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride:
+def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None) -> Ride:
     """Drive once and say what it amounts to.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
-    trial : RideTrial
-        From :func:`jounce.ride.study.iso_trial` or ``road_trial``.
+    trial : RideTrial or Trial
+        From :func:`jounce.ride.study.iso_trial` or ``road_trial``; of a plain trial, what comes before the last axle
+        has reached its begin does not count.
     control : Controller, str, Path, callable or None
         As for :func:`jounce.simulate`; the rig as it is without one.
 
@@ -381,6 +388,7 @@ def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride
     >>> driven.control, 0.2 < driven.merits["comfort"] < 0.8
     ('passive', True)
     """
+    trial = _as_ride(rig, trial)
     run = simulate(rig, trial.trial, control=control)
     metrics = ride_metrics(run, rig, settling=trial.settling)
     for missing in metrics.absent:
@@ -391,7 +399,11 @@ def drive(rig: Rig, trial: RideTrial, control: AnyControl | None = None) -> Ride
 
 
 def compare_rides(
-    rig: Rig, trial: RideTrial, controls: Sequence[AnyControl] = (PASSIVE,), *, progress: Progress = lambda _: None
+    rig: Rig,
+    trial: RideTrial | Trial,
+    controls: Sequence[AnyControl] = (PASSIVE,),
+    *,
+    progress: Progress = lambda _: None,
 ) -> RideStudy:
     """Drive the same trial with several controllers; what cannot be driven is listed with its reason.
 
@@ -399,7 +411,7 @@ def compare_rides(
     ----------
     rig : Rig
         Rig or vehicle.
-    trial : RideTrial
+    trial : RideTrial or Trial
         What is driven.
     controls : sequence of Controller, str, Path or callable
         Controllers, their names or files, or Python functions; ``"passive"`` is the rig as it is.
@@ -426,6 +438,7 @@ def compare_rides(
     >>> study.ride("skyhook").merits["comfort"] < study.ride("passive").merits["comfort"]
     True
     """
+    trial = _as_ride(rig, trial)
     chosen = [as_controller(control) for control in controls]
     rides, failed = [], {}
     problem: JounceError | None = None

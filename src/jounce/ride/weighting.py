@@ -100,6 +100,18 @@ def weighting(name: str) -> Weighting:
     return WEIGHTINGS[name]
 
 
+def check_duration(name: str, duration: float, *, where: str) -> None:
+    """Refuse a record (s) too short for a weighting: what it gives then says nothing of comfort."""
+    row = weighting(name)
+    if duration < row.shortest * (1.0 - 1e-9):
+        raise RecordingError(
+            f"the measurement is too short for {row.name}",
+            where=where,
+            found=f"{duration:g} s",
+            allowed=f"{row.shortest:g} s or more, one period of its lower limit",
+        )
+
+
 def weighting_response(name: str, frequency: ArrayLike) -> NDArray[np.complex128]:
     """Complex response (1) of a frequency weighting at frequencies in Hz; its angle is positive when the output leads.
 

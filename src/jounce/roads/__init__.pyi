@@ -12,7 +12,9 @@ from .road import SampledRoad as SampledRoad
 from .rough import class_roughness as class_roughness
 from .rough import track_coherence as track_coherence
 from .trial import Excitation as Excitation
+from .trial import HoldsTrial as HoldsTrial
 from .trial import Trial as Trial
+from .trial import as_trial as as_trial
 from .trial import trial_findings as trial_findings
 from .waves import swept_sine as swept_sine
 

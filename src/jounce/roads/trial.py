@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Protocol, Self, runtime_checkable
 
 import numpy as np
 from pydantic import BeforeValidator, model_validator
@@ -424,6 +424,21 @@ _MOST_WHEELS = 16
 def _pieces_of(trial: Trial) -> dict[tuple[float, int], Segments] | None:
     """Heights under the wheels that were asked for so far; None where a file holds them, which may change."""
     return {} if is_lasting(trial) else None
+
+
+@runtime_checkable
+class HoldsTrial(Protocol):
+    """What holds a trial beside other facts: a trial for ride studies, a measured one, a candidate."""
+
+    @property
+    def trial(self) -> Trial:
+        """The trial."""
+        ...
+
+
+def as_trial(given: Trial | HoldsTrial) -> Trial:
+    """Give the trial itself, of what holds one."""
+    return given if isinstance(given, Trial) or not isinstance(given, HoldsTrial) else given.trial
 
 
 @remembered

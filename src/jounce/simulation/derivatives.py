@@ -15,8 +15,9 @@ from jounce.kernel.engine import Status
 from jounce.mechanics.facts import Facts
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
+from jounce.recordings.carried import as_recording, is_table
 from jounce.recordings.schema import place_of
-from jounce.roads import Trial
+from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import solve
 from jounce.simulation.problem import excitation, known_actuator
@@ -25,6 +26,7 @@ from jounce.simulation.result import Solution
 from jounce.simulation.settings import RunSettings
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
 
@@ -48,7 +50,12 @@ class Gradient(Shown):
 
 
 def sensitivities(
-    rig: Rig, trial: Trial, parameters: Sequence[str], *, output_step: float = 1e-3, tolerance: float = 1e-5
+    rig: Rig,
+    trial: Trial | HoldsTrial,
+    parameters: Sequence[str],
+    *,
+    output_step: float = 1e-3,
+    tolerance: float = 1e-5,
 ) -> xr.Dataset:
     """Differentiate all channels of a run with respect to parameters, exactly, along with the simulation.
 
@@ -90,6 +97,7 @@ def sensitivities(
     """
     import xarray as xr
 
+    trial = as_trial(trial)
     times = RunSettings(output_step, tolerance).times(trial.duration)
     facts, solution = _run(rig, trial, parameters, times, tolerance)
     variables = {}
@@ -108,9 +116,9 @@ def sensitivities(
 
 def gradient(
     rig: Rig,
-    trial: Trial,
+    trial: Trial | HoldsTrial,
     parameters: Sequence[str],
-    objective: xr.Dataset | Mapping[str, float],
+    objective: xr.Dataset | pd.DataFrame | Mapping[str, float],
     *,
     weights: Mapping[str, float] | None = None,
     output_step: float = 1e-3,
@@ -126,9 +134,10 @@ def gradient(
         Road and speed, or a base motion, and the duration.
     parameters : sequence of str
         Paths, e.g. ``"strut.spring.rate"``.
-    objective : xarray.Dataset or mapping
-        A recording, SI: the sum over its channels and samples of (measured - simulated)^2. Or channel to weight (1):
-        the weighted sum of the channels' mean squares over the trial.
+    objective : xarray.Dataset, pandas.DataFrame or mapping
+        A recording in SI, or a table with columns ``name [unit]``: the sum over its channels and samples of
+        (measured - simulated)^2. Or channel to weight (1): the weighted sum of the channels' mean squares over the
+        trial.
     weights : mapping, optional
         For a recording: channel to the weight (1) of its sum; only these channels count. All channels with 1 otherwise.
     output_step, tolerance : float
@@ -160,8 +169,11 @@ def gradient(
     """
     import xarray as xr
 
+    trial = as_trial(trial)
     times = RunSettings(output_step, tolerance).times(trial.duration)
     measured: xr.Dataset | None = None
+    if is_table(objective):
+        objective = as_recording(objective, where="objective")
     if isinstance(objective, xr.Dataset):
         measured, times = objective, _times_of(objective, trial)
         wanted = dict(weights or dict.fromkeys(map(str, measured.data_vars), 1.0))

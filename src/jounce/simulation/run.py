@@ -14,7 +14,7 @@ from jounce.core.types import Array
 from jounce.mechanics.facts import Facts
 from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import recording
-from jounce.roads import Trial
+from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
 from jounce.simulation.problem import excitation, known_actuator
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 def simulate(
     rig: Rig | str | Path,
-    trial: Trial,
+    trial: Trial | HoldsTrial,
     *,
     output_step: float = 1e-3,
     tolerance: float = 1e-5,
@@ -80,7 +80,7 @@ def simulate(
     True
     """
     settings = RunSettings(output_step, tolerance, method)
-    run = solved(as_rig(rig), trial, settings, offset=offset, detail=detail, check=check, control=control)
+    run = solved(as_rig(rig), as_trial(trial), settings, offset=offset, detail=detail, check=check, control=control)
     return run.recording()
 
 

@@ -34,7 +34,7 @@ from jounce.variants import few_channels, stepped
 from jounce.variants.designs import MOST, Design, is_list
 from jounce.variants.few_channels import FewChannels
 from jounce.variants.findings import Tally
-from jounce.variants.metrics import RunMetric, of_course, of_courses, of_sums, read_metrics
+from jounce.variants.metrics import RunMetric, check_durations, of_course, of_courses, of_sums, read_metrics
 from jounce.variants.side_by_side import LEAST, Layout, lay_out, sums_side_by_side
 from jounce.variants.threads import Item, processors, share
 
@@ -110,6 +110,7 @@ def prepared(
     study = Study(rig, trial, settings, control)
     columns = study.columns(variants)
     wanted = read_metrics(metrics, study.units) if metrics is not None else []
+    check_durations(wanted, columns.get("trial.duration", [trial.duration]))
     channels = study.channels(outputs if outputs is not None or metrics is not None else list(study.units))
     if channels and "trial.duration" in columns and np.ptp(columns["trial.duration"]) > 0.0:
         raise DescriptionError("channels of runs that differ in length", where="outputs", hint="Ask for metrics.")

@@ -6,7 +6,7 @@ the channel.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, nearest, unknown
 from jounce.core.types import Array
 from jounce.recordings.schema import channels_of
-from jounce.ride.weighting import WEIGHTINGS, weighted
+from jounce.ride.weighting import WEIGHTINGS, check_duration, weighted
 
 if TYPE_CHECKING:
     from jounce.variants.side_by_side import Sums
@@ -84,6 +84,14 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
             raise _unknown_channel(words[1], units)
         found += [RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels]
     return list({metric.text: metric for metric in found}.values())
+
+
+def check_durations(metrics: Iterable[RunMetric], durations: Iterable[float]) -> None:
+    """Refuse weightings of runs (s) that are too short for them."""
+    shortest = min(map(float, durations))
+    for metric in metrics:
+        if metric.needs_course:
+            check_duration(metric.word, shortest, where=metric.text)
 
 
 def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:

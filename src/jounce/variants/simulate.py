@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import DescriptionError
 from jounce.core.waiting import told
 from jounce.parts import Rig, as_rig
-from jounce.roads import Trial
+from jounce.recordings.carried import by_path
+from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.settings import Method, RunSettings
 from jounce.variants.designs import is_whole
 from jounce.variants.many import Variants, prepared
 from jounce.variants.shards import keep_in_shards
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
     from jounce.control import Controller
@@ -26,8 +28,8 @@ _MOST_SAMPLES = 400_000_000  # numbers that channels over time may have: 3.2 GB
 
 def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     rig: Rig | str | Path,
-    trial: Trial,
-    variants: Variants,
+    trial: Trial | HoldsTrial,
+    variants: Variants | pd.DataFrame,
     *,
     metrics: Sequence[str] | str | None = None,
     outputs: Sequence[str] | str | None = None,
@@ -55,11 +57,11 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         What all variants start from: a rig or a vehicle, its file or its name in the library.
     trial : Trial
         What all of them are driven over.
-    variants : mapping or Design
-        Path of a number to its value in each variant, SI or texts with units, all of one length; or a design
-        (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`, :func:`monte_carlo`). Paths are those of the rig
-        (``"strut.spring.rate"``), ``"trial.speed"``, ``"trial.road.seed"`` and the like, and with a controller
-        ``"control.rate"`` and the like.
+    variants : mapping, DataFrame or Design
+        Path of a number to its value in each variant, SI or texts with units, all of one length; a table with such
+        columns, ``path [unit]`` or in SI; or a design (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`,
+        :func:`monte_carlo`). Paths are those of the rig (``"strut.spring.rate"``), ``"trial.speed"``,
+        ``"trial.road.seed"`` and the like, and with a controller ``"control.rate"`` and the like.
     metrics : sequence of str, optional
         Numbers to keep of each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms sprung.az"``)
         or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest (with a
@@ -102,6 +104,8 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     OutputError
         For a folder that holds something else, or another sweep than the one that is resumed (it says what differs),
         and for more results than the disk has room for.
+    RecordingError
+        For a weighting of runs that are too short for it, as :func:`ride_metrics` has it.
     SimulationError
         When the rig as it is does not run on the trial.
 
@@ -114,13 +118,14 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     >>> bool(many["max sprung.az"][0] < many["max sprung.az"][1])   # the softer damper
     True
     """
+    trial = as_trial(trial)
     _check_threads(threads)
     if not is_whole(workers) or workers < 1:
         raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
     work, columns = prepared(
         as_rig(rig),
         trial,
-        variants,
+        by_path(variants),
         RunSettings(output_step, tolerance, method),
         metrics,
         outputs,

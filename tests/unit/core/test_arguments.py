@@ -56,10 +56,10 @@ def test_what_fits_an_annotation(hint: Any, fitting: list[Any], others: list[Any
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: jn.simulate(RIG, TRIAL.road), r"simulate: trial: a Step was given; allowed: a trial. Make one: jn.T"),
+        (lambda: jn.simulate(RIG, TRIAL.road), r"simulate: trial: a Step was given; allowed: a trial or what holds on"),
         (lambda: jn.gradient(RIG, RUN, ["tyre.stiffness"], TRIAL), r"trial: a Dataset .*'objective': are the argum"),
         (lambda: jn.update_model([RUN], {"sprung.mass": 0.1}), r"trials\[0\]: a Dataset was given.*jn.FitTrial\(name"),
-        (lambda: jn.update_model([jn.FitTrial("a", RIG, TRIAL, 3)], {"sprung.mass": 0.1}), r"trials\[0\].measured: 3 "),
+        (lambda: jn.update_model([jn.FitTrial("a", RIG, RIG, RUN)], {"sprung.mass": 0.1}), r"trial: a QuarterCar"),
         (lambda: jn.load(RIG), r"load: name: a QuarterCar was given; allowed: a text or a path"),
         (lambda: jn.estimate_roughness(X, X, band=(0.1, None)), r"roughness: band\[1\]: None was given; allowed: a n"),
     ],

@@ -98,7 +98,9 @@ def test_a_variant_that_ends_in_an_unforeseen_way_is_a_row_with_its_reason(monke
     from jounce.variants import many
 
     monkeypatch.setattr(many._Group, "_solve", lambda *_: 1 / 0)
-    found = jn.simulate_many(RIG, TRIAL, {"sprung.mass": [400.0, 500.0]}, metrics="Wk sprung.az")
+    found = jn.simulate_many(
+        RIG, TRIAL.model_copy(update={"duration": 3.0}), {"sprung.mass": [400.0, 500.0]}, metrics="Wk sprung.az"
+    )
     assert all("division by zero" in text for text in found["reason"].values)
 
 

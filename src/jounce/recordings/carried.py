@@ -1,0 +1,173 @@
+"""Data that carry their own time and units: channels and recordings of xarray, tables of pandas and Polars."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from jounce.core.columns import Column, name_and_unit
+from jounce.core.errors import RecordingError, named
+from jounce.recordings.quality import check_time
+from jounce.recordings.schema import channel_unit, quantity_of, recording
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def is_table(given: object) -> bool:
+    """Whether something is a table of pandas or Polars."""
+    return hasattr(given, "columns") and hasattr(given, "to_numpy")
+
+
+def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
+    """Give a recording, made of a channel or of a table with columns ``name [unit]`` where it is none yet.
+
+    The index of a table of pandas is a column if it has a name. Columns of known quantities come in SI; others keep
+    their unit.
+
+    >>> import pandas as pd
+    >>> table = pd.DataFrame({"time [ms]": [0.0, 1.0], "strut.force [kN]": [0.2, 0.3]})
+    >>> as_recording(table)["strut.force"].sel(time=0.001).item()
+    300.0
+    """
+    import xarray as xr
+
+    if isinstance(given, xr.Dataset):
+        return given
+    if isinstance(given, xr.DataArray) and given.name is not None:
+        return given.to_dataset()
+    if not is_table(given):
+        raise RecordingError(
+            f"{named(given)} is no recording",
+            where=where,
+            allowed="an xarray.Dataset, or a table with columns 'name [unit]' and one of them 'time [s]'",
+            hint="jn.read_recording(...) gives one with its findings, jn.recording(...) makes one of arrays.",
+        )
+    columns = table_columns(given, where)
+    if "time" not in columns:
+        found = ", ".join(columns)
+        raise RecordingError("no column 'time'", where=where, found=found, allowed="a column or index 'time [s]'")
+    time = columns.pop("time").in_si("s")
+    channels = {}
+    for name, column in columns.items():
+        unit = channel_unit(name) if quantity_of(name) not in ("", "command") else column.unit or "1"
+        channels[name] = (column.in_si(unit), unit, "")
+    return recording(time, channels)
+
+
+def table_columns(table: Any, where: str) -> dict[str, Column]:
+    """Columns of a table of pandas or Polars by their names without units, a named index first."""
+    index = getattr(getattr(table, "index", None), "name", None)
+    given = {} if index is None else {str(index): table.index}
+    given |= {str(header): table[header] for header in table.columns}
+    found = {}
+    for header, values in given.items():
+        name, unit = name_and_unit(header)
+        try:
+            numbers = np.asarray(values, dtype=float)
+        except (TypeError, ValueError):
+            raise RecordingError("not a column of numbers", where=f"{where}: {header}") from None
+        found[name] = Column(name, unit, numbers, where)
+    return found
+
+
+def by_path(given: Any) -> Any:
+    """Give columns of a table by their names, numbers with a unit in the header as texts; all else as it is.
+
+    >>> import pandas as pd
+    >>> by_path(pd.DataFrame({"strut.spring.rate [N/mm]": [25.0, 26.0]}))
+    {'strut.spring.rate': ['25.0 N/mm', '26.0 N/mm']}
+    """
+    if not is_table(given):
+        return given
+    found = {}
+    for header in given.columns:
+        (name, unit), values = name_and_unit(str(header)), np.asarray(given[header])
+        found[name] = [f"{value!r} {unit}" for value in values.tolist()] if unit else values
+    return found
+
+
+def carries_time(given: object) -> bool:
+    """Whether something is a channel, a recording or a table that has its own time."""
+    return is_table(given) or "time" in getattr(given, "coords", ())
+
+
+def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
+    """Time of channels that were recorded together; None stands for no channel.
+
+    Raises
+    ------
+    RecordingError
+        Where none of them has a time, or they have different ones.
+    """
+    times = [one["time"] for one in given if hasattr(one, "coords") and "time" in one.coords]
+    if not times:
+        raise _no_time(where)
+    if any(not np.array_equal(time.values, times[0].values) for time in times[1:]):
+        raise RecordingError("the channels were recorded at different times", where=where, hint="Resample them.")
+    return times[0]
+
+
+def rate_of_channels(given: Sequence[Any], *, where: str) -> float:
+    """Sample rate (Hz) of channels that were recorded together, on uniform time."""
+    time = np.asarray(clock_of(given, where=where), dtype=float)
+    if check_time(time, where=where)[1]:
+        raise RecordingError("time is not uniform", where=where, hint="Resample the recording first.")
+    return (time.size - 1) / float(time[-1] - time[0])
+
+
+def carried_channel(given: Any, unit: str, *, where: str) -> xr.DataArray:
+    """Give a channel with its own time as it is, and of a recording or a table the only one in a unit.
+
+    >>> run = recording([0.0, 0.1], {"body.z": ([0.0, 1.0], "m", ""), "tyre.force": ([2.0, 3.0], "N", "")})
+    >>> carried_channel(run, "m", where="decay").name
+    'body.z'
+    """
+    import xarray as xr
+
+    if not carries_time(given):
+        raise _no_time(where)
+    if isinstance(given, xr.DataArray):
+        return given
+    run = as_recording(given, where=where)
+    names = [str(name) for name, one in run.data_vars.items() if one.attrs.get("units") == unit]
+    if len(names) == 1:
+        return run[names[0]]
+    raise _ambiguous(f"a channel in {unit}", names or run.data_vars, where, bool(names))
+
+
+def damper_channels(run: xr.Dataset, *, where: str) -> tuple[xr.DataArray, xr.DataArray | None, xr.DataArray]:
+    """Displacement, velocity (None for none) and force of the only place of a recording that has them.
+
+    Of places with displacement and force, one that has the velocity as well comes first: a strut before a tyre.
+    """
+    places: dict[str, dict[str, str]] = {}
+    units = {"m": "displacement", "m/s": "velocity", "N": "force"}
+    for name, one in run.data_vars.items():
+        kind = units.get(one.attrs.get("units", ""))
+        if kind is not None and one.dims == ("time",):
+            place = places.setdefault(str(name).rpartition(".")[0], {})
+            place[kind] = "" if kind in place else str(name)
+    whole = {place: names for place, names in places.items() if names.get("displacement") and names.get("force")}
+    best = {place: names for place, names in whole.items() if names.get("velocity")} or whole
+    if len(best) != 1:
+        raise _ambiguous("a displacement and a force of one place", best or run.data_vars, where, bool(best))
+    (names,) = best.values()
+    velocity = names.get("velocity")
+    return run[names["displacement"]], run[velocity] if velocity else None, run[names["force"]]
+
+
+def _no_time(where: str) -> RecordingError:
+    allowed = "an array of times beside the samples, or channels of a recording such as run['strut.force']"
+    return RecordingError("the time is missing", where=where, allowed=allowed)
+
+
+def _ambiguous(what: str, names: Iterable[Any], where: str, several: bool) -> RecordingError:
+    return RecordingError(
+        f"{'more than one has' if several else 'it has not'} {what}",
+        where=where,
+        found=", ".join(map(str, names)),
+        hint="Say which, e.g. run['strut.deflection'].",
+    )
