@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -292,17 +293,22 @@ def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, Stiff
     found.pressure = stiffness_against_pressure(points)
     found.findings += found.pressure.findings
     linear = all(result.law == "linear" for result in found.tyre.values())
-
-    def between(pressure: float) -> dict[str, Any]:
-        if not linear or found.pressure is None:
-            nearest = min(tyres, key=lambda known: abs(known - pressure))
-            return tyres[nearest]
-        stiffness, notes = found.pressure.at(pressure)
-        found.findings += [note for note in notes if note not in found.findings]
-        return {"stiffness": stiffness.value}
-
+    between = partial(_interpolated, found) if linear else partial(_nearest, tyres)
     first = next(iter(tyres.values()))
     return Knowledge(with_tyre(knowledge.rig, first), tyres, between)
+
+
+def _nearest(tyres: Mapping[float, dict[str, Any]], pressure: float) -> dict[str, Any]:
+    """Table of the tyre that was measured at the nearest pressure (Pa)."""
+    return tyres[min(tyres, key=lambda known: abs(known - pressure))]
+
+
+def _interpolated(found: Characterisation, pressure: float) -> dict[str, Any]:
+    """Table of the tyre at a pressure (Pa) between those that were measured."""
+    assert found.pressure is not None
+    stiffness, notes = found.pressure.at(pressure)
+    found.findings += [note for note in notes if note not in found.findings]
+    return {"stiffness": stiffness.value}
 
 
 def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Characterisation) -> Knowledge:
@@ -320,10 +326,7 @@ def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, found: Ch
             'tyre_law = "polynomial" needs measured tyre curves', where="update", allowed='a [bench.tyre."P"] table'
         )
 
-    def between(pressure: float) -> dict[str, Any]:
-        return tyres[min(tyres, key=lambda known: abs(known - pressure))]
-
-    return Knowledge(with_tyre(knowledge.rig, next(iter(tyres.values()))), tyres, between)
+    return Knowledge(with_tyre(knowledge.rig, next(iter(tyres.values()))), tyres, partial(_nearest, tyres))
 
 
 def _tyre_table(result: StiffnessResult) -> dict[str, Any]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import SimulationError
+from jounce.core.processes import check_workers
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -52,16 +53,22 @@ def usual_factors(points: int = 28) -> tuple[Factor, ...]:
     """Tyre stiffness 140 to 300 kN/m, sprung mass 0.5 to 1.5 times the nominal one, strut friction up to 200 N."""
     rates, shares, forces = (_spaced(*ends, points) for ends in ((140e3, 300e3), (0.5, 1.5), (0.0, 200.0)))
     return (
-        Factor("tyre_stiffness", "tyre stiffness [kN/m]", 1e-3, rates, lambda _, value: {"tyre.stiffness": value}),
-        Factor(
-            "load", "sprung mass / nominal sprung mass [–]", 1.0, shares,
-            lambda rig, value: {"sprung.mass": value * rig.sprung.mass},
-        ),
-        Factor(
-            "friction", "strut friction [N]", 1.0, forces,
-            lambda _, value: {"strut.friction": {"force": value}} if value > 0.0 else {},
-        ),
-    )  # fmt: skip
+        Factor("tyre_stiffness", "tyre stiffness [kN/m]", 1e-3, rates, _of_tyre),
+        Factor("load", "sprung mass / nominal sprung mass [–]", 1.0, shares, _of_load),
+        Factor("friction", "strut friction [N]", 1.0, forces, _of_friction),
+    )
+
+
+def _of_tyre(_: QuarterCar, rate: float) -> dict[str, Any]:
+    return {"tyre.stiffness": rate}
+
+
+def _of_load(rig: QuarterCar, share: float) -> dict[str, Any]:
+    return {"sprung.mass": share * rig.sprung.mass}
+
+
+def _of_friction(_: QuarterCar, force: float) -> dict[str, Any]:
+    return {"strut.friction": {"force": force}} if force > 0.0 else {}
 
 
 @dataclass(frozen=True)
@@ -234,6 +241,7 @@ def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterat
     if workers <= 1:
         yield from map(_column, columns)
         return
+    check_workers()
     with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
         yield from pool.map(_column, columns)
 

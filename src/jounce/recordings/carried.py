@@ -102,7 +102,7 @@ def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
     RecordingError
         Where none of them has a time, or they have different ones.
     """
-    times = [one["time"] for one in given if hasattr(one, "coords") and "time" in one.coords]
+    times: list[xr.DataArray] = [one["time"] for one in given if hasattr(one, "coords") and "time" in one.coords]
     if not times:
         raise _no_time(where)
     if any(not np.array_equal(time.values, times[0].values) for time in times[1:]):

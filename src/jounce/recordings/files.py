@@ -578,7 +578,8 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Indexed by that dimension (``time [s]``), a column a channel, named with its SI unit as in CSV files.
+        Indexed by that dimension (``time [s]``), a column a channel, named with its SI unit as in CSV files. Of many
+        variants the numbers that vary come first.
 
     Raises
     ------
@@ -600,7 +601,8 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     def headed(name: object) -> str:
         return f"{name} [{dataset[name].attrs.get('units', '1')}]"
 
-    table = dataset.reset_coords(drop=True)[[name for name, one in dataset.data_vars.items() if one.dims == (along,)]]
+    names = [name for name, one in {**dataset.coords, **dataset.data_vars}.items() if one.dims == (along,)]
+    table = dataset.reset_coords()[[name for name in names if name != along]]
     frame = table.to_dataframe().rename(columns={name: headed(name) for name in table.data_vars})
     frame.index.name = headed(along) if along in dataset.coords else str(along)
     return frame

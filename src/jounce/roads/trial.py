@@ -432,7 +432,7 @@ class HoldsTrial(Protocol):
 
     @property
     def trial(self) -> Trial:
-        """The trial."""
+        """Road, speed and duration."""
         ...
 
 

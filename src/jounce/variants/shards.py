@@ -29,6 +29,7 @@ import numpy as np
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.locking import hold
+from jounce.core.processes import check_workers, refusal
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.types import Array
 from jounce.core.writing import check_folder, resolved, write_atomically
@@ -180,7 +181,9 @@ def keep_in_shards(
     pace = _pace(work, columns) if kept is None or workers is None else _Pace(0.0, is_alone=False)
     if workers is None:
         lasts = pace.seconds * len(next(iter(columns.values())))
-        workers = processors() if pace.is_alone and lasts > _LONG else 1
+        workers = processors() if pace.is_alone and lasts > _LONG and refusal() is None else 1
+    if workers > 1 and client is None:
+        check_workers()
     begins = kept is None
     if kept is None:
         size = _size(work, columns, workers if client is None else 64, pace)

@@ -95,7 +95,7 @@ def test_what_carries_its_own_gives_what_arrays_give(carried: Callable[[], Any],
         (lambda: jn.transfer_function(RUN["road.z"], RUN["sprung.az"][1:]), r"different times"),
         (lambda: fitted(TABLE.reset_index(drop=True)), r"one: measured: no column 'time'"),
         (lambda: fitted(TABLE.rename(columns={"tyre.force [N]": "tyre.force"})), r"no unit.*tyre.force \[N\]"),
-        (lambda: fitted(TABLE.assign(**{"note": "a"})), r"measured: note: not a column of numbers"),
+        (lambda: fitted(TABLE.assign(note="a")), r"measured: note: not a column of numbers"),
         (lambda: fitted(Path("a.csv")), r"measured: a PosixPath is no recording.*jn.read_recording"),
         (lambda: many(VARIED_TABLE.rename(columns={"sprung.mass [kg]": "mass"})), r"variants: mass: no such parameter"),
     ],
@@ -103,3 +103,12 @@ def test_what_carries_its_own_gives_what_arrays_give(carried: Callable[[], Any],
 def test_what_it_cannot_mean_is_said(call: Callable[[], Any], message: str) -> None:
     with pytest.raises(jn.JounceError, match=message):
         call()
+
+
+def test_a_sweep_as_a_table_has_what_was_varied_and_goes_in_again() -> None:
+    sweep = jn.simulate_many(RIG, TRIAL, VARIED, metrics=["rms sprung.az"])
+    table = jn.to_pandas(sweep)
+    varied = ["sprung.mass [kg]", "strut.spring.rate [N/m]"]
+    assert list(table)[:3] == [*varied, "rms sprung.az [m/s^2]"]
+    again = jn.simulate_many(RIG, TRIAL, table[varied], metrics=["rms sprung.az"])
+    assert again.identical(sweep)

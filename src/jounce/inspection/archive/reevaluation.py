@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
+from jounce.core.processes import check_workers
 from jounce.core.serialise import to_plain
 from jounce.inspection.archive.entries import Grading, RecordEntry, unpack
 from jounce.inspection.archive.lane import grading_of, inspect_record, read_entry, refusal_of, stored_tester
@@ -106,6 +107,7 @@ def _results(task: _Task, batches: list[list[int]], workers: int) -> Iterator[It
         yield (_work_on(store, task, batch) for batch in batches)
         store.close()
         return
+    check_workers()
     import multiprocessing
 
     context = multiprocessing.get_context("spawn")

@@ -1,0 +1,60 @@
+"""Whether this process may start others that import its main script, as workers do on every system."""
+
+from __future__ import annotations
+
+import ast
+import linecache
+import multiprocessing
+import sys
+
+from jounce.core.errors import JounceError
+
+
+def refusal() -> JounceError | None:
+    """Why workers cannot be started here; None where they can.
+
+    A worker imports the script that asked for it. Where that comes to the same call again, no worker ever begins.
+    """
+    if multiprocessing.current_process().daemon:
+        return JounceError(
+            "a worker of a pool cannot start workers of its own",
+            where="workers",
+            allowed="1 inside of it",
+            hint="The pool around it shares the work already.",
+        )
+    line = _unguarded_line()
+    if not line:
+        return None
+    return JounceError(
+        "the script has no main guard: each worker would import it, and come to this call again",
+        where=f"workers: {line}",
+        allowed='the call inside `if __name__ == "__main__":`, or workers=1',
+    )
+
+
+def check_workers() -> None:
+    """Refuse to start workers where they cannot be started."""
+    error = refusal()
+    if error is not None:
+        raise error
+
+
+def _unguarded_line() -> str:
+    """File and line of the main script that is running now, if workers would run it, too; otherwise nothing."""
+    main = sys.modules.get("__main__")
+    name = getattr(getattr(main, "__spec__", None), "name", "")
+    if main is None or name.rpartition(".")[2] == "__main__":  # workers do not import `python -m package`
+        return ""
+    frame = sys._getframe()
+    while frame is not None and not (frame.f_globals is vars(main) and frame.f_code.co_name == "<module>"):
+        frame = frame.f_back
+    if frame is None or not hasattr(main, "__file__"):
+        return ""
+    file, line = frame.f_code.co_filename, frame.f_lineno
+    try:
+        tree = ast.parse("".join(linecache.getlines(file)))
+    except SyntaxError:
+        return ""
+    guards = [node for node in ast.walk(tree) if isinstance(node, ast.If) and "__name__" in ast.unparse(node.test)]
+    is_guarded = any(node.lineno <= line <= (node.end_lineno or node.lineno) for node in guards)
+    return "" if is_guarded else f"{file}, line {line}"
