@@ -6,6 +6,7 @@ import ast
 import linecache
 import multiprocessing
 import sys
+from types import FrameType
 
 from jounce.core.errors import JounceError
 
@@ -45,7 +46,7 @@ def _unguarded_line() -> str:
     name = getattr(getattr(main, "__spec__", None), "name", "")
     if main is None or name.rpartition(".")[2] == "__main__":  # workers do not import `python -m package`
         return ""
-    frame = sys._getframe()
+    frame: FrameType | None = sys._getframe()
     while frame is not None and not (frame.f_globals is vars(main) and frame.f_code.co_name == "<module>"):
         frame = frame.f_back
     if frame is None or not hasattr(main, "__file__"):

@@ -9,6 +9,7 @@ import numpy as np
 
 from jounce.core.columns import Column, name_and_unit
 from jounce.core.errors import RecordingError, named
+from jounce.core.samples import as_samples
 from jounce.recordings.quality import check_time
 from jounce.recordings.schema import channel_unit, quantity_of, recording
 
@@ -65,11 +66,8 @@ def table_columns(table: Any, where: str) -> dict[str, Column]:
     found = {}
     for header, values in given.items():
         name, unit = name_and_unit(header)
-        try:
-            numbers = np.asarray(values, dtype=float)
-        except (TypeError, ValueError):
-            raise RecordingError("not a column of numbers", where=f"{where}: {header}") from None
-        found[name] = Column(name, unit, numbers, where)
+        unit = "s" if np.asarray(values).dtype.kind in "mM" else unit
+        found[name] = Column(name, unit, as_samples(values, where=f"{where}: {header}"), where)
     return found
 
 
@@ -112,7 +110,7 @@ def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
 
 def rate_of_channels(given: Sequence[Any], *, where: str) -> float:
     """Sample rate (Hz) of channels that were recorded together, on uniform time."""
-    time = np.asarray(clock_of(given, where=where), dtype=float)
+    time = as_samples(clock_of(given, where=where), "s", where=f"{where}: time")
     if check_time(time, where=where)[1]:
         raise RecordingError("time is not uniform", where=where, hint="Resample the recording first.")
     return (time.size - 1) / float(time[-1] - time[0])
