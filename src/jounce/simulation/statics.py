@@ -302,7 +302,8 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
     What comes to rest past a toggle, its springs pulled where they were pushed, is no suspension any more.
     """
     n_q, n_v = compiled.facts.counts
-    first, modes, pace = x, compiled.sides(x, u, p), _SLOWEST
+    modes, pace = compiled.sides(x, u, p), _SLOWEST
+    x = first = _closed(compiled, x, u, p, modes)  # a steered wheel opens the loops of the design pose
     for _ in range(_STRIDES if compiled.facts.projects else _ITERATIONS):
         now = _balance(compiled, x, u, p, modes)
         step = (_solve if compiled.facts.projects else _solve_square)(now.matrix, -now.residual)
