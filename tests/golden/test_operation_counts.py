@@ -35,7 +35,13 @@ CORNERS = {
 FULL_CAR_3D = {"rate": (3133, 206), "output": (3513, 244), "switch": (184, 12), "project": (929, 23)}
 """Operations on four corners at once, and on single numbers."""
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
-ON_BUSHINGS = {"rate": 3229, "output": 3468, "switch": 107, "project_many": 2211, "slopes": 7129}
+ON_BUSHINGS = {
+    "rate": 3370,
+    "output": 3609,
+    "switch": 107,
+    "project_many": 2211,
+    "slopes": 7506,
+}  # 2026-11-28: rotation vectors, +4 %
 TEN = (
     "hardpoints.strut_bottom[2]",
     "hardpoints.upper_ball_joint[1]",

@@ -91,10 +91,11 @@ def test_forces_of_small_displacements(axis):
     np.testing.assert_allclose(found, wanted, atol=1e-6)
 
 
+@pytest.mark.parametrize("degrees", [1e-6, 5.0, 20.0, 90.0, -120.0, 179.0])
 @pytest.mark.parametrize("axis", [0, 1, 2])
-def test_torques_of_turns_about_the_bushing(axis):
-    """The second body turns about the bushing itself: no displacement there; the energy is ``k sin^2(angle) / 2``."""
-    angle, way = 0.3, np.eye(3)[axis]
+def test_torques_of_turns_about_the_bushing(axis, degrees):
+    """The second body turns about the bushing itself: no displacement there, and a torque of stiffness times angle."""
+    angle, way = np.deg2rad(degrees), np.eye(3)[axis]
     e, matrix = turned_about(way, angle)
     at, centre = np.array([0.02, -0.1, 0.03]), np.array([-0.2, 0.1, 0.05])
     moved = at + matrix @ (centre - at) - centre
@@ -102,9 +103,19 @@ def test_torques_of_turns_about_the_bushing(axis):
     start |= {f"second.e{i}": value for i, value in enumerate(e)}
     found = forces(two_bodies(), start)
     wanted = np.zeros(6)
-    wanted[3 + axis] = -TURNING[axis] * np.sin(angle) * np.cos(angle)
+    wanted[3 + axis] = -TURNING[axis] * angle
     np.testing.assert_allclose(found[:3], 0.0, atol=1e-8)
     np.testing.assert_allclose(found[3:], wanted[3:], rtol=1e-9, atol=1e-9)
+
+
+def test_a_torque_does_the_work_of_its_energy_far_from_the_design_pose():
+    """Turned by 100 degrees about a slanting axis, then let go: energy goes to and fro, and none is lost."""
+    e, _ = turned_about((1.0, -2.0, 0.5), np.deg2rad(100.0))
+    start = {f"second.e{i}": value for i, value in enumerate(e)} | {"second.wx": 8.0}
+    run = jn.simulate_mechanism(two_bodies(), 0.2, start=start, output_step=1e-3, tolerance=1e-9)
+    whole = (run["kinetic"] + run["mount.energy"]).values
+    assert float(run["kinetic"].max() - run["kinetic"].min()) > 100.0
+    np.testing.assert_allclose(whole, whole[0], rtol=1e-6)
 
 
 def shaken(**damping):

@@ -11,7 +11,7 @@ from jounce.mechanics.descriptions import Given, Vector, place
 from jounce.mechanics.frames import Frame
 from jounce.mechanics.loads import Action, Between
 from jounce.mechanics.mechanism import Mechanism
-from jounce.mechanics.rotations import unit
+from jounce.mechanics.rotations import rotation_vector, unit
 from jounce.mechanics.system import System
 
 _NONE = ca.SX(3, 1)
@@ -25,7 +25,7 @@ class Deflection:
     Attributes
     ----------
     displacement, rotation : casadi.SX
-        Of the second body against the first, m and rad; a turn by an angle counts as its sine.
+        Of the second body against the first, m and rad; the rotation is axis times angle, up to 180 degrees.
     force, torque : casadi.SX
         On the second body, N and N m.
     energy, power : casadi.SX
@@ -60,7 +60,7 @@ class Bushing(Between):
         del system
         first, second = self.first.frame, self.second.frame
         displacement, rate = _displacement(first, second, self.at)
-        rotation, turning = _rotation(first, second)
+        rotation, turning = rotation_vector(first.orientation.matrix.T @ second.orientation.matrix)
         force = -self.stiffness * displacement - self.damping * rate
         spin = first.orientation.unrotate(second.orientation.ground_spin) - first.orientation.spin
         twist = -self.rotational_stiffness * rotation - self.rotational_damping * (turning @ spin)
@@ -229,10 +229,3 @@ def _displacement(first: Frame, second: Frame, at: ca.SX) -> tuple[ca.SX, ca.SX]
     gap = second.point(at) - first.point(at)
     displacement = orientation.unrotate(gap.value)
     return displacement, orientation.unrotate(gap.rate) - ca.cross(orientation.spin, displacement)
-
-
-def _rotation(first: Frame, second: Frame) -> tuple[ca.SX, ca.SX]:
-    """Antisymmetric part of the relative rotation as a vector, and the matrix that turns the spin into its rate."""
-    matrix = first.orientation.matrix.T @ second.orientation.matrix
-    rotation = 0.5 * ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
-    return rotation, 0.5 * (ca.trace(matrix) * ca.SX.eye(3) - matrix)

@@ -75,6 +75,31 @@ def matrix_quaternion(matrix: ca.SX) -> ca.SX:
     return found / ca.sqrt(ca.dot(found, found))
 
 
+_SMALL = 0.1  # rad: below it the series is exact to the last bit, and above it the closed form
+_TINY = 1e-24  # keeps the slope of a square root finite where nothing is turned
+_SERIES = (1 / 47900160, 1 / 1209600, 1 / 30240, 1 / 720, 1 / 12)
+"""Of ``(1 - h cot(h)) / (2 h)^2`` in the square of the angle ``2 h``, highest power first."""
+
+
+def rotation_vector(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """Give the rotation vector (axis times angle, rad) of a rotation matrix, and the matrix from spin to its rate.
+
+    The angle is below 180 degrees, where the axis jumps. The spin is that of the turned axes in the others.
+    """
+    lean = 0.5 * ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
+    sine = ca.sqrt(ca.dot(lean, lean) + _TINY)
+    angle = ca.atan2(sine, 0.5 * (ca.trace(matrix) - 1.0))
+    vector = angle / sine * lean
+    half = 0.5 * ca.fmax(angle, _SMALL)
+    closed = (1.0 - half * ca.cos(half) / ca.sin(half)) / (4.0 * half * half)
+    series = ca.SX(0)
+    for factor in _SERIES:
+        series = series * ca.dot(vector, vector) + factor
+    cross = skew(vector)
+    bend = ca.if_else(angle < _SMALL, series, closed)
+    return vector, ca.SX.eye(3) - 0.5 * cross + bend * (cross @ cross)
+
+
 def roll_pitch_yaw(matrix: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Angles (rad) about z, the new y and the new x (intrinsic z-y'-x'', ISO 8855) that make a rotation matrix."""
     pitch = -ca.asin(ca.fmin(ca.fmax(matrix[2, 0], -1.0), 1.0))
