@@ -190,6 +190,9 @@ def test_poses_of_a_log_are_swept_one_by_one(cli, tmp_path) -> None:
     wanted = jn.sweep_path(jn.load("formula-student-front"), [0.0, 0.008, 0.005], [0.0, -0.003, -0.012])
     for name in ("camber", "rack_travel", "wheel_travel"):
         assert outcome.json[name]["values"] == wanted[name].to_numpy().tolist()
+    table = cli("kinematics", "formula-student-front", "--poses", str(log))
+    assert table.exit_code == 0, table.err
+    assert "over pose" in table.out
     log.write_text("roll [deg], heave [mm]\n0, 0\n1, -4\n", encoding="utf-8")
     axle = cli("kinematics", "formula-student-front", "--poses", str(log), "--json")
     assert axle.json["roll_angle"]["values"] == pytest.approx([0.0, np.radians(1.0)])

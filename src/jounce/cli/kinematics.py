@@ -312,14 +312,14 @@ def draw_sweep(out: Console, title: str, sweep: xr.Dataset, written: list[str]) 
     shown = sweep.sel(dict.fromkeys(others, 0.0), method="nearest") if others else sweep
     count = shown.sizes[along]
     at = np.unique(np.linspace(0, count - 1, min(count, _SHOWN)).round().astype(int))
-    unit = display_unit(str(sweep[along].attrs["units"]))
+    unit = display_unit(str(sweep[along].attrs.get("units", "1")))  # poses are numbered
     rows = []
     for name, variable in shown.data_vars.items():
         values, si = variable.to_numpy(), str(variable.attrs["units"])
         own = display_unit(si, float(np.nanmax(np.abs(values), initial=0.0)))
         shown_values = (kinematic_value(str(name), float(value), si) for value in values[at])
         rows.append([str(name), own.name or "1", *shown_values])
-    header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}" for value in shown[along].to_numpy()[at]))
+    header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}".strip() for value in shown[along].to_numpy()[at]))
     out.print(table(f"{title} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
     many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
     out.print(f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}")
