@@ -11,7 +11,7 @@ from jounce.core.columns import Column, name_and_unit
 from jounce.core.errors import RecordingError, named
 from jounce.core.samples import as_samples
 from jounce.recordings.quality import check_time
-from jounce.recordings.schema import channel_unit, quantity_of, recording
+from jounce.recordings.schema import channel_unit, is_spelling, quantity_of, recording
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -26,7 +26,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     """Give a recording, made of a channel or of a table with columns ``name [unit]`` where it is none yet.
 
     The index of a table of pandas is a column if it has a name. Columns of known quantities come in SI; others keep
-    their unit.
+    their unit. Durations and instants of a recording become seconds.
 
     >>> import pandas as pd
     >>> table = pd.DataFrame({"time [ms]": [0.0, 1.0], "strut.force [kN]": [0.2, 0.3]})
@@ -36,9 +36,9 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     import xarray as xr
 
     if isinstance(given, xr.Dataset):
-        return given
+        return _spelled(given, where)
     if isinstance(given, xr.DataArray) and given.name is not None:
-        return given.to_dataset()
+        return _spelled(given.to_dataset(), where)
     if not is_table(given):
         raise RecordingError(
             f"{named(given)} is no recording",
@@ -56,6 +56,21 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
         unit = channel_unit(name) if quantity_of(name) not in ("", "command") else column.unit or "1"
         channels[name] = (column.in_si(unit), unit, "")
     return recording(time, channels)
+
+
+def _spelled(run: xr.Dataset, where: str) -> xr.Dataset:
+    """The recording with durations and instants as seconds, and with SI units in our own spelling."""
+    if "time" in run.coords and run["time"].dtype.kind in "mM":
+        seconds = as_samples(run["time"], "s", where=f"{where}: time")
+        run = run.assign_coords(time=(run["time"].dims, seconds, {"units": "s", "long_name": "time"}))
+    found = {}
+    for name, one in run.variables.items():
+        if quantity_of(str(name)) in ("", "command"):
+            continue
+        unit, si = one.attrs.get("units"), channel_unit(str(name))
+        if unit != si and is_spelling(unit, si):
+            found[name] = one.dims, one.values, {**one.attrs, "units": si}
+    return run.assign(found) if found else run
 
 
 def table_columns(table: Any, where: str) -> dict[str, Column]:

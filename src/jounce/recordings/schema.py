@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.datasets import dataset
-from jounce.core.errors import RecordingError, nearest
+from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.remembered import remembered
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
+from jounce.core.units import conversion_factor
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -269,6 +270,18 @@ _lasting_time_axis = remembered(_time_axis)
 """The same for instants that nobody can change: one index serves all runs on them."""
 
 
+def is_spelling(unit: object, si: str) -> bool:
+    """Whether a unit is the SI unit in another program's spelling.
+
+    >>> is_spelling("m/s**2", "m/s^2"), is_spelling("m s-2", "m/s^2"), is_spelling("mm/s^2", "m/s^2")
+    (True, True, False)
+    """
+    try:
+        return unit == si or (isinstance(unit, str) and conversion_factor(unit, si) == 1.0)
+    except DescriptionError:
+        return False
+
+
 def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
     """Refuse a Dataset that is not a recording.
 
@@ -291,10 +304,10 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
     """
     if "time" not in dataset.coords or dataset["time"].dims != ("time",):
         raise RecordingError("no time coordinate", where=where, allowed="a coordinate 'time' in s")
-    if dataset["time"].attrs.get("units") != "s":
-        raise RecordingError(
-            "time has another unit", where=where, found=dataset["time"].attrs.get("units"), allowed="s"
-        )
+    unit = dataset["time"].attrs.get("units")
+    if not is_spelling(unit, "s"):
+        what = "time has no unit" if unit is None else "time has another unit"
+        raise RecordingError(what, where=where, found=unit, allowed="an attribute 'units' of 's'")
     time = np.asarray(dataset["time"].values)
     if not bool(np.all(np.diff(time) > 0.0)):
         raise RecordingError("time does not ascend strictly", where=where)
@@ -309,8 +322,11 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
     unit = variable.attrs.get("units")
     if unit is None:
         raise RecordingError("the channel has no unit", where=at, allowed="an attribute 'units'")
-    if quantity_of(name) not in ("", "command") and unit != channel_unit(name):  # a command is in its actuator's unit
+    quantity = quantity_of(name)
+    if quantity not in ("", "command") and not is_spelling(unit, channel_unit(name)):  # a command has its actuator's
         raise RecordingError("the channel has another unit", where=at, found=unit, allowed=channel_unit(name))
+    if variable.dtype.kind not in "fiu":
+        raise RecordingError("the samples are no real numbers", where=at, found=str(variable.dtype))
     finite = np.isfinite(variable.values)
     if not finite.all():
         sample = int(np.argmin(finite))

@@ -16,7 +16,7 @@ from jounce.mechanics.facts import Facts
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.carried import as_recording, is_table
-from jounce.recordings.schema import place_of
+from jounce.recordings.schema import check_recording, place_of
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import compile_rig
 from jounce.simulation.prepare import solve
@@ -153,8 +153,10 @@ def gradient(
     DescriptionError
         For a path or a channel that does not exist.
     SimulationError
-        For a parameter that the model does not use, a recording that is not finite or outlasts the trial, or when the
-        run does not reach its end.
+        For a parameter that the model does not use, a recording that outlasts the trial, or when the run does not reach
+        its end.
+    RecordingError
+        For a recording that is not in SI or not finite.
 
     Examples
     --------
@@ -172,11 +174,12 @@ def gradient(
     trial = as_trial(trial)
     times = RunSettings(output_step, tolerance).times(trial.duration)
     measured: xr.Dataset | None = None
-    if is_table(objective):
-        objective = as_recording(objective, where="objective")
-    if isinstance(objective, xr.Dataset):
-        measured, times = objective, _times_of(objective, trial)
+    if is_table(objective) or isinstance(objective, xr.Dataset):
+        measured = as_recording(objective, where="objective")
         wanted = dict(weights or dict.fromkeys(map(str, measured.data_vars), 1.0))
+        others = [name for name in measured.data_vars if name not in wanted]
+        check_recording(measured.drop_vars(others), where="objective")
+        times = _times_of(measured, trial)
     else:
         wanted = {name: objective[name] for name in objective}
     facts, solution = _run(rig, trial, parameters, times, tolerance)
@@ -234,5 +237,3 @@ def _check_channel(name: str, weight: float, names: tuple[str, ...], measured: x
         raise unknown(name, [str(channel) for channel in measured.data_vars], what="channel", where="weights")
     if not (np.isfinite(weight) and weight >= 0.0):
         raise SimulationError("not a weight", where=f"objective: {name}", found=weight, allowed="0 or more")
-    if measured is not None and not np.all(np.isfinite(measured[name].to_numpy())):
-        raise SimulationError("the recording has samples that are no numbers", where=f"objective: {name}")

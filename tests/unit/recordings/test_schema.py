@@ -101,7 +101,9 @@ def test_check_refuses_what_is_no_recording() -> None:
         check_recording(run.drop_vars("time"))
     other = run.copy(deep=True)
     other["time"].attrs["units"] = "ms"
-    with pytest.raises(RecordingError, match=r"time has another unit; found 'ms'; allowed: s"):
+    with pytest.raises(
+        RecordingError, match=r"time has another unit; found 'ms'; allowed: an attribute 'units' of 's'"
+    ):
         check_recording(other)
     with pytest.raises(RecordingError, match="does not ascend"):
         check_recording(recording(TIME[::-1].copy(), good()))

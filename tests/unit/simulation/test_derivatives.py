@@ -127,7 +127,41 @@ def test_recordings_that_are_refused():
         jn.gradient(QUARTER, TRIAL, ["sprung.mass"], later)
     broken = measured.copy(deep=True)
     broken["sprung.az"][3] = np.nan
-    with pytest.raises(jn.SimulationError, match="no numbers"):
+    with pytest.raises(jn.RecordingError, match="sample 4 is not a finite number"):
         jn.gradient(QUARTER, TRIAL, ["sprung.mass"], broken)
     with pytest.raises(jn.JounceError, match="weights"):
         jn.gradient(QUARTER, TRIAL, ["sprung.mass"], measured, weights={"unsprung.az": 1.0})
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (lambda run: run.assign({"sprung.az": (1e3 * run["sprung.az"]).assign_attrs(units="mm/s^2")}), "found 'mm/s"),
+        (lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs({"units": None})}), "has no unit"),
+        (lambda run: run.assign_coords(time=("time", run["time"].values / 1e3, {"units": "ks"})), "found 'ks'"),
+        (lambda run: run.assign_coords(time=("time", run["time"].values)), "time has no unit"),
+        (lambda run: run.assign({"sprung.az": run["sprung.az"] + 1j * run["sprung.az"]}), "no real numbers"),
+    ],
+)
+def test_measured_data_are_checked_as_by_an_update(change, text: str) -> None:
+    measured = change(jn.simulate(QUARTER, TRIAL)[["sprung.az"]])
+    with pytest.raises(jn.RecordingError, match=text):
+        jn.gradient(QUARTER, TRIAL, ["sprung.mass"], measured)
+    with pytest.raises(jn.RecordingError, match=text):
+        jn.update_model([jn.FitTrial("a", QUARTER, TRIAL, measured)], {"sprung.mass": "10 %"})
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs(units="m/s**2")}),
+        lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs(units="m s-2")}),
+        lambda run: run.assign_coords(time=("time", np.round(1e9 * run["time"].values).astype("m8[ns]"))),
+        lambda run: run.assign_coords(time=np.datetime64("2026-03-29") + np.round(1e9 * run["time"]).astype("m8[ns]")),
+    ],
+)
+def test_measured_data_count_however_units_and_times_are_written(change) -> None:
+    softer = jn.simulate(QUARTER.with_changes({"sprung.mass": 1.05 * QUARTER.sprung.mass}), TRIAL)[["sprung.az"]]
+    plain = jn.gradient(QUARTER, TRIAL, ["sprung.mass"], softer)
+    found = jn.gradient(QUARTER, TRIAL, ["sprung.mass"], change(softer))
+    assert found.gradient == pytest.approx(plain.gradient, rel=1e-9)
