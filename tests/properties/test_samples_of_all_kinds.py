@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import datetime
 import decimal
 import fractions
@@ -14,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from outcomes import outcome
 
 import jounce as jn
 from jounce.core.units import _registry, conversion_factor
@@ -260,27 +260,6 @@ WITH_UNITS: dict[str, Callable[[np.ndarray, str], Any]] = {
 
 
 # what comes out ------------------------------------------------------------------------------------------------------
-
-
-def _shown(result: Any) -> Any:
-    """A result to the last bit."""
-    if isinstance(result, xr.Dataset):
-        result = {str(name): one.values for name, one in result.variables.items()}
-    if isinstance(result, np.ndarray):
-        return result.shape, result.dtype.str, result.tobytes()
-    if dataclasses.is_dataclass(result):
-        result = {field.name: getattr(result, field.name) for field in dataclasses.fields(result)}
-    if isinstance(result, Mapping):
-        return [(key, _shown(value)) for key, value in result.items()]
-    return [_shown(value) for value in result] if isinstance(result, (list, tuple)) else repr(result)
-
-
-def outcome(call: Callable[..., Any], signals: Mapping[str, Any]) -> Any:
-    """What a call gives; "refused" for an error of ours."""
-    try:
-        return _shown(call(**signals))
-    except jn.JounceError:
-        return "refused"
 
 
 def _cases() -> Iterator[tuple[str, str, str, Callable[[], Any], np.ndarray | None]]:

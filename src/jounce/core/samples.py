@@ -40,8 +40,19 @@ def as_samples(values: object, si: str = "", *, where: str, error: type[JounceEr
 
 
 def as_number(value: object, si: str, *, where: str = "") -> float:
-    """Give a single number of any library as a float in ``si``; a DescriptionError at the place ``where`` otherwise."""
-    refusal = DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
+    """Give a number of any library, or a text with its unit, as a float in ``si``; NaN is for the caller to judge.
+
+    A DescriptionError at the place ``where`` refuses all else.
+
+    >>> as_number(np.timedelta64(500, "ms"), "s"), as_number("500 ms", "s"), as_number(0.5, "s")
+    (0.5, 0.5, 0.5)
+    """
+    if type(value) is float:
+        return value
+    if isinstance(value, str):
+        return to_si(value, si, where=where)
+    found = "None" if value is None else value
+    refusal = DescriptionError("not a physical value", where=where, found=found, allowed=f"'<number> <unit of {si}>'")
     if isinstance(value, bool) or getattr(value, "dtype", None) == np.bool_:
         raise refusal
     try:
@@ -59,9 +70,9 @@ def as_values(values: object, si: str, *, where: str) -> Array:
     >>> as_values(["-4 cm", 0.0, "40 mm"], "m", where="travel").tolist()
     [-0.04, 0.0, 0.04]
     """
-    if isinstance(values, str) or not isinstance(values, Iterable) or getattr(values, "ndim", 1) == 0:
+    if isinstance(values, str) or _dimensions(values) == 0:
         return np.array([to_si(values, si, where=where)])
-    if getattr(getattr(values, "dtype", None), "kind", "O") in "OUTb":
+    if isinstance(values, Iterable) and getattr(getattr(values, "dtype", None), "kind", "O") in "OUTb":
         return np.array([to_si(value, si, where=f"{where}[{i}]") for i, value in enumerate(values)])
     array = as_samples(values, si, where=where, error=DescriptionError)
     if array.ndim != 1:
@@ -75,20 +86,24 @@ def listed(values: object) -> object:
     >>> listed(np.array([0, 500], "m8[ms]"))
     ['0.0 s', '0.5 s']
     """
-    dimensions = getattr(values, "ndim", 1)
-    if not hasattr(values, "__array__") or not isinstance(values, Iterable) or dimensions == 0:
+    if not hasattr(values, "__array__") or _dimensions(values) == 0:
         return values
-    if dimensions > 1:
-        return list(values)
     try:
         array, unit = _plain(values, "", DescriptionError)
-    except DescriptionError:
-        return list(values)  # each is refused at its place
-    return [f"{number!r} {unit}" for number in array.tolist()] if unit else array.tolist()
+    except DescriptionError:  # each is refused at its place
+        return list(values) if isinstance(values, Iterable) else values
+    if not unit:
+        return array.tolist()
+    rows = [[f"{number!r} {unit}" for number in row] for row in np.atleast_2d(array).tolist()]
+    return rows if array.ndim > 1 else rows[0]
 
 
 Listed = BeforeValidator(listed)
 """Pydantic annotation of a field of several numbers, which then takes arrays and columns, too."""
+
+
+def _dimensions(values: object) -> int:
+    return int(getattr(values, "ndim", isinstance(values, Iterable)))
 
 
 def _plain(values: object, where: str, error: type[JounceError]) -> tuple[Array, str]:

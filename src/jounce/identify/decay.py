@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -938,6 +938,8 @@ def fit_decay(
     if displacement is None:
         displacement = carried_channel(time, _UNITS.get(quantity, ""), where=name)
         time = clock_of([displacement], where=name)
+    mass = as_number(mass, "kg", where=f"{name}: mass")
+    stiffness = None if stiffness is None else as_number(stiffness, "N/m", where=f"{name}: stiffness")
     t, signal = _checked(time, displacement, mass, stiffness, quantity, name)
     t, signal = _in_window(t, signal, begin, end, name)
     part = _best_part(t, signal, quantity, name, look_on=begin is None)

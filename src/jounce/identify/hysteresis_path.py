@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.types import Array
 from jounce.kernel.call import Loop
 
@@ -58,6 +58,10 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
         raise DescriptionError(
             "not a path", where="displacement", found=f"shape {path.shape}", allowed="finite numbers of shape (n,)"
         )
+    rate, sigma, exponent, start = (
+        as_number(value, "1/m" if name == "rate" else "1", where=name)
+        for name, value in zip(_RANGES, (rate, sigma, exponent, start), strict=True)
+    )
     for name, value, (least, most) in zip(_RANGES, (rate, sigma, exponent, start), _RANGES.values(), strict=True):
         if not least - _BEYOND <= value <= most + _BEYOND:
             raise DescriptionError("out of range", where=name, found=value, allowed=f"{least:g} to {most:g}")

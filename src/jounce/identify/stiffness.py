@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.estimate import (
@@ -382,7 +382,9 @@ def fit_stiffness(
     (22730, 30)
     """
     trials = [trials] if isinstance(trials, ForceDeflectionTrial) else trials
+    discard_below = as_number(discard_below, "m", where="discard_below")
     _check(trials, law, degree, discard_below, intercept, branch, zero)
+    operating_force = None if operating_force is None else as_number(operating_force, "N", where="operating_force")
     if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
         raise FitError("not a static force", where="operating_force", found=f"{operating_force} N", allowed="above 0 N")
     seated, findings = [], []

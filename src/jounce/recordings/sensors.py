@@ -17,7 +17,7 @@ from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description
 from jounce.core.errors import shown, unknown
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
 from jounce.recordings.carried import as_recording
@@ -192,7 +192,7 @@ def filter_signals(
     [0.0, 0.0, 0.0]
     """
     signals = np.atleast_1d(as_samples(values, where=where)) * (sensor.gain * sensor.orientation)
-    sections = sections_of(sensor, sample_rate, where=where)
+    sections = sections_of(sensor, as_number(sample_rate, "Hz", where=where), where=where)
     if len(sections) == 0:
         return signals
     from scipy import signal

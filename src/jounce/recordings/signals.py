@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.types import Array
 
 _TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
@@ -96,6 +96,7 @@ def band_limit(
     >>> bool(abs(band_limit(hum, 1000.0, below=20.0)[500:1500] - np.sin(2 * np.pi * 2.0 * t)[500:1500]).max() < 1e-3)
     True
     """
+    sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
     from scipy import signal
 
     sections = []
@@ -166,7 +167,8 @@ def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> A
     >>> bool(np.allclose(cfc_filter(np.full(100, 3.0), 10e3, 60.0), 3.0))
     True
     """
-    a0, a1, a2, b1, b2 = cfc_coefficients(channel_class, sample_rate)
+    sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
+    a0, a1, a2, b1, b2 = cfc_coefficients(as_number(channel_class, "1", where="channel_class"), sample_rate)
     return _both_ways(np.array([[a0, a1, a2, 1.0, -b1, -b2]]), values)
 
 
@@ -204,6 +206,7 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     ([0.0, 0.25, 0.5, 0.75, 1.0], [0.0, 0.5, 1.0, 1.5, 2.0])
     """
     instants, signals = as_samples(time, "s", where="time"), as_samples(values, where="signal")
+    sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
     if not sample_rate > 0.0 or not math.isfinite(sample_rate):
         raise RecordingError("the sample rate is not positive", where="resample", found=f"{sample_rate:g} Hz")
     if instants.ndim != 1 or instants.size < 2 or signals.shape[:1] != instants.shape:
@@ -293,7 +296,7 @@ def derivative(values: ArrayLike, sample_rate: float) -> Array:
     >>> derivative([0.0, 1.0, 4.0, 9.0], 1.0).tolist()
     [0.0, 2.0, 4.0, 6.0]
     """
-    signals = _signals(values, "differentiate", 3)
+    signals, sample_rate = _signals(values, "differentiate", 3), as_number(sample_rate, "Hz", where="sample_rate")
     return np.asarray(np.gradient(signals, 1.0 / sample_rate, axis=0, edge_order=2), dtype=float)
 
 
@@ -357,7 +360,8 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     """
     from scipy.interpolate import CubicSpline
 
-    signals = _signals(values, "shift", 2)
+    signals, sample_rate = _signals(values, "shift", 2), as_number(sample_rate, "Hz", where="sample_rate")
+    lag = as_number(lag, "s", where="lag")
     _check_finite(signals)
     samples = np.arange(signals.shape[0], dtype=float)
     spline = CubicSpline(samples, signals)
@@ -404,6 +408,7 @@ def estimate_lag(
     0.0123
     """
     a, b = as_samples(reference, where="reference"), as_samples(compared, where="compared")
+    sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
     if a.shape != b.shape or a.ndim != 1 or a.size < 3:
         raise RecordingError(
             "the signals cannot be compared",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from jounce.core.constants import GRAVITY
 from jounce.core.errors import DescriptionError
 from jounce.core.shown import Shown
-from jounce.core.units import positive_si
+from jounce.core.units import positive_si, to_si
 
 
 @dataclass(frozen=True)
@@ -302,6 +302,7 @@ def spring_and_damper(
         rate = ride * stiffness / (stiffness - ride)
     damping = 2.0 * share * math.sqrt(rate * mass)
     lever = ratio**2
+    gravity = to_si(gravity, "m/s^2", where="gravity")
     sag = static_deflection(mass, rate, gravity)
     return SpringAndDamper(rate / lever, damping / lever, rate, damping, ride, wanted, share, sag, mass * gravity)
 

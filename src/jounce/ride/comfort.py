@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.types import Array
 
 Averaging = Literal["linear", "exponential"]
@@ -49,7 +49,7 @@ def duration_of(values: Array, sample_rate: float) -> float:
 
 def rms(values: ArrayLike, sample_rate: float) -> float:
     """Root of the mean square over the record, in the unit of ``values`` (rate in Hz)."""
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     return math.sqrt(integral(signal * signal, sample_rate) / duration_of(signal, sample_rate))
 
 
@@ -65,7 +65,7 @@ def running_rms(
     -----
     Source: ISO 2631-1:1997, 6.3.1, equations 2 and 3 (``iso-2631-1``).
     """
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     total = duration_of(signal, sample_rate)
     if not total >= time_constant * (1.0 - 1e-9):
         raise RecordingError(
@@ -98,26 +98,26 @@ def mtvv(values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linea
 
 def vdv(values: ArrayLike, sample_rate: float) -> float:
     """Fourth power vibration dose value of a weighted acceleration (m/s^2) at a rate in Hz; m/s^1.75."""
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     squares = signal * signal
     return float(integral(squares * squares, sample_rate) ** 0.25)
 
 
 def evdv(values: ArrayLike, sample_rate: float) -> float:
     """Estimated vibration dose value, 1.4 times r.m.s. times fourth root of duration; m/s^2 and Hz in, m/s^1.75 out."""
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     return float(1.4 * rms(signal, sample_rate) * duration_of(signal, sample_rate) ** 0.25)
 
 
 def msdv(values: ArrayLike, sample_rate: float) -> float:
     """Motion sickness dose value of an acceleration (m/s^2) weighted by Wf, at a rate in Hz; m/s^1.5."""
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     return math.sqrt(integral(signal * signal, sample_rate))
 
 
 def crest_factor(values: ArrayLike, sample_rate: float) -> float:
     """Largest absolute value over r.m.s. (1) of a weighted acceleration (m/s^2) at a rate in Hz."""
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     mean = rms(signal, sample_rate)
     if not mean > 0.0:
         raise RecordingError("nothing shakes, so there is no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
@@ -155,7 +155,7 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
     The basic method (r.m.s.) suffices up to a crest factor of 9 (ISO 2631-1, 6.2.1). Transient value and dose are
     worth reporting, too, where MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
     """
-    signal = _checked(values, sample_rate)
+    signal, sample_rate = _checked(values, sample_rate)
     mean, total = rms(signal, sample_rate), duration_of(signal, sample_rate)
     if mean <= 0.0:
         return ()
@@ -175,10 +175,10 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
     return tuple(found)
 
 
-def _checked(values: ArrayLike, sample_rate: float) -> Array:
-    signal = as_samples(values, where="signal")
+def _checked(values: ArrayLike, sample_rate: float) -> tuple[Array, float]:
+    signal, sample_rate = as_samples(values, where="signal"), as_number(sample_rate, "Hz", where="sample_rate")
     if signal.ndim != 1 or signal.size < 2 or not sample_rate > 0.0:
         raise RecordingError(
             "not a signal", found=f"shape {signal.shape} at {sample_rate:g} Hz", allowed="at least 2 samples at a rate"
         )
-    return signal
+    return signal, sample_rate

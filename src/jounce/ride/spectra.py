@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, nearest, unknown
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -154,7 +154,7 @@ def power_spectrum(
     >>> float(spectrum.frequency[spectrum.density.argmax()]), round(spectrum.mean_square(), 3)    # 3^2 / 2
     (10.0, 4.5)
     """
-    rate = rate_of_channels([values], where="signal") if sample_rate is None else sample_rate
+    rate = rate_of_channels([values], where="signal") if sample_rate is None else as_number(sample_rate, "Hz")
     signal = _checked(values, rate, "signal")
     count = _piece(signal, rate, segment, window)
     frequency, density = _cross(signal, signal, rate, count, window)
@@ -205,7 +205,8 @@ def transfer_function(
     >>> bool(np.allclose(abs(late.response), 2.0, rtol=0.05)), bool(late.coherence.min() > 0.99)
     (True, True)
     """
-    rate = rate_of_channels([given, answer], where="transfer function") if sample_rate is None else sample_rate
+    carried = sample_rate is None
+    rate = rate_of_channels([given, answer], where="transfer function") if carried else as_number(sample_rate, "Hz")
     x, y = _checked(given, rate, "input"), _checked(answer, rate, "output")
     if x.shape != y.shape:
         raise RecordingError(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import DescriptionError, RecordingError, unknown
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.types import Array
 
 Start = Literal["rest", "first", "mean"]
@@ -201,6 +201,7 @@ def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start =
     1.039
     """
     row = weighting(name)
+    sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
     signal = _checked(values, sample_rate, row, start)
     signal = signal - {"rest": 0.0, "first": float(signal[0]), "mean": float(signal.mean())}[start]
     memory = math.ceil(row.memory * sample_rate) + _GUARD

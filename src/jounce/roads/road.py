@@ -14,7 +14,7 @@ from pydantic import model_validator
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.kinds import Kinds
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength
@@ -84,6 +84,7 @@ class Road(Description, ABC):
         >>> Rectangle(height="10 mm", length="60 mm", start="0.2 m").segments(1.0).edges.tolist()
         [0.0, 0.2, 0.26, 1.0]
         """
+        distance, behind = as_number(distance, "m", where="distance"), as_number(behind, "m", where="behind")
         if not (np.isfinite(distance) and distance > 0.0):
             raise DescriptionError("not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite")
         if not distance > SHORTEST * abs(behind):  # the run would begin and end at the same number

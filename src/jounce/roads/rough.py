@@ -12,7 +12,7 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.description import Seed, Whole
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
@@ -68,8 +68,8 @@ def as_roughness(road: str | float, *, where: str = "") -> float:
     if isinstance(road, str):
         return class_roughness(road, where=where)
     try:
-        roughness = float(road)
-    except (TypeError, ValueError, OverflowError):  # a table, or an integer beyond all numbers
+        roughness = as_number(road, "m^3", where=where)
+    except DescriptionError:  # a table, or an integer beyond all numbers
         roughness = math.nan
     if not (math.isfinite(roughness) and roughness > 0.0):
         raise DescriptionError("not a degree of roughness", where=where, found=road, allowed="above 0 m^3, or A to H")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
@@ -70,7 +70,7 @@ def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array
     at = as_samples(n, "1/m", where="n", error=DescriptionError)
     if not (np.isfinite(at).all() and (at > 0.0).all()):
         raise DescriptionError("not a spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m")
-    return np.asarray(as_roughness(road) * (at / REFERENCE) ** -waviness)
+    return np.asarray(as_roughness(road) * (at / REFERENCE) ** -as_number(waviness, "1", where="waviness"))
 
 
 def white_noise_intensity(road: str | float, speed: float) -> float:
@@ -94,6 +94,7 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
     >>> round(1e5 * white_noise_intensity("A", 20.0), 4)
     6.3165
     """
+    speed = as_number(speed, "m/s", where="speed")
     if not (math.isfinite(speed) and speed > 0.0):
         raise DescriptionError("not a speed", found=f"{speed} m/s", allowed="above 0 m/s")
     return 2.0 * math.pi**2 * REFERENCE**2 * as_roughness(road) * speed
@@ -188,6 +189,8 @@ def estimate_roughness(
     ('D', 2.0)
     """
     step, z = _checked(x, height)
+    waviness = None if waviness is None else as_number(waviness, "1", where="waviness")
+    band = (as_number(band[0], "1/m", where="band[0]"), as_number(band[1], "1/m", where="band[1]"))
     n, psd, averages = _welch(step, z, band[0])
     low, high = max(band[0], n[0]), min(band[1], 0.4 / step)
     centre, level, weight = _banded(n, psd, (low, high), averages)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
-from jounce.core.samples import as_samples
+from jounce.core.samples import as_number, as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.mechanics.facts import moved_by
@@ -228,6 +228,7 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
 
 
 def _at_rest(rig: Rig, road_height: float, *, slides: bool = False) -> tuple[Compiled, Array, Equilibrium, Array]:
+    road_height = as_number(road_height, "m", where="road_height")
     if not np.isfinite(road_height):
         raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
     compiled = compile_rig(rig)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from numbers import Real
 from typing import Literal, get_args
 
 import numpy as np
 
 from jounce.core.errors import SimulationError
+from jounce.core.samples import as_number
 from jounce.core.types import Array
 
 Method = Literal["auto", "explicit", "implicit"]
@@ -56,11 +56,8 @@ class RunSettings:
     method: Method = "auto"
 
     def __post_init__(self) -> None:
-        for name, unit in (("output_step", " in s"), ("tolerance", "")):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, Real):
-                found = value if isinstance(value, str) else type(value).__name__
-                raise SimulationError("not a number", where=name, found=found, allowed=f"a number{unit}")
+        for name, si in (("output_step", "s"), ("tolerance", "1")):
+            object.__setattr__(self, name, as_number(getattr(self, name), si, where=name))
         if not (np.isfinite(self.output_step) and self.output_step > 0.0):
             raise SimulationError(
                 "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"
