@@ -127,7 +127,7 @@ def test_what_is_moved_out_comes_back_where_the_new_cannot_go_in(
     rename = Path.rename
 
     def refused(self: Path, target: Path) -> Path:
-        if self.name == "c.txt" and self.parent.parent.name == "new":
+        if self.name == "c.txt" and self.parent.parent.name == "jounce-ready":
             raise OSError(5, "Input/output error")
         return rename(self, target)
 

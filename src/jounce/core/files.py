@@ -6,7 +6,7 @@ import errno
 import os
 import stat
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from importlib import resources
 from pathlib import Path
@@ -20,7 +20,7 @@ def existing_file(path: Path | str, error: type[JounceError] = DescriptionError)
     root = _ROOT.get() or _ALWAYS.get("root")
     if root is not None and not _lies_in(file, root):
         raise error("outside of the folder that may be read", where=str(file), allowed=f"files below {root.name}")
-    if not _is_file(file):
+    if not (_is_file(file) or _is_put_back(file)):
         raise error(_instead(file), where=str(file), hint="Check the path and the name.")
     return file
 
@@ -60,6 +60,16 @@ def _is_file(file: Path) -> bool:
         if error.errno == errno.ENAMETOOLONG:
             return False
         raise
+
+
+def _is_put_back(file: Path) -> bool:
+    """Whether a file is there once an exchange of files that was cut off is undone or finished."""
+    from jounce.core.writing import sweep_beside
+
+    with suppress(JounceError, OSError, ValueError):
+        sweep_beside(file)
+        return _is_file(file)
+    return False
 
 
 def _instead(file: Path) -> str:

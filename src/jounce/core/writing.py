@@ -155,6 +155,8 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
 
     They are written into another folder first. That takes its place where there is none yet. Otherwise files of the
     same names are moved out and the new ones in, whole each and never some of both; what else the folder holds stays.
+    Where this process is killed in between, the next one that writes there moves the old ones back, or the rest of the
+    new ones in.
 
     Parameters
     ----------
@@ -194,19 +196,21 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
         _sweep(place)
         aside = Path(tempfile.mkdtemp(dir=place, prefix=_own_prefix()))
         try:
-            built = aside / "new"
+            built = aside / _NEW
             for name, content in contents.items():
                 target = built / name
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content.encode() if isinstance(content, str) else content)
                 _copy_mode(root / name, target)
             built.mkdir(exist_ok=True)  # where there are no files
-            if is_there or not _renamed(built, root):
+            if is_there:
                 with holding(root):
                     _check_room(root, files, force=force)  # another process may have been here
                     _exchange(root, aside, list(contents))
+            elif not _renamed(built, root):
+                return write_files(folder, contents, force=force)  # another process has put a folder there meanwhile
         finally:
-            shutil.rmtree(aside, ignore_errors=True)
+            _remove(aside)
     return [Path(folder) / name for name in contents]
 
 
@@ -259,20 +263,51 @@ def _renamed(built: Path, root: Path) -> bool:
     return True
 
 
+_NEW, _READY, _OLD = "jounce-new", "jounce-ready", "jounce-old"
+"""Folders in the one beside: of new files, the same once all old files are moved out, and of the old ones."""
+
+
 def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:
-    """Move files of a folder out, and then new ones in, so that they are never a mixture; all of them, or none."""
-    ways = [(root / name, aside / "old" / name) for name in names if os.path.lexists(root / name)]
-    ways += [(aside / "new" / name, root / name) for name in names]
-    gone: list[tuple[Path, Path]] = []
+    """Move files of a folder out, and then new ones in, so that they are never a mixture; all of them, or none.
+
+    Wherever this is cut off, :func:`_settle` goes on: with the new files once they are called ready, else with the old.
+    """
     try:
-        for source, target in ways:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            source.rename(target)
-            gone.append((source, target))
+        _move([name for name in names if os.path.lexists(root / name)], root, aside / _OLD)
+        (aside / _NEW).rename(aside / _READY)
+        _move(names, aside / _READY, root)
     except BaseException:
-        for source, target in reversed(gone):
-            target.rename(source)
+        with contextlib.suppress(OSError):
+            if (aside / _READY).is_dir():
+                _move([name for name in names if os.path.lexists(root / name)], root, aside / _READY)
+                (aside / _READY).rename(aside / _NEW)
         raise
+
+
+def _move(names: Iterable[str], source: Path, target: Path) -> None:
+    for name in names:
+        (target / name).parent.mkdir(parents=True, exist_ok=True)
+        (source / name).rename(target / name)
+
+
+def _settle(aside: Path) -> bool:
+    """Finish an exchange that was cut off, or undo it; tell whether every file is in its place."""
+    kept = aside / (_READY if (aside / _READY).is_dir() else _OLD)
+    files = [file for file in kept.rglob("*") if file.is_symlink() or not file.is_dir()]
+    targets = [aside.parent / file.relative_to(kept) for file in files]
+    for file, target in zip(files, targets, strict=True):
+        with contextlib.suppress(OSError):
+            if not os.path.lexists(target):  # somebody may have written there since
+                target.parent.mkdir(parents=True, exist_ok=True)
+                file.rename(target)
+    return all(map(os.path.lexists, targets))
+
+
+def _remove(aside: Path) -> None:
+    """Remove a folder beside others, unless it holds the only copy of a file."""
+    if _settle(aside):
+        shutil.rmtree(aside / _OLD, ignore_errors=True)  # first: what is ready counts until then
+        shutil.rmtree(aside, ignore_errors=True)
 
 
 @contextmanager
@@ -357,7 +392,7 @@ def _sweep(folder: Path) -> None:
             else:
                 ended = not _runs(int(process))
             if ended:
-                shutil.rmtree(left) if stat.S_ISDIR(found.st_mode) else left.unlink()
+                _remove(left) if stat.S_ISDIR(found.st_mode) else left.unlink()
 
 
 def _runs(process: int) -> bool:
