@@ -214,7 +214,7 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
     axes.set_yticks(range(len(trials)), [f"trial {t.entry.number}, {uses[t.entry.use]}" for t in trials])
     for label, trial in zip(axes.get_yticklabels(), trials, strict=True):
         label.set_fontweight("bold" if trial.entry.use == "fit" else "normal")
-    inches = float(axes.get_figure(root=True).get_size_inches()[0])  # type: ignore[union-attr]
+    inches = float(axes.get_figure().get_size_inches()[0])  # type: ignore[union-attr]
     most = int((inches - 1.2) / (2 * width + 2.2) / 0.078)  # letters above a column, so that names do not meet
     for group, text in enumerate(("before updating", "after updating")):
         start = group * (width + 0.3)

@@ -136,10 +136,11 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
 
     The axes are complete; places, shape (n, 2), are in their units, radii, shape (n,), in points of paper.
     """
+    from matplotlib.figure import Figure
     from matplotlib.patheffects import withStroke
 
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = axes.get_figure()
+    assert isinstance(figure, Figure)
     trial = [axes.annotate(name, place, fontsize=_SIZE) for name, place in zip(names, places, strict=True)]
     lay_out(figure)
     boxes = [text.get_window_extent() for text in trial]
