@@ -5,6 +5,7 @@
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that answer at once              make clean   remove what was made here
 #   make test-pages  what the documentation says is run, pages are opened in a browser
+#   make test-machines  the tests on every Python, on the lowest and newest versions of packages: an hour and more
 #   make bench-web  how fast the workbench answers, in Chromium
 #   make screens    pictures of the workbench for the documentation, in Chromium
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
@@ -29,16 +30,17 @@ SAMPLE ?= 200
 SEED ?= 1
 PLACE ?=
 MINUTES ?= inf
+MACHINES ?=
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all:
 LOOPS := $(wildcard src/jounce/kernel/*.py src/jounce/kernel/*/*.py)
-PINS := runtime build test lint docs bench mutants audit
+PINS := runtime build test lint docs bench mutants machines audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-all axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens
+.PHONY: help setup loops demo quick test test-pages test-all test-machines axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens
 .DELETE_ON_ERROR:
 
 help:
@@ -65,6 +67,10 @@ test-pages: $(VENV)/.test $(VENV)/.loops axe
 
 test-all: $(VENV)/.test $(VENV)/.loops axe
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"
+
+# Others' interpreters and packages; a part of it: make test-machines MACHINES="--quick" or MACHINES="lowest python-3.13"
+test-machines: $(VENV)/.runtime $(VENV)/.machines
+	$(BIN)/python tests/machines/run.py $(MACHINES)
 
 # What looks at pages as assistive technology does comes with the packages of viewer/; tests that need it are skipped without.
 axe:
@@ -97,8 +103,7 @@ docs: $(VENV)/.docs $(VENV)/.loops
 
 # The built pages in a browser: on a phone, without a network, and asked what readers ask.
 check-docs: docs $(VENV)/.test
-	@command -v chromium >/dev/null && $(BIN)/python docs/check_site.py docs/_build/html --browser || \
-	  { ! command -v chromium >/dev/null && echo "Chromium is not installed: no page of the documentation was opened"; }
+	$(BIN)/python docs/check_site.py docs/_build/html --browser
 
 # No gate: what others take from the web breaks no build of ours, and much refuses programs that ask.
 links: $(VENV)/.docs $(VENV)/.loops
@@ -151,7 +156,7 @@ $(VENV)/.loops: $(VENV)/.runtime $(LOOPS)
 	$(BIN)/python -m jounce.kernel.loops.make
 	@touch $@
 
-$(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench $(VENV)/.mutants: $(VENV)/.%: requirements/%.txt $(VENV)/.runtime
+$(VENV)/.test $(VENV)/.lint $(VENV)/.docs $(VENV)/.bench $(VENV)/.mutants $(VENV)/.machines: $(VENV)/.%: requirements/%.txt $(VENV)/.runtime
 	$(INSTALL) -r $<
 	@touch $@
 

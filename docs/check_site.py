@@ -8,12 +8,14 @@ among the first three.
 
 from __future__ import annotations
 
+import shutil
 import sys
 import time
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import quote, unquote, urlparse
 
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 LARGEST = 40e6  # bytes, without what Sphinx keeps for itself
 SLOWEST = 1.0  # s, until a page is laid out
 PHONE = {"width": 390, "height": 844}
@@ -97,13 +99,11 @@ def problems(site: Path) -> list[str]:
 
 def seen_on_a_phone(site: Path) -> list[str]:
     """What scrolls sideways, and what is slow."""
-    import shutil
-
     from playwright.sync_api import sync_playwright
 
     found, slowest = [], (0.0, "")
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        browser = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         view = browser.new_page(viewport=PHONE)
         for file in sorted(site.rglob("*.html")):
             name = file.relative_to(site).as_posix()
@@ -127,13 +127,11 @@ def seen_on_a_phone(site: Path) -> list[str]:
 
 def not_found(site: Path) -> list[str]:
     """Questions whose page is not among the first three that the search finds, from disk and without a network."""
-    import shutil
-
     from playwright.sync_api import sync_playwright
 
     found = []
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        browser = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         view = browser.new_context(offline=True).new_page()
         for question, page in QUESTIONS.items():
             view.goto(f"{(site / 'search.html').as_uri()}?q={quote(question)}")
@@ -150,6 +148,10 @@ def not_found(site: Path) -> list[str]:
 
 if __name__ == "__main__":
     folder = Path(sys.argv[1]).resolve()
-    told = problems(folder) + (seen_on_a_phone(folder) + not_found(folder) if "--browser" in sys.argv else [])
+    told = problems(folder)
+    if "--browser" in sys.argv and CHROMIUM:
+        told += seen_on_a_phone(folder) + not_found(folder)
+    elif "--browser" in sys.argv:
+        print("Chromium is not installed: no page of the documentation was opened")
     print("\n".join(told))
     sys.exit(bool(told))
