@@ -101,6 +101,7 @@ def test_an_instant_of_the_observer_is_a_prediction_and_a_correction(actuator) -
 
 
 def test_an_instant_of_h_infinity_is_a_step_of_its_states() -> None:
+    pytest.importorskip("slycot")
     law = HInfinity(actuator=ActiveActuator(force_limit=1e6, lag=0.01), rate=500.0)
     acceleration = 2.56 * 25e3 / 400.0 * 0.05
     targets = Targets(0.05, acceleration, 0.8 * 0.05, 400.0 * CORNER.gravity, (0.2 * 0.05, acceleration / 16.0))

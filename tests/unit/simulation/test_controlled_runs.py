@@ -137,6 +137,7 @@ def test_diverging_loop_is_stopped_and_dated(rig: jn.Rig) -> None:
 
 
 def test_every_shipped_linear_law_is_stable_on_the_lumped_library() -> None:
+    pytest.importorskip("slycot")
     names = ("audi-a6-quarter-car", "kart-quarter-car", "audi-a6-half-car-4dof", "audi-a6-full-car")
     for name in (*names, "reference-double-wishbone"):
         for law in ("active-skyhook", "pid", "lqr", "lqg", "h-infinity"):
