@@ -1,5 +1,6 @@
 /** Brings a report to life: a player wherever the page has a place for one, light and dark, and printing. */
 
+import "./browser";
 import "uplot/dist/uPlot.min.css";
 import "./viewer.css";
 import { Store } from "./data";

@@ -11,7 +11,7 @@ const ENGLISH = {
   hint: "Drag to zoom, double click for everything; Ctrl + wheel zooms, Shift + wheel pans. Keys: space plays, ← → step, + − 0 zoom, [ ] change what is shown, f fills the window.",
   view: "view", space: "3-D", front: "front", side: "side", top: "top", wheel: "wheel", names: "names", paths: "paths",
   mechanism: "The mechanism; drag to turn it, click on it to zoom with the wheel",
-  noContact: "no contact", noWebGL: "The mechanism is drawn with WebGL, which this browser does not offer.",
+  noContact: "no contact",
   strut: "spring and damper", contactPoint: "contact point",
 };
 
@@ -26,7 +26,7 @@ const GERMAN: typeof ENGLISH = {
   hint: "Bereich aufziehen zum Zoomen, Doppelklick zeigt alles; Strg + Mausrad zoomt, Umschalt + Mausrad verschiebt. Tasten: Leertaste spielt ab, ← → Einzelschritt, + − 0 Zoom, [ ] wechselt die Auswahl, f Großansicht.",
   view: "Ansicht", space: "3-D", front: "vorn", side: "Seite", top: "oben", wheel: "Rad", names: "Namen", paths: "Bahnkurven",
   mechanism: "Die Radaufhängung; ziehen dreht sie, nach einem Klick zoomt das Mausrad",
-  noContact: "kein Bodenkontakt", noWebGL: "Die Radaufhängung wird mit WebGL gezeichnet, das dieser Browser nicht anbietet.",
+  noContact: "kein Bodenkontakt",
   strut: "Feder und Dämpfer", contactPoint: "Radaufstandspunkt",
 };
 

@@ -1,5 +1,6 @@
 /** What is edited and not saved: kept in the browser until it is saved or discarded, and offered again. No file is ever written from here. */
 
+import { lasting } from "../browser";
 import { make, whenLeft } from "../page";
 import { isGerman, tr } from "../words";
 
@@ -14,17 +15,17 @@ const prefix = (folder: string, page = "") => `jounce-draft\n${folder}\n${page &
 const open = new Set<Drafts<object>>();
 
 function read(key: string): Draft | null {
-  try { const found = JSON.parse(localStorage.getItem(key) ?? "null") as Draft | null; return found && typeof found.state === "object" && found.state ? found : null; } catch { return null; }
+  try { const found = JSON.parse(lasting?.getItem(key) ?? "null") as Draft | null; return found && typeof found.state === "object" && found.state ? found : null; } catch { return null; }
 }
 
 /** Drafts whose keys begin so, the newest first. */
 function lying(begins: string): Lying[] {
-  const keys = Object.keys(localStorage).filter((key) => key.startsWith(begins));
+  const keys = Object.keys(lasting ?? {}).filter((key) => key.startsWith(begins));
   return keys.map((key) => ({ key, page: key.split("\n")[2] ?? "", at: read(key)?.at ?? 0 })).filter(({ at }) => at).sort((one, other) => other.at - one.at);
 }
 
 export const draftsOf = (folder: string): Lying[] => lying(prefix(folder));
-export const discard = (key: string): void => localStorage.removeItem(key);
+export const discard = (key: string): void => lasting?.removeItem(key);
 /** The state of a draft; nothing where it is gone. */
 export const stateOf = (key: string): object | null => read(key)?.state ?? null;
 
@@ -70,9 +71,9 @@ export class Drafts<T extends object> {
     if (this.isLeft && this.lies && !read(this.own)) { this.drop(); return true; } // another page took it, or it was discarded: a late answer does not bring it back
     const state = this.state();
     try {
-      if (JSON.stringify(state) === JSON.stringify(this.saved)) { localStorage.removeItem(this.own); this.lies = false; }
+      if (JSON.stringify(state) === JSON.stringify(this.saved)) { discard(this.own); this.lies = false; }
       else {
-        localStorage.setItem(this.own, JSON.stringify({ at: Date.now(), was: this.follows() ? this.was() : "", state } satisfies Draft));
+        lasting!.setItem(this.own, JSON.stringify({ at: Date.now(), was: this.follows() ? this.was() : "", state } satisfies Draft));
         this.lies = true;
         for (const { key } of lying("jounce-draft\n").slice(MOST)) discard(key);
       }

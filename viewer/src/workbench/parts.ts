@@ -27,7 +27,8 @@ export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T>
 export function copied(title: string, text: string): HTMLElement {
   const button = make("button", { type: "button" }, tr("Copy")), place = make("pre", { tabindex: "0", "aria-label": title }, text);
   button.addEventListener("click", () => {
-    void navigator.clipboard.writeText(place.textContent).then(() => { button.textContent = tr("Copied"); }, () => { button.textContent = tr("Select and copy"); });
+    const copies = navigator.clipboard?.writeText(place.textContent) ?? Promise.reject(new Error("no clipboard")); // only a page of this machine has one, or of https
+    void copies.then(() => { button.textContent = tr("Copied"); }, () => { getSelection()?.selectAllChildren(place); button.textContent = tr("Selected: copy it"); });
   });
   return make("section", { class: "code" }, make("div", { class: "bar" }, make("h2", {}, title), button), place);
 }

@@ -26,7 +26,7 @@ export class Points {
       input.addEventListener("change", () => {
         const values = this.inputs.map((one) => Number(one.value));
         if (this.inputs.some((one) => one.value === "") || !values.every(Number.isFinite)) return;
-        this.put(this.choice.value, values as [number, number, number], true, false);
+        this.put(this.choice.value, values as [number, number, number], true);
       });
     });
     this.element.append(field(tr("Hardpoint"), this.choice), ...this.inputs.map((input, i) => field(`${"xyz"[i]} [mm]`, input)), field(tr("Dragged"), way), field(tr("Snaps to"), this.snap));
@@ -61,15 +61,15 @@ export class Points {
     const far = Math.hypot(...by), step = Number(this.snap.value), start = this.from;
     const next = start.map((value, i) => (Math.abs(by[i]!) > 0.02 * far ? Math.round((value + by[i]!) / step) * step : value)) as [number, number, number];
     if (done) this.from = null;
-    if (far > 0 || done) this.put(name, next, done, done);
+    if (far > 0 || done) this.put(name, next, done, start);
   }
 
-  /** Tells what differs from where the point was; at the end of a drag, which was told bit by bit, `all` of it. */
-  private put(name: string, next: [number, number, number], done: boolean, all: boolean): void {
+  /** Tells what differs from where the point is, or was before it was dragged. */
+  private put(name: string, next: [number, number, number], done: boolean, before = next): void {
     const place = this.places.get(name);
     if (!place) return;
     const changes: Record<string, number> = {};
-    next.forEach((value, i) => { if (all || Math.abs(value - Number(place[i]!.toFixed(4))) > 1e-9) changes[`hardpoints.${name}[${i}]`] = Number((value * MM).toPrecision(12)); });
+    next.forEach((value, i) => { if ([place[i]!, before[i]!].some((was) => Math.abs(value - Number(was.toFixed(4))) > 1e-9)) changes[`hardpoints.${name}[${i}]`] = Number(value.toPrecision(12)) * MM; });
     this.places.set(name, next.map((value, i) => (`hardpoints.${name}[${i}]` in changes ? value : place[i]!)) as [number, number, number]);
     this.write();
     if (Object.keys(changes).length) this.moved(changes, done);

@@ -1,5 +1,6 @@
 /** What a page of the workbench is, and what pages share: addresses, rigs to choose from, and the live curves that are open. */
 
+import { passing } from "../browser";
 import { make } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
@@ -19,7 +20,7 @@ const SHOWS: Record<string, string> = { rig: "name", kinematics: "rig", trial: "
 
 /** What a page shows stays with whoever goes on to another page by its word in the head; that of the open page leads to the choice. */
 export function carry(name: string): void {
-  sessionStorage.setItem(KEY, name);
+  passing?.setItem(KEY, name);
   for (const link of document.querySelectorAll<HTMLAnchorElement>("#pages a")) {
     const page = link.dataset.page!, takes = SHOWS[page];
     const fits = takes && name && !link.hasAttribute("aria-current") && (page !== "rig" || name.endsWith(".toml")); // what is shipped has no file here
@@ -27,7 +28,7 @@ export function carry(name: string): void {
   }
 }
 /** The rig or vehicle that a page shows, else the one that was shown last. */
-export const carried = (page: string, values: Values): string => values.get(SHOWS[page] ?? "") ?? sessionStorage.getItem(KEY) ?? "";
+export const carried = (page: string, values: Values): string => values.get(SHOWS[page] ?? "") ?? passing?.getItem(KEY) ?? "";
 
 /** The live curves of the open page, for whoever measures them. */
 export let live: { times: number[] } | null = null;
