@@ -4,7 +4,7 @@
 #   make setup     only prepare .venv                         make bench   times against peers
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that answer at once              make clean   remove what was made here
-#   make test-pages  what the documentation says is run, pages are opened in a browser
+#   make test-pages  what the documentation says is run, pages are opened in three browsers
 #   make test-machines  the tests on every Python, on the lowest and newest versions of packages: an hour and more
 #   make bench-web  how fast the workbench answers, in Chromium
 #   make screens    pictures of the workbench for the documentation, in Chromium

@@ -470,3 +470,39 @@ def test_a_folder_and_a_file_beside_its_place_are_no_uploads_and_a_day_is_that_o
     page.get_by_role("alert").filter(has_text="lane records: a folder").wait_for()
     opened.context.close()
     assert opened.troubles == []
+
+
+LACKING = """
+for (const storage of ["localStorage", "sessionStorage"])
+  Object.defineProperty(window, storage, { get() { throw new DOMException("denied", "SecurityError"); } });
+Object.defineProperty(navigator, "clipboard", { value: undefined });
+window.WebSocket = class extends EventTarget {
+  constructor() { super(); setTimeout(() => this.dispatchEvent(new Event("close"))); }
+};
+"""
+"""A browser that may keep nothing, at an address of another machine, behind a proxy that lets no socket through."""
+
+
+@pytest.mark.pages
+def test_pages_work_where_a_browser_keeps_nothing_and_a_proxy_lets_no_socket_through(workbench, browser):
+    context = browser.new_context(viewport={"width": 1280, "height": 720})
+    context.add_init_script(LACKING)
+    page, troubles = context.new_page(), []
+    page.on("console", lambda told: troubles.append(told.text) if told.type == "error" else None)
+    page.on("pageerror", lambda error: troubles.append(str(error)))
+    page.goto(workbench)
+    page.wait_for_selector("html[data-ready=project]")
+    for name in PAGES:
+        page.evaluate("page => { delete document.documentElement.dataset.ready; location.hash = page; }", f"/{name}")
+        page.wait_for_selector("html[data-ready]")
+        page.wait_for_selector(".jobs > p.muted", state="detached")  # they are told without a socket
+    page.get_by_role("link", name="Rig", exact=True).click()
+    page.wait_for_selector("html[data-ready=rig]")
+    page.get_by_role("main").get_by_role("link", name=RIG, exact=True).click()
+    code = page.locator("section.code", has_text="The same in Python")
+    code.get_by_role("button").click()
+    code.get_by_role("button", name="Selected: copy it").wait_for()
+    assert "jn.load(" in page.evaluate("getSelection().toString()")
+    assert page.get_by_text("The server does not tell about jobs any more").count() == 0
+    context.close()
+    assert troubles == []
