@@ -15,9 +15,13 @@ def run() -> int:
     gc.set_threshold(50_000)
     if not any(word.startswith("--cluster") for word in sys.argv):
         sys.modules.setdefault("dask", None)  # type: ignore[arg-type]  # xarray loads it wherever it is installed: 0.3 s
-    from jounce.cli import main
+    try:
+        from jounce.cli import main
 
-    code = main()
+        code = main()
+    except KeyboardInterrupt:  # while the commands are loaded
+        sys.stderr.write("jounce: interrupted; no file is left half-written.\n")
+        code = 130
     gc.freeze()
     return code
 

@@ -49,6 +49,7 @@ from jounce.cli.reply import (
     tell,
 )
 from jounce.core.errors import JounceError, OutputError, nearest
+from jounce.core.interrupts import is_interrupt
 from jounce.core.text import shortened
 from jounce.core.trust import trusting
 
@@ -212,8 +213,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort):
-        tell("interrupted; no file is left half-written.")
-        return STOPPED
+        return _stopped()
     except (BrokenPipeError, SystemExit):  # nobody reads any more; the help's console ends the process then
         lead_nowhere(sys.stdout)
         return PIPE_CLOSED
@@ -226,6 +226,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         where = str(error.filename or _nameless(error))
         return refuse(OutputError(error.strerror or str(error), where=where, hint=hint), as_json=as_json)
     except ImportError as error:
+        if is_interrupt(error):
+            return _stopped()
         hint = "Is the installation whole, and is there memory for it?"
         return refuse(JounceError("a library cannot be loaded", found=str(error), hint=hint), as_json=as_json)
     except UnicodeEncodeError as error:
@@ -234,6 +236,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except MemoryError:
         return refuse(JounceError("out of memory", hint=_TOO_LARGE), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
+        if is_interrupt(error):
+            return _stopped()
         if debug:
             traceback.print_exc()
         what = shortened(f"internal error: {type(error).__name__}: {error}", _LONGEST)
@@ -241,6 +245,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         plain = {"kind": "unexpected", "message": f"{what}. {hint}", "what": what, "hint": hint}
         return report_error(plain, FAILED, as_json=as_json)
     return exit_code
+
+
+def _stopped() -> int:
+    tell("interrupted; no file is left half-written.")
+    return STOPPED
 
 
 def _nameless(error: OSError) -> str:

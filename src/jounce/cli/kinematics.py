@@ -319,7 +319,11 @@ def draw_sweep(out: Console, title: str, sweep: xr.Dataset, written: list[str]) 
         own = display_unit(si, float(np.nanmax(np.abs(values), initial=0.0)))
         shown_values = (kinematic_value(str(name), float(value), si) for value in values[at])
         rows.append([str(name), own.name or "1", *shown_values])
-    header = ("quantity", "unit", *(f"{value * unit.factor:.4g} {unit.name}".strip() for value in shown[along].to_numpy()[at]))
+    header = (
+        "quantity",
+        "unit",
+        *(f"{value * unit.factor:.4g} {unit.name}".strip() for value in shown[along].to_numpy()[at]),
+    )
     out.print(table(f"{title} over {along.replace('_', ' ')}", header, rows, text=(0, 1)))
     many = "".join(f" at each of {sweep.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
     out.print(f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}")

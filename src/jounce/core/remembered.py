@@ -11,6 +11,7 @@ from functools import wraps
 from threading import RLock
 from typing import Any, ClassVar, Generic, TypeVar
 
+from jounce.core.interrupts import interrupt_after
 from jounce.core.turns import turn
 
 Thing = TypeVar("Thing")
@@ -80,7 +81,8 @@ class Recent(Generic[Found]):
             with turn((id(self), key)):
                 value = self._recall(key)
                 if value is _NOTHING:
-                    value = make()
+                    with interrupt_after():
+                        value = make()
                     self._keep(key, value)
         return value
 

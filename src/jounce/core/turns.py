@@ -9,6 +9,8 @@ from functools import cached_property
 from threading import RLock
 from typing import Any, Self, TypeVar, overload
 
+from jounce.core.interrupts import interrupt_after
+
 Value = TypeVar("Value")
 _MISSING: Any = object()
 
@@ -76,5 +78,7 @@ class once(cached_property[Value]):  # noqa: N801 - used as a decorator, like `c
         with turn((id(thing), name)):
             value = thing.__dict__.get(name, _MISSING)
             if value is _MISSING:
-                value = thing.__dict__[name] = self.func(thing)
+                with interrupt_after():
+                    value = self.func(thing)
+                thing.__dict__[name] = value
             return value
