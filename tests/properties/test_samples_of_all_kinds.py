@@ -20,6 +20,7 @@ from jounce.core.units import _registry, conversion_factor
 from jounce.identify.comparison import compare, iso18571
 from jounce.identify.hysteresis_path import bouc_wen_path
 from jounce.identify.stiffness import FittedCurve, fit_stiffness
+from jounce.kinematics.sweeps import path_values
 from jounce.recordings import (
     Sensor,
     cfc_filter,
@@ -32,6 +33,7 @@ from jounce.recordings import (
 )
 from jounce.ride.comfort import advice, crest_factor, evdv, msdv, mtvv, rms, running_rms, vdv
 from jounce.ride.weighting import weighted, weighting_response
+from jounce.variants.many import _column
 
 pd = pytest.importorskip("pandas")
 Signals = Mapping[str, tuple[np.ndarray, str]]
@@ -117,6 +119,8 @@ CALLS: dict[str, tuple[Callable[..., Any], Signals]] = {
         lambda values: jn.grid({"sprung.mass": values}).values(lambda _: (1.0, "kg")),
         {"values": (1.0 + X, "kg")},
     ),
+    "simulate_many": (lambda values: _column(values, "kg", "sprung.mass"), {"values": (1.0 + X, "kg")}),
+    "sweep_travel": (lambda values: path_values(values, "wheel travel"), {"values": (1e-4 * X, "m")}),
 }
 
 

@@ -120,3 +120,17 @@ def test_a_number_that_changes_nothing_measured_is_refused() -> None:
     table = {"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0, 0.0]}
     with pytest.raises(jn.DescriptionError, match="changes nothing"):
         jn.fit_hardpoints(FRONT, table, {"hardpoints.strut_top[1]": "10 mm"})
+
+
+def test_readings_with_units_count_as_those_in_si(truth) -> None:
+    import xarray as xr
+
+    table = readings(truth[1], 7)
+    units = {"wheel_travel": ("mm", 1e3), "rack_travel": ("mm", 1e3), "toe": ("deg", 180.0 / np.pi)}
+    free = dict.fromkeys(MOVED, "15 mm")
+    plain = jn.fit_hardpoints(FRONT, table, free, offsets=["camber"], starts=1)
+    for name, (unit, factor) in units.items():
+        table[name] = xr.DataArray(factor * table[name], dims="pose", attrs={"units": unit})
+    found = jn.fit_hardpoints(FRONT, table, free, offsets=["camber"], starts=1)
+    for path in MOVED:
+        assert found.numbers[path].value == pytest.approx(plain.numbers[path].value, rel=1e-6)

@@ -16,6 +16,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
+from jounce.core.samples import as_samples
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import positive_si
@@ -215,24 +216,27 @@ class _Table:
         self, rig: Corner, paths: tuple[str, ...], measured: Any, numbers: FreeNumbers, offsets: Sequence[str]
     ) -> None:
         self.rig, self.paths, self.numbers = rig, paths, numbers
-        values = {str(name): np.asarray(measured[name], dtype=float).ravel() for name in _names_of(measured)}
-        if "wheel_travel" not in values:
-            found = ", ".join(values) or "nothing"
+        given = {str(name): measured[name] for name in _names_of(measured)}
+        if "wheel_travel" not in given:
+            found = ", ".join(given) or "nothing"
             raise DescriptionError("no poses", where="measured", found=found, allowed="wheel_travel")
-        self.travel = path_values(values.pop("wheel_travel"), "wheel_travel")
+        self.travel = path_values(given.pop("wheel_travel"), "wheel_travel")
         self.rack = np.zeros_like(self.travel)
-        if "rack_travel" in values:
-            self.rack = path_values(values.pop("rack_travel"), "rack_travel")
+        if "rack_travel" in given:
+            self.rack = path_values(given.pop("rack_travel"), "rack_travel")
             if np.any(self.rack != 0.0) and not has_rack(rig):
                 raise DescriptionError("no rack moves this wheel", where="measured: rack_travel")
         sweep, _ = path_sweep(rig, self.travel, np.broadcast_to(self.rack, self.travel.shape))
         self._sweep, self._model = sweep, sweep.model
         rows = {row.name: i for i, row in enumerate(sweep.model.rows)}
-        if not values:
+        if not given:
             raise DescriptionError("nothing was measured", where="measured", allowed="rows of the catalogue, e.g. toe")
-        for name, one in values.items():
+        values = {}
+        for name, one in given.items():
             if name not in rows:
                 raise unknown(name, rows, what="quantity", where="measured")
+            unit, where = sweep.model.rows[rows[name]].unit, f"measured: {name}"
+            values[name] = one = as_samples(one, unit, where=where, error=DescriptionError).ravel()  # noqa: PLW2901
             if one.shape != self.travel.shape:
                 raise DescriptionError(
                     "not one reading a pose", where=f"measured: {name}", found=len(one), allowed=str(len(self.travel))

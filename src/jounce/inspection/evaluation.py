@@ -30,6 +30,7 @@ from jounce.inspection.sweep import SWINGS, Sweep, exciter_height, find_sweep, s
 from jounce.inspection.turn_forces import analyse, find_lift_off, fit_test, stretches_between
 from jounce.parts.testers import Tester, as_tester
 from jounce.recordings.carried import as_recording
+from jounce.recordings.schema import check_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -81,7 +82,7 @@ def evaluate(
 
     Raises
     ------
-    RecordingError
+        When there is no wheel in the record, or a channel of one is not in SI.
         When there is no wheel in the record.
     DescriptionError
         For an unknown method, or one that the plate does not allow.
@@ -107,6 +108,8 @@ def evaluate(
     task = _task(tester, vehicle, methods, str(facts.get("axle", "")))
     sides = tested_wheels(record, facts)
     names = [name for name in map(str, record.data_vars) if name.partition(".")[0] in sides]
+    if names:
+        check_units(record[names], where="record")
     channels = {name: np.asarray(record[name].values, dtype=float) for name in names}
     time = np.asarray(record["time"].values, dtype=float)
     gaps = checks.check_finite(channels, time)

@@ -197,7 +197,7 @@ def _is_day(text: str) -> bool:
 
 def _number(value: object, si: str, where: str) -> float:
     try:
-        number = to_si(value.item() if hasattr(value, "item") else value, si, where=where)
+        number = to_si(value, si, where=where)
     except DescriptionError as error:
         raise _unit_error(error) if si == "N" else error from None
     if number < 0.0 or (si != "kg" and number == 0.0):

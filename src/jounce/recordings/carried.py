@@ -97,8 +97,9 @@ def by_path(given: Any) -> Any:
         return given
     found = {}
     for header in given.columns:
-        (name, unit), values = name_and_unit(str(header)), np.asarray(given[header])
-        found[name] = [f"{value!r} {unit}" for value in values.tolist()] if unit else values
+        (name, unit), values = name_and_unit(str(header)), given[header]
+        texts = [f"{value!r} {unit}" for value in as_samples(values, where=header).tolist()] if unit else []
+        found[name] = texts or values
     return found
 
 

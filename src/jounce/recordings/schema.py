@@ -302,15 +302,26 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
     --------
     >>> check_recording(recording([0.0, 0.001], {"tyre.force": ([200.0, 201.0], "N", "")}))
     """
+    check_units(dataset, where=where)
+    time = np.asarray(dataset["time"].values)
+    if not bool(np.all(np.diff(time) > 0.0)):
+        raise RecordingError("time does not ascend strictly", where=where)
+    for name, variable in dataset.data_vars.items():
+        finite = np.isfinite(variable.values)
+        if not finite.all():
+            sample = int(np.argmin(finite))
+            found = float(variable.values[sample])
+            raise RecordingError(f"sample {sample + 1} is not a finite number", where=f"{where}: {name}", found=found)
+
+
+def check_units(dataset: xr.Dataset, *, where: str = "recording") -> None:
+    """Refuse a Dataset whose channels are no real numbers over ``time`` (s), each in the SI unit of its quantity."""
     if "time" not in dataset.coords or dataset["time"].dims != ("time",):
         raise RecordingError("no time coordinate", where=where, allowed="a coordinate 'time' in s")
     unit = dataset["time"].attrs.get("units")
     if not is_spelling(unit, "s"):
         what = "time has no unit" if unit is None else "time has another unit"
         raise RecordingError(what, where=where, found=unit, allowed="an attribute 'units' of 's'")
-    time = np.asarray(dataset["time"].values)
-    if not bool(np.all(np.diff(time) > 0.0)):
-        raise RecordingError("time does not ascend strictly", where=where)
     for name, variable in dataset.data_vars.items():
         _check_channel(str(name), variable, where)
 
@@ -327,9 +338,3 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
         raise RecordingError("the channel has another unit", where=at, found=unit, allowed=channel_unit(name))
     if variable.dtype.kind not in "fiu":
         raise RecordingError("the samples are no real numbers", where=at, found=str(variable.dtype))
-    finite = np.isfinite(variable.values)
-    if not finite.all():
-        sample = int(np.argmin(finite))
-        raise RecordingError(
-            f"sample {sample + 1} is not a finite number", where=at, found=float(variable.values[sample])
-        )

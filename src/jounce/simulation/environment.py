@@ -13,6 +13,7 @@ from jounce.control.actuators import AnyActuator, SemiActiveDamper
 from jounce.control.laws import Passive
 from jounce.core.errors import SimulationError, unknown
 from jounce.core.optional import require
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.kernel.methods.explicit import integrate
@@ -120,7 +121,7 @@ class Stepper:
         They come in the order of ``corners`` and are clipped to the limits. The outputs have the shape (channels,
         samples), SI; what was not reached is no number (``status`` says why).
         """
-        given = np.asarray(commands, dtype=np.float64).ravel()
+        given = as_samples(commands, where="step", error=SimulationError).ravel()
         if len(given) != len(self.corners) or not np.all(np.isfinite(given)):
             raise SimulationError(
                 "not commands", where="step", found=given.tolist(), allowed=f"{len(self.corners)} finite numbers"
@@ -246,7 +247,7 @@ def _environment_class() -> Any:
         def step(self, action: Any) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
             """Hold the commands of an action for one period."""
             low, high = self._run.limits.T
-            share = 0.5 + 0.5 * np.clip(np.asarray(action, dtype=np.float64), -1.0, 1.0)
+            share = 0.5 + 0.5 * np.clip(as_samples(action, where="step", error=SimulationError), -1.0, 1.0)
             commands = low + (high - low) * share
             outputs = self._run.step(commands)
             info: dict[str, Any] = {

@@ -54,6 +54,22 @@ def test_good_record_has_no_findings(car_run, load, left_record, eusama):
     require_gradable(found)
 
 
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (lambda record: record["left.plate.force"].assign_attrs(units="kN"), "another unit; found 'kN'; allowed: N"),
+        (lambda record: record["left.plate.force"].astype(complex), "no real numbers; found 'complex128'"),
+        (lambda record: record["time"].assign_attrs(units="ks"), "time has another unit; found 'ks'"),
+    ],
+)
+def test_a_record_that_is_not_in_si_is_refused(change, text: str, car_run, load, left_record, eusama) -> None:
+    time, height, force, _ = car_run
+    record = left_record(time, height, force, load)
+    changed = change(record)
+    with pytest.raises(RecordingError, match=text):
+        evaluate(record.assign({changed.name: changed}), eusama)
+
+
 CHANGES = {
     "swapped columns": (lambda t, z, f: (t, 1e-3 * f, 1e3 * z), "plate and force are swapped"),
     "pounds": (lambda t, z, f: (t, z, 0.224809 * f), "pounds (lbf)"),
