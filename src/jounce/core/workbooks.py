@@ -51,13 +51,15 @@ def wrapped(text: str) -> list[str]:
 
 
 def undated(content: bytes) -> bytes:
-    """Write a workbook's archive again without the times at which it was made."""
+    """Write a workbook's archive again without the times at which it was made; places are relative to its own."""
     stream = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as new:
         for info in old.infolist():
             data = old.read(info)
             if info.filename == "docProps/core.xml":
                 data = re.sub(rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*", rb"\g<1>2000-01-01T00:00:00Z", data)
+            if info.filename == "xl/_rels/workbook.xml.rels":  # as Excel writes it; Octave reads no other
+                data = data.replace(b'Target="/xl/', b'Target="')
             new.writestr(zipfile.ZipInfo(info.filename, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
     return stream.getvalue()
 

@@ -55,7 +55,7 @@ def read_recording(
     sample_time : float or str, optional
         Constant step in s (or text with unit) of a file without time; replaces the file's time where there is one.
     variable : str
-        Matrix variable or struct (``.mat``) or group (``.tdms``) to read.
+        Matrix variable or struct (``.mat``) or group (``.tdms``, ``.nc``) to read.
     resample : float or str, optional
         Constant step in s (or text with unit) that the recording shall have: time may be irregular then, also that of
         signals at other instants (slow channels, bus messages), and samples may be missing. Where the step is larger
@@ -343,7 +343,7 @@ def read_columns(
     columns : mapping of str to str, or str, optional
         As in ``read_recording``.
     variable : str
-        Matrix variable (``.mat``) or group (``.tdms``) to read.
+        Matrix variable (``.mat``) or group (``.tdms``, ``.nc``) to read.
 
     Returns
     -------

@@ -17,7 +17,7 @@ class ReaderOptions:
     Attributes
     ----------
     variable : str
-        Matrix variable (``.mat``) or group (``.tdms``) to read; empty: the only one or all.
+        Matrix variable (``.mat``) or group (``.tdms``, ``.nc``) to read; empty: the only one or all.
     header : str
         Names and units of the columns in their order: ``"displacement [mm], force [N]"``; empty: those of the file.
     database : Path or None

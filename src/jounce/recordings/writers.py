@@ -36,10 +36,16 @@ def netcdf_of(dataset: xr.Dataset) -> bytes:
 def _storable(dataset: xr.Dataset) -> xr.Dataset:
     """The same dataset with attributes a file can hold: what is neither text nor number becomes JSON text."""
     copy = dataset.copy(deep=False)
-    copy.attrs = {str(key): _storable_attribute(value) for key, value in dataset.attrs.items()}
+    copy.attrs = {str(key): _characters(_storable_attribute(value)) for key, value in dataset.attrs.items()}
     for variable in copy.variables.values():
         variable.encoding.pop("source", None)
+        variable.attrs = {key: _characters(value) for key, value in variable.attrs.items()}
     return copy
+
+
+def _characters(value: object) -> object:
+    """ASCII text as netCDF's characters, as the netCDF library writes it: strings are read by few other programs."""
+    return np.bytes_(value.encode()) if isinstance(value, str) and value and value.isascii() else value
 
 
 def _storable_attribute(value: object) -> object:
@@ -183,7 +189,7 @@ def _parquet_of(dataset: xr.Dataset) -> bytes:
     schema = arrow.schema(fields, metadata={ABOUT: _about(dataset)})
     columns = [np.asarray(signal.values, dtype=float) for signal in signals.values()]
     buffer = io.BytesIO()
-    parquet.write_table(arrow.table(columns, schema=schema), buffer, compression="zstd")
+    parquet.write_table(arrow.table(columns, schema=schema), buffer, compression="zstd", write_page_checksum=True)
     return buffer.getvalue()
 
 

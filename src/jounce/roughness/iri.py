@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from jounce.core.columns import text_of
 from jounce.core.errors import RecordingError
-from jounce.core.files import content_of
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
 from jounce.core.samples import as_samples
@@ -367,7 +367,7 @@ def read_profile(
 
 def _rows(file: Path) -> list[tuple[int, list[str]]]:
     """Lines that hold something but comments, with their numbers, split at blanks, commas, semicolons."""
-    text = content_of(file, RecordingError).decode("utf-8-sig", errors="replace")
+    text = text_of(file)
     lines = ((number, line.split("#")[0]) for number, line in enumerate(text.splitlines(), 1))
     split = ((number, line.replace(",", " ").replace(";", " ").split()) for number, line in lines)
     return [(number, cells) for number, cells in split if cells]

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -384,99 +384,109 @@ writer("pyuff ascii.uff")(_pyuff(binary=0))
 writer("pyuff binary.uff")(_pyuff(binary=1))
 
 
-# --- programs: a script that knows `csv`, a table of the recording, and `file`
+# --- programs: a script that knows `@csv`, a table of the recording, and `@file`
 
 
 OCTAVE = """
 pkg load netcdf io
-table = dlmread('{csv}', ',', 1, 0); t = table(:, 1); az = table(:, 2); F = table(:, 3);
+table = dlmread('@csv', ',', 1, 0); t = table(:, 1); az = table(:, 2); F = table(:, 3);
 run.t = t; run.az = az; run.F = F; run.name = 'bench 3';
 """
 
 
 def _octave(text: str) -> Make:
-    return lambda file: _by_program(["octave-cli", "--quiet", "--no-window-system"], OCTAVE + text, file, ".m")
+    return lambda file: _by_program("octave", OCTAVE + text, file)
 
 
-writer("octave -v4.mat")(_octave("save('-v4', '{file}', 't', 'az', 'F')"))
-writer("octave -v6.mat")(_octave("save('-v6', '{file}', 't', 'az', 'F')"))
-writer("octave -v7.mat")(_octave("save('-v7', '{file}', 't', 'az', 'F')"))
-writer("octave struct.mat")(_octave("save('-v7', '{file}', 'run')"))
+writer("octave -v4.mat")(_octave("save('-v4', '@file', 't', 'az', 'F')"))
+writer("octave -v6.mat")(_octave("save('-v6', '@file', 't', 'az', 'F')"))
+writer("octave -v7.mat")(_octave("save('-v7', '@file', 't', 'az', 'F')"))
+writer("octave struct.mat")(_octave("save('-v7', '@file', 'run')"))
 for kind in ("classic", "netcdf4", "netcdf4_classic"):
     writer(f"octave {kind}.nc")(
         _octave(
             "function one(name, unit, values, kind)\n"
-            "nccreate('{file}', name, 'Dimensions', {{'time', numel(values)}}, 'Format', kind)\n"
-            "ncwrite('{file}', name, values); ncwriteatt('{file}', name, 'units', unit)\nend\n"
+            "nccreate('@file', name, 'Dimensions', {'time', numel(values)}, 'Format', kind)\n"
+            "ncwrite('@file', name, values); ncwriteatt('@file', name, 'units', unit)\nend\n"
             f"k = '{kind}'; one('time', 's', t, k); one('sprung.az', 'm/s^2', az, k); one('strut.force', 'N', F, k)"
         )
     )
 writer("octave fprintf.csv")(
     _octave(
-        "fid = fopen('{file}', 'w'); fprintf(fid, 'time [s]; sprung.az [m/s^2]; strut.force [N]\\n');"
+        "fid = fopen('@file', 'w'); fprintf(fid, 'time [s]; sprung.az [m/s^2]; strut.force [N]\\n');"
         "fprintf(fid, '%g; %.6f; %.4f\\n', [t az F]'); fclose(fid)"
     )
 )
 writer("octave xlswrite.xlsx")(
     _octave(
-        "xlswrite('{file}', [{{'time [s]', 'sprung.az [m/s^2]', 'strut.force [N]'}}; num2cell([t az F])], 1, '', 'OCT')"
+        "xlswrite('@file', [{'time [s]', 'sprung.az [m/s^2]', 'strut.force [N]'}; num2cell([t az F])], 1, '', 'OCT')"
     )
 )
 
 R = """
-run <- read.csv("{csv}")
+run <- read.csv("@csv")
 names(run) <- c("time [s]", "sprung.az [m/s^2]", "strut.force [N]")
 frame <- data.frame(run)
 """
 
 
 def _r(text: str) -> Make:
-    return lambda file: _by_program(["Rscript", "--vanilla"], R + text, file, ".R")
+    return lambda file: _by_program("R", R + text, file)
 
 
-writer("R write.csv.csv")(_r('write.csv(frame, "{file}")'))
-writer("R write.csv2.csv")(_r('write.csv2(frame, "{file}", row.names = FALSE)'))
-writer("R write.table.txt")(_r('write.table(frame, "{file}")'))
-writer("R tabs.tsv")(_r('write.table(run, "{file}", sep = "\\t", row.names = FALSE, quote = FALSE)'))
-writer("R data.table-fwrite.csv")(_r('data.table::fwrite(run, "{file}")'))
-writer("R openxlsx.xlsx")(_r('openxlsx::write.xlsx(run, "{file}")'))
+writer("R write.csv.csv")(_r('write.csv(frame, "@file")'))
+writer("R write.csv2.csv")(_r('write.csv2(frame, "@file", row.names = FALSE)'))
+writer("R write.table.txt")(_r('write.table(frame, "@file")'))
+writer("R tabs.tsv")(_r('write.table(run, "@file", sep = "\\t", row.names = FALSE, quote = FALSE)'))
+writer("R data.table-fwrite.csv")(_r('data.table::fwrite(run, "@file")'))
+writer("R openxlsx.xlsx")(_r('openxlsx::write.xlsx(run, "@file")'))
 for kind in ("FALSE", "TRUE"):
     writer(f"R ncdf4-{kind}.nc")(
         _r(
             'library(ncdf4)\ntime <- ncdim_def("time", "s", run[[1]], unlim = TRUE)\n'
             'az <- ncvar_def("sprung.az", "m/s^2", time, NA, prec = "double")\n'
             'force <- ncvar_def("strut.force", "N", time, -999, prec = "double")\n'
-            f'file <- nc_create("{{file}}", list(az, force), force_v4 = {kind})\n'
+            f'file <- nc_create("@file", list(az, force), force_v4 = {kind})\n'
             "ncvar_put(file, az, run[[2]]); ncvar_put(file, force, run[[3]]); nc_close(file)"
         )
     )
 
 
-def _by_program(words: list[str], text: str, file: Path, suffix: str) -> None:
-    """Run a program on a script."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        table, script = folder / "run.csv", folder / f"script{suffix}"
-        rows = [",".join(HEADED), *(",".join(map(repr, row)) for row in np.column_stack([*HEADED.values()]).tolist())]
-        table.write_text("\n".join(rows) + "\n")
-        script.write_text(text.format(csv=table, file=file.resolve()))
-        subprocess.run([*words, str(script)], check=True, capture_output=True, timeout=300)
+def run_script(program: str, text: str, **places: object) -> None:
+    """Run a script of a program, in which `@file` and other places are filled in."""
+    for name, place in places.items():
+        text = text.replace(f"@{name}", str(place))
+    with tempfile.TemporaryDirectory() as folder:
+        script = Path(folder) / "script"
+        script.write_text(text, encoding="utf-8")
+        subprocess.run([*SCRIPTS[program], str(script)], check=True, capture_output=True, timeout=300)
+
+
+def write_table(folder: Path) -> Path:
+    """Write the recording as plain text, from which programs make theirs."""
+    rows = [",".join(HEADED), *(",".join(map(repr, row)) for row in np.column_stack([*HEADED.values()]).tolist())]
+    (folder / "run.csv").write_text("\n".join(rows) + "\n")
+    return folder / "run.csv"
+
+
+def _by_program(program: str, text: str, file: Path) -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        run_script(program, text, csv=write_table(Path(folder)), file=file.resolve())
+
+
+def convert(file: Path, folder: Path, filters: str) -> Path:
+    """Convert a table by LibreOffice."""
+    words = ["soffice", f"-env:UserInstallation=file://{folder}/profile", "--headless", "--convert-to", filters]
+    words += ["--infilter=CSV:44,34,76,1,,1033"] * (file.suffix == ".csv")
+    subprocess.run([*words, "--outdir", str(folder / "out"), str(file)], check=True, capture_output=True, timeout=300)
+    (made,) = (folder / "out").iterdir()
+    return made
 
 
 def _libreoffice(filters: str) -> Make:
     def make(file: Path) -> None:
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            rows = [
-                ",".join(HEADED),
-                *(",".join(map(repr, row)) for row in np.column_stack([*HEADED.values()]).tolist()),
-            ]
-            (folder / "run.csv").write_text("\n".join(rows) + "\n")
-            words = ["soffice", f"-env:UserInstallation=file://{folder}/profile", "--headless", "--convert-to", filters]
-            words += ["--infilter=CSV:44,34,76,1,,1033", "--outdir", str(folder / "out"), str(folder / "run.csv")]
-            subprocess.run(words, check=True, capture_output=True, timeout=300)
-            (made,) = (folder / "out").iterdir()
-            shutil.copy(made, file)
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(convert(write_table(Path(folder)), Path(folder), filters), file)
 
     return make
 
@@ -491,26 +501,30 @@ PROGRAMS = {
 }
 
 
-def versions() -> dict[str, str]:
-    """Versions of the writers that are there."""
+SCRIPTS = {"octave": ["octave-cli", "--quiet", "--no-window-system"], "R": ["Rscript", "--vanilla"]}
+
+
+def versions(libraries: Iterable[str]) -> dict[str, str]:
+    """Versions of those libraries and programs that are there."""
     found = {}
-    for library in {library for library, _ in WRITERS} - set(PROGRAMS):
+    for library in libraries:
+        if library in PROGRAMS:
+            if shutil.which(PROGRAMS[library][0]):
+                told = subprocess.run(PROGRAMS[library], check=True, capture_output=True, text=True).stdout
+                found[library] = next(word for word in told.split() if word[0].isdigit())
+            continue
         try:
             importlib.import_module(library)
             found[library] = version({"xlsxwriter": "XlsxWriter"}.get(library, library))
         except ImportError:
             continue
-    for program, words in PROGRAMS.items():
-        if shutil.which(words[0]):
-            told = subprocess.run(words, check=True, capture_output=True, text=True).stdout
-            found[program] = next(word for word in told.split() if word[0].isdigit())
     return found
 
 
 def main() -> None:
     """Write all files that can be written here into the folder that is named."""
     folder, chosen = Path(sys.argv[1]), sys.argv[2:]
-    there = versions()
+    there = versions({library for library, _ in WRITERS})
     for (library, rest), (needs, make) in WRITERS.items():
         if library not in there or (chosen and library not in chosen):
             continue
