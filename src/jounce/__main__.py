@@ -12,6 +12,10 @@ def run() -> int:
     What a command loads are hundreds of thousands of small objects, and hardly one of them is garbage: Python looks for
     it seldom, and not at all when the process ends.
     """
+    if getattr(sys, "frozen", False):  # workers are this application, started again
+        import multiprocessing
+
+        multiprocessing.freeze_support()
     gc.set_threshold(50_000)
     if not any(word.startswith("--cluster") for word in sys.argv):
         sys.modules.setdefault("dask", None)  # type: ignore[arg-type]  # xarray loads it wherever it is installed: 0.3 s

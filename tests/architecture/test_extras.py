@@ -17,7 +17,7 @@ def names(requirements: list[str]) -> set[str]:
 
 EXTRAS = {extra: names(wanted) for extra, wanted in PROJECT["optional-dependencies"].items()}
 CORE = names(PROJECT["dependencies"]) | {"markupsafe", "pandas", "pil", "pydantic_core"}  # what some of them need
-NOTEBOOK = {"ipython"}  # only looked for, where a notebook runs
+NOTEBOOK = {"ipython", "pyinstaller"}  # only looked for, where a notebook runs, or which runs our hook itself
 FILES = {str(file.relative_to(SOURCE)): file.read_text(encoding="utf-8") for file in sorted(SOURCE.rglob("*.py"))}
 _ASKED = re.compile(rf'\("([\w.]+)", "({"|".join(EXTRAS)})"\)')
 

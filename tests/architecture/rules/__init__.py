@@ -7,6 +7,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 SOURCE = ROOT / "src" / "jounce"
+SCRIPTS = SOURCE / "frozen" / "hooks"
+"""Where files are no modules: PyInstaller runs them."""
 CONFIGURATION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 
@@ -18,7 +20,8 @@ def module_name(file: Path) -> str:
 
 def modules() -> list[str]:
     """Names of all modules of the product."""
-    return sorted(module_name(file) for file in SOURCE.rglob("*.py") if file.name != "__main__.py")
+    files = [file for file in SOURCE.rglob("*.py") if file.name != "__main__.py" and SCRIPTS not in file.parents]
+    return sorted(map(module_name, files))
 
 
 def packages_below(name: str) -> list[str]:
