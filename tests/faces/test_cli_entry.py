@@ -16,6 +16,7 @@ from typer.main import get_command
 
 from jounce.cli import entry, main, simulate
 from jounce.cli.reply import PIPE_CLOSED
+from jounce.parts import library
 
 HEAVY = {"casadi", "matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "scipy", "xarray", "tomlkit"}
 COMMANDS = [
@@ -174,6 +175,31 @@ def test_terminal_without_unicode(words: tuple[str, ...], decay_file: Path) -> N
     assert b"Traceback" not in done.stderr
     if words[0] == "modes":
         assert json.loads(done.stdout)["error"]["where"] == "ä.toml"
+
+
+@pytest.mark.parametrize(
+    ("environment", "shown"),
+    [
+        ({"LC_ALL": "C"}, "Prüfling-車.toml"),
+        ({"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}, r"Pr\xfcfling-\u8eca.toml"),
+        ({"LC_ALL": "C.UTF-8", "PYTHONIOENCODING": "ascii"}, r"Pr\xfcfling-\u8eca.toml"),
+        ({"LC_ALL": "C.UTF-8", "PYTHONIOENCODING": "latin-1"}, r"Prüfling-\u8eca.toml"),
+    ],
+    ids=["C", "C without UTF-8", "ASCII", "Latin 1"],
+)
+def test_names_of_files_are_shown_whole(tmp_path: Path, environment: dict[str, str], shown: str) -> None:
+    """In messages and in tables, as wide as they are; where letters cannot be shown, two names are still two."""
+    (tmp_path / "Prüfling-車.toml").write_text(library()["kart-quarter-car"].read_text(encoding="utf-8"))
+    known = {name: value for name, value in os.environ.items() if not name.startswith(("LC_", "LANG", "PYTHONIO"))}
+    words = [SCRIPT, "check", "Prüfling-車.toml", "nö-車.toml"]
+    done = subprocess.run(words, capture_output=True, check=False, env=known | environment, cwd=tmp_path)
+    read = environment.get("PYTHONIOENCODING", "utf-8")
+    table = done.stdout.decode(read).splitlines()
+    assert [line.count(shown) for line in table if "ling" in line] == [1]
+    assert len({len(line.rstrip("\n").rstrip()) for line in table if line.startswith("|")}) <= 1
+    words = [SCRIPT, "modes", "Prüfling-車.tomI"]
+    done = subprocess.run(words, capture_output=True, check=False, env=known | environment, cwd=tmp_path)
+    assert shown.replace(".toml", ".tomI") in done.stderr.decode(read)
 
 
 def test_reader_that_goes_away_is_no_error() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import contextlib
 import io
 import json
@@ -15,6 +16,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO, cast
+from unicodedata import category
 
 from jounce.cli.everywhere import VIEW
 from jounce.core.display import chosen_units, shown_as
@@ -83,6 +85,9 @@ def console(*, stderr: bool = False) -> Console:
         def on_broken_pipe(self) -> None:
             raise BrokenPipeError
 
+        def render_str(self, text: str, **options: Any) -> Text:
+            return super().render_str(visible(_shown(text, self.encoding)), **options)  # before its width is measured
+
         def render(self, renderable: Any, options: Any = None) -> Iterator[Segment]:
             for segment in super().render(renderable, options):
                 steers = segment.control is not None
@@ -104,19 +109,42 @@ def print_json(plain: Mapping[str, Any]) -> None:
 
 
 def make_streams_usable() -> None:
-    """Let closed streams lead nowhere, those that are not Unicode show question marks, and widths be a terminal's."""
+    """Let closed streams lead nowhere, those that are not Unicode show names whole, and widths be a terminal's."""
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):  # the next file would have their numbers
         if getattr(sys, name) is None:
             setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - as long as the process
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream):
-            stream.reconfigure(errors="replace")
+            stream.reconfigure(errors=_ESCAPES)
     columns = os.environ.get("COLUMNS", "")
     if columns and not (columns.isdecimal() and len(columns) < 5 and _NARROWEST <= int(columns) <= _WIDEST):
         del os.environ["COLUMNS"]
 
 
 _NARROWEST, _WIDEST = 20, 1000  # characters of a line that can be read
+
+
+_ESCAPES = "jounce-escapes"
+
+
+def _escaped(error: UnicodeError) -> tuple[str, int]:
+    """Letters and digits, which make names, as Python writes them, or two files would look like one; signs as ``?``."""
+    assert isinstance(error, UnicodeEncodeError)
+    text = error.object[error.start : error.end]
+    written = (letter.encode("ascii", "backslashreplace").decode() for letter in text)
+    return "".join("?" if category(old)[0] in "SPZ" else new for old, new in zip(text, written, strict=True)), error.end
+
+
+codecs.register_error(_ESCAPES, _escaped)
+
+
+def _shown(text: str, encoding: str) -> str:
+    """A text as a stream of an encoding shows it; bytes of a file's name that Python could not read are UTF-8."""
+    if text.isascii():
+        return text
+    with contextlib.suppress(UnicodeError):
+        text = text.encode("utf-8", "surrogateescape").decode()
+    return text if encoding.startswith("utf") else text.encode(encoding, _ESCAPES).decode(encoding)
 
 
 def lead_nowhere(stream: TextIO) -> None:
@@ -167,7 +195,7 @@ def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> 
 def tell(message: str, *, program: str = "jounce: ") -> None:
     """Write one message to stderr, where somebody reads it."""
     try:
-        sys.stderr.write(f"{program}{visible(message)}\n")
+        sys.stderr.write(f"{program}{visible(_shown(message, sys.stderr.encoding or 'utf-8'))}\n")
         sys.stderr.flush()
     except OSError:
         lead_nowhere(sys.stderr)
