@@ -51,6 +51,13 @@ def test_an_import_without_asking_is_found() -> None:
     assert unasked('require("sqlalchemy", "store")\nfrom sqlalchemy.engine import make_url') == set()
 
 
+def test_the_page_on_sizes_says_what_each_dependency_is_for() -> None:
+    page = (ROOT / "docs" / "explanation" / "benchmarks.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| (.+?) \| \d+ \| \d+ \|$", page, re.MULTILINE)
+    assert {name for name, _ in rows} == names(PROJECT["dependencies"])
+    assert len(rows) == len(PROJECT["dependencies"])
+
+
 def test_nobody_is_told_to_install_jounce_by_a_name_that_no_index_has() -> None:
     by_name = re.compile(r"""pip install ['"]?jounce\b(?!-)|['"]jounce\[""")
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *ROOT.glob("docs/**/*.md")]

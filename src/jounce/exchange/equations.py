@@ -202,15 +202,15 @@ def _inputs(track: str) -> tuple[str, str, str]:
 
 
 def _tex(found: Equations, file: Path) -> None:
-    file.write_text(found.latex(), encoding="utf-8")
+    file.write_text(found.latex(), encoding="utf-8", newline="\n")
 
 
 def _py(found: Equations, file: Path) -> None:
-    file.write_text(found.sympy(), encoding="utf-8")
+    file.write_text(found.sympy(), encoding="utf-8", newline="\n")
 
 
 def _c(found: Equations, file: Path) -> None:
-    file.write_text(found.c(), encoding="utf-8")
+    file.write_text(found.c(), encoding="utf-8", newline="\n")
 
 
 def _casadi(found: Equations, file: Path) -> None:

@@ -77,7 +77,7 @@ def _points(rig: Rig) -> Corner:
 
 def _table(rig: Corner, file: Path) -> None:
     rows = [f"{name},{','.join(map(_number, point))}" for name, point in rig.hardpoints.given().items()]
-    file.write_text("\n".join(["name,x [mm],y [mm],z [mm]", *rows, ""]), encoding="utf-8")
+    file.write_text("\n".join(["name,x [mm],y [mm],z [mm]", *rows, ""]), encoding="utf-8", newline="\n")
 
 
 def _number(metres: float) -> str:
@@ -102,7 +102,7 @@ def _drawing(rig: Corner, file: Path) -> None:
     for one, other in _lines(rig):
         pairs += [(0, "LINE"), (8, "links"), *_at(10, one), *_at(11, other)]
     pairs += [(0, "ENDSEC"), (0, "EOF")]
-    file.write_text("".join(f"{code:3d}\n{value}\n" for code, value in pairs), encoding="ascii")
+    file.write_text("".join(f"{code:3d}\n{value}\n" for code, value in pairs), encoding="ascii", newline="\n")
 
 
 def _at(code: int, point: Triple) -> list[tuple[int, str]]:

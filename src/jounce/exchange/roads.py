@@ -120,7 +120,7 @@ def _crg(course: tuple[Array, Array], file: Path) -> None:
 
 def _table(course: tuple[Array, Array], file: Path) -> None:
     rows = "".join(f"{x:.9g},{height + 0.0:.9g}\n" for x, height in zip(*course, strict=True))
-    file.write_text(f"x [m],z [m]\n{rows}", encoding="utf-8")
+    file.write_text(f"x [m],z [m]\n{rows}", encoding="utf-8", newline="\n")
 
 
 ROAD_FORMATS = Formats("roads", {".crg": _crg, ".csv": _table})

@@ -176,8 +176,8 @@ def export_fmu(
     head = Head(model.name, f"Suspension model {model.name}", f"jounce {_version()}", token, has_adjoint, sources=True)
     files = {"modelDescription.xml": description(version, variables, head)}
     with working_folder() as folder:
-        (folder / "model.c").write_text(code, encoding="utf-8")
-        (folder / "model.h").write_text(head_text, encoding="utf-8")
+        (folder / "model.c").write_text(code, encoding="utf-8", newline="\n")
+        (folder / "model.h").write_text(head_text, encoding="utf-8", newline="\n")
         for platform in wanted:
             assert compiler is not None
             target = PLATFORMS[platform]

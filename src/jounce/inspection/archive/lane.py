@@ -328,7 +328,7 @@ def stored_tester(entry: RecordEntry) -> Tester:
 def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Finding]]:
     """Read the signals of an entry from its bytes."""
     with working_folder() as folder:
-        file = folder / _file_name(entry.name)
+        file, beside = folder / _file_name(entry.name), f"{folder}{os.sep}"
         file.write_bytes(entry.content)
         if entry.sidecar is not None:
             file.with_suffix(".toml").write_bytes(entry.sidecar)
@@ -336,13 +336,12 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
             record, findings = read_record(file, tester)
             record = record.load()
         except JounceError as error:
-            where = error.where.replace(f"{folder}/", "")
+            where = error.where.replace(beside, "")
             raise RecordingError(
                 error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
             ) from None
     return record, [
-        replace(one, place=one.place.replace(f"{folder}/", ""), message=one.message.replace(f"{folder}/", ""))
-        for one in findings
+        replace(one, place=one.place.replace(beside, ""), message=one.message.replace(beside, "")) for one in findings
     ]
 
 
