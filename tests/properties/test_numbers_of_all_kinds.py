@@ -19,6 +19,7 @@ import jounce as jn
 from jounce.core.units import _registry, conversion_factor
 from jounce.recordings import Sensor, cfc_filter, derivative, filter_signals, resample, shift_signals
 from jounce.ride.comfort import running_rms, vdv
+from jounce.ride.surface import surface
 from jounce.ride.weighting import weighted
 from jounce.simulation.settings import RunSettings
 
@@ -74,6 +75,13 @@ CALLS: dict[str, tuple[Callable[[Any], Any], float, str]] = {
     "with_strut_angle": (lambda v: jn.with_strut_angle(RIG, v), 0.2, "rad"),
     "bouc_wen_path": (lambda v: jn.bouc_wen_path(SWING, v, 1.0, 1.5, 0.0), 1e3, "1/m"),
     "cylinder": (lambda v: vars(jn.mechanics.cylinder(v, 0.02, (0, 0, 0), (0, 0, 1.0))), 7800.0, ""),
+    "harmonic": (lambda v: vars(jn.mechanics.harmonic(v, 2.0)), 0.01, "m"),
+    "step": (lambda v: vars(jn.mechanics.step(0.0, v, begin=1.0, stop=2.0)), 0.01, "rad"),
+    "step, begin": (lambda v: vars(jn.mechanics.step(0.0, 0.1, begin=v, stop=2.0)), 0.5, "s"),
+    "constant_rate": (lambda v: vars(jn.mechanics.constant_rate(v)), 0.5, "m/s"),
+    "surface, cut_off": (lambda v: surface("A", 20.0, cut_off=v), 0.01, "1/m"),
+    "surface, waviness": (lambda v: surface("A", 20.0, band="iso", waviness=v), 2.1, "1"),
+    "surface, band": (lambda v: surface("A", 20.0, band=(v, 2.0)), 0.02, "1/m"),
     "sobol": (
         lambda v: jn.sobol({"a": [v, 3.0]}, 4).values(lambda _: (2.0, "kg")),
         1.0,

@@ -112,7 +112,7 @@ CALLS: dict[str, tuple[Callable[..., Any], Signals]] = {
     ),
     "interpolated": (
         lambda **signals: vars(jn.mechanics.interpolated(**signals)),
-        {"time": (T, "s"), "value": (MOVED, "")},
+        {"time": (T, "s"), "value": (MOVED, "m")},
     ),
     "Table": (lambda **signals: jn.Table(**signals).model_dump(), {"x": (X, "m"), "height": (ROUGH, "m")}),
     "sweep": (

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.errors import AssemblyError
-from jounce.core.samples import as_samples
+from jounce.core.errors import AssemblyError, DescriptionError
+from jounce.core.samples import as_number, as_samples
 from jounce.core.segments import SINE, Segments, piecewise_linear
 
 
@@ -27,7 +27,16 @@ def constant_rate(rate: float, start: float = 0.0) -> Segments:
     Segments
         Value against time in s.
     """
-    return Segments(np.array([0.0, 1.0]), np.zeros(1, dtype=np.int64), np.array([[start, rate, 0.0, 0.0]]))
+    pieces = np.array([[_value(start), _value(rate, "/s"), 0.0, 0.0]])
+    return Segments(np.array([0.0, 1.0]), np.zeros(1, dtype=np.int64), pieces)
+
+
+def _value(value: object, per: str = "") -> float:
+    """A number of a motion, in m or, where it carries the unit of an angle, in rad; or ``per`` time."""
+    try:
+        return as_number(value, f"m{per}", where="motion")
+    except DescriptionError:
+        return as_number(value, f"rad{per}", where="motion")
 
 
 def harmonic(amplitude: float, frequency: float, phase: float = 0.0, mean: float = 0.0) -> Segments:
@@ -47,6 +56,8 @@ def harmonic(amplitude: float, frequency: float, phase: float = 0.0, mean: float
     Segments
         Value against time in s.
     """
+    mean, amplitude, phase = _value(mean), _value(amplitude), as_number(phase, "rad", where="phase")
+    frequency = as_number(frequency, "Hz", where="frequency")
     coefficients = np.array([[mean, amplitude, 2.0 * np.pi * frequency, phase]])
     return Segments(np.array([0.0, 1.0]), np.array([SINE], dtype=np.int64), coefficients)
 
@@ -79,6 +90,8 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     >>> value.tolist(), rate.tolist()
     ([0.0, 0.25, 0.5], [0.0, 0.75, 0.0])
     """
+    begin, stop = as_number(begin, "s", where="begin"), as_number(stop, "s", where="stop")
+    start, end = _value(start), _value(end)
     width, rise = stop - begin, end - start
     if not width > 0.0:
         raise AssemblyError("not a motion", found=f"from {begin:g} s to {stop:g} s", allowed="stop after begin")
@@ -111,7 +124,10 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
         When there are fewer than two points or the times do not ascend.
     """
     t = as_samples(time, "s", where="time", error=AssemblyError)
-    x = as_samples(value, where="value", error=AssemblyError)
+    try:
+        x = as_samples(value, "m", where="value", error=AssemblyError)
+    except DescriptionError:  # the unit of an angle
+        x = as_samples(value, "rad", where="value", error=AssemblyError)
     if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or not np.all(np.diff(t) > 0.0) or not np.all(np.isfinite(x)):
         found = f"times of shape {t.shape}, values of shape {x.shape}"
         raise AssemblyError("not a motion", found=found, allowed="two finite points or more, ascending in time")

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
+from jounce.core.samples import as_number
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -122,7 +123,9 @@ def surface(
     chosen: Sides = sides or ("uncorrelated" if limits is None else "isotropic")
     if chosen not in SIDES:
         raise unknown(str(chosen), SIDES, what="relation of left and right", where="sides")
-    found = Surface(roughness, density, velocity, waviness, limits, cut_off, chosen, length)
+    slope = as_number(waviness, "1", where="waviness")
+    cut = None if cut_off is None else as_number(cut_off, "1/m", where="cut_off")
+    found = Surface(roughness, density, velocity, slope, limits, cut, chosen, length)
     _check(found)
     return found
 
@@ -143,8 +146,8 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
     if band is None or band == "iso":
         return None if band is None else BAND
     try:
-        low, high = (float(value) for value in band)
-    except (TypeError, ValueError):
+        low, high = (as_number(value, "1/m", where="band") for value in band)
+    except (TypeError, ValueError, DescriptionError):
         low, high = math.nan, math.nan
     if not (0.0 < low < high < math.inf):
         raise DescriptionError(

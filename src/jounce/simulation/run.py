@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import SimulationError, nearest
+from jounce.core.samples import as_number
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.mechanics.facts import Facts
 from jounce.parts import Rig, as_rig
-from jounce.recordings.schema import recording
+from jounce.recordings.schema import channel_unit, quantity_of, recording
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
@@ -186,12 +187,13 @@ def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None
     if not offset:
         return None
     names = compiled.facts.states
-    for name in offset:
+    found = np.zeros(len(names))
+    for name, value in offset.items():
         if name not in names:
             hint = nearest(name, names)
             raise SimulationError("not a state of the model", where=name, allowed=", ".join(names), hint=hint)
-        if not np.isfinite(offset[name]):
-            raise SimulationError(
-                "not a finite number", where=f"offset: {name}", found=offset[name], allowed="m or m/s"
-            )
-    return np.array([offset.get(name, 0.0) for name in names])
+        si = channel_unit(name) if quantity_of(name) else "1"
+        found[names.index(name)] = number = as_number(value, si, where=f"offset: {name}")
+        if not np.isfinite(number):
+            raise SimulationError("not a finite number", where=f"offset: {name}", found=number, allowed="m or m/s")
+    return found

@@ -56,8 +56,11 @@ class RunSettings:
     method: Method = "auto"
 
     def __post_init__(self) -> None:
-        for name, si in (("output_step", "s"), ("tolerance", "1")):
-            object.__setattr__(self, name, as_number(getattr(self, name), si, where=name))
+        for name, si, unit in (("output_step", "s", " in s"), ("tolerance", "1", "")):
+            value = getattr(self, name)
+            if isinstance(value, str):
+                raise SimulationError("not a number", where=name, found=value, allowed=f"a number{unit}")
+            object.__setattr__(self, name, as_number(value, si, where=name))
         if not (np.isfinite(self.output_step) and self.output_step > 0.0):
             raise SimulationError(
                 "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.recordings import check_recording
 
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="100 mm", start="0.1 m"), speed="1.95 m/s", duration="0.4 s")
 WISHBONES = jn.load(Path(__file__).parents[2] / "files" / "prototype-double-wishbone.toml")
@@ -163,5 +164,6 @@ def test_measured_data_are_checked_as_by_an_update(change, text: str) -> None:
 def test_measured_data_count_however_units_and_times_are_written(change) -> None:
     softer = jn.simulate(QUARTER.with_changes({"sprung.mass": 1.05 * QUARTER.sprung.mass}), TRIAL)[["sprung.az"]]
     plain = jn.gradient(QUARTER, TRIAL, ["sprung.mass"], softer)
+    check_recording(jn.FitTrial("a", QUARTER, TRIAL, change(softer)).measured)
     found = jn.gradient(QUARTER, TRIAL, ["sprung.mass"], change(softer))
     assert found.gradient == pytest.approx(plain.gradient, rel=1e-9)
