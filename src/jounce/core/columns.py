@@ -152,7 +152,14 @@ class ColumnTable:
             f"no column {key!r}",
             where=self.file,
             found=", ".join(column.label for column in self.columns),
-            hint=nearest(key, self.names),
+            hint=next(
+                (
+                    f"R has put points for signs; map the column with its unit: {key} = '{name} [UNIT]'."
+                    for name in self.names
+                    if name.startswith(f"{key}..")
+                ),
+                nearest(key, self.names),
+            ),
         )
 
     @property
@@ -598,7 +605,7 @@ def _columns(
 
 
 _OF_DAY = re.compile(r"(?:(\d{1,6}) days? \+?)?(\d{1,2}):(\d{2}):(\d{2}(?:[.,]\d+)?)")
-_OF_CALENDAR = re.compile(r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2}):?(\d{2}))?")
+_OF_CALENDAR = re.compile(r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2})(?::?(\d{2}))?)?")
 _DAY = 86400.0
 
 

@@ -52,6 +52,10 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
     from scipy.io import loadmat
 
     findings: list[Finding] = []
+    with path.open("rb") as stream:
+        if stream.read(19).startswith((b"# Created by Octave", b"Octave-1-", b"\x89HDF")):
+            hint = "Save it with `save -v7 FILE.mat` in Octave, or `save FILE.mat -v7.3` in MATLAB."
+            raise RecordingError("a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint)
     try:
         with caught_warnings() as doubts:
             content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)

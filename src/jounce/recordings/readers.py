@@ -595,7 +595,7 @@ def _label(text: object) -> str:
 def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     """Every column with numbers; its unit from the name (``force [N]``) or the field's metadata (``unit``, ``units``).
 
-    Instants and durations (of clocks, not of the calendar) become seconds since the first; the index that pandas
+    Instants, durations and times of day (not days) become seconds since the first; the index that pandas
     writes is a column like the others.
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
@@ -611,8 +611,9 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
             unit = unit or told.get("unit") or told.get("units") or ""
             long_names[name] = told.get("long_name", "")
             kind, values, fault = field_.type, np.empty(0), None
-            if arrow.types.is_timestamp(kind) or arrow.types.is_duration(kind):
-                ticks = chunks.cast(arrow.int64()).to_numpy()  # float, with NaN, where instants are missing
+            if arrow.types.is_temporal(kind) and hasattr(kind, "unit"):
+                whole = chunks.cast(arrow.int32() if kind.bit_width == 32 else arrow.int64())
+                ticks = whole.to_numpy()  # float, with NaN, where instants are missing
                 values, unit = (
                     (ticks - ticks[0]).astype(float) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit],
                     "s",

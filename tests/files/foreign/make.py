@@ -200,6 +200,9 @@ writer("duckdb decimal.parquet")(
     _duckdb("format parquet", '"time [s]"::decimal(9, 2) as "time [s]", * exclude "time [s]"')
 )
 writer("duckdb copy.csv")(_duckdb("format csv, header true"))
+INSTANT = "timestamptz '2026-11-28 12:00:00+01' + to_seconds(\"time [s]\")"
+writer("duckdb instants.csv")(_duckdb("format csv, header true", f'{INSTANT} as time, * exclude "time [s]"'))
+writer("duckdb times.parquet")(_duckdb("format parquet", f'({INSTANT})::timestamp::time as time, * exclude "time [s]"'))
 
 
 def _pyarrow(**more: Any) -> Make:

@@ -77,6 +77,8 @@ def test_names_of_r_have_their_units(tmp_path: Path) -> None:
         ("a.b", ""),
     ]
     assert table["sprung.az..m.s.2."] is table["sprung.az"]
+    with pytest.raises(RecordingError, match=r"no column 'k'; .*map the column with its unit: k = 'k..N.m. \[UNIT\]'"):
+        table["k"]
     with pytest.raises(RecordingError, match=r"line 3: column 'v..m.s..1.': .*'NA'"):
         table["v"].readable()
 

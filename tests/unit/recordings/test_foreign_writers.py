@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from jounce.core.errors import RecordingError
 from jounce.recordings import read_recording
 
 FOREIGN = Path(__file__).parents[2] / "files" / "foreign"
@@ -24,6 +25,13 @@ def options(file: Path) -> dict[str, Any]:
     if file.suffix == ".mat":
         return {"columns": {"time": "t [s]", "sprung.az": "az [m/s^2]", "strut.force": "F [N]"}}
     return {"columns": {"strut.force": "strut.forc"}} if file.suffix == ".uff" else {}
+
+
+@pytest.mark.parametrize("begin", [b"# Created by Octave 7.3.0, Sat Nov 28", b"Octave-1-L\0\1", b"\x89HDF\r\n\x1a\n"])
+def test_a_mat_file_in_a_format_of_octave_is_refused_with_what_to_do(tmp_path: Path, begin: bytes) -> None:
+    (tmp_path / "a.mat").write_bytes(begin + bytes(200))
+    with pytest.raises(RecordingError, match=r"a\.mat: a file in a format of Octave.*save -v7 FILE\.mat"):
+        read_recording(tmp_path / "a.mat")
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
