@@ -906,6 +906,19 @@ def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(mo
         assert sys.modules.pop("needed_by_an_answer")
 
 
+def test_a_server_ends_after_what_it_loads_and_not_within(monkeypatch, tmp_path):
+    """The end of the process would cut off the import, which prints a traceback."""
+    (tmp_path / "slow_to_load.py").write_text("import sys, time\nsys.begun.set()\ntime.sleep(0.3)\nis_whole = True\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(sys, "begun", threading.Event(), raising=False)
+    monkeypatch.setattr(serving, "_PAUSE", 0.01)
+    monkeypatch.setattr(serving, "_IDLE", 10.0)
+    monkeypatch.setattr(serving, "_LATER", ("slow_to_load",))
+    with serving._within_bounds(lambda: None):
+        assert sys.begun.wait(30.0)
+    assert sys.modules.pop("slow_to_load").is_whole
+
+
 def test_a_server_at_work_is_not_stopped_to_look_for_garbage(monkeypatch):
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
     monkeypatch.setattr(serving, "_IDLE", -1.0)  # never idle

@@ -98,6 +98,7 @@ def _give_memory_back() -> Callable[[], object]:
 
 _MOST_MODELS = 8  # of each kind, soon all taken: one is up to 2 MB, and 10 ms to be loaded again
 _PAUSE = 2.0  # s
+_LONGEST_IMPORT = 10.0  # s
 _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
 _LATER = ("scipy.signal", "h5netcdf", "jounce.cli.files", "jounce.variants.study", "jounce.design.kinematic_targets")
 
@@ -110,11 +111,13 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
     """
     before, Recent.most = Recent.most, _MOST_MODELS
     ended = threading.Event()
-    threading.Thread(target=_tidy_in_pauses, args=(ended, trim), name="pauses", daemon=True).start()
+    tidying = threading.Thread(target=_tidy_in_pauses, args=(ended, trim), name="pauses", daemon=True)
+    tidying.start()
     try:
         yield
     finally:
         ended.set()
+        tidying.join(_LONGEST_IMPORT)  # an import that the end of the process cuts off prints a traceback
         Recent.most = before
 
 
