@@ -18,7 +18,7 @@ from jounce.parts import Rig
 from jounce.parts.rig import unknown_path
 from jounce.recordings.schema import recording
 from jounce.roads import Road, Train, Trial
-from jounce.simulation.settings import output_times
+from jounce.simulation.settings import RunSettings
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -152,7 +152,7 @@ def _one(rig: Rig, trial: Trial, free: tuple[Free, ...], output_step: float) -> 
 
     Against a record of zeros the residuals are the signals and their Jacobian the sensitivities, both with a minus.
     """
-    times = output_times(trial.duration, output_step)
+    times = RunSettings(output_step).times(trial.duration)
     zeros = recording(times, {name: (np.zeros(len(times)), unit, "") for name, unit in _WATCHED.items()})
     problem = UpdateProblem(
         [FitTrial(f"speed {trial.speed:g} m/s", rig, trial, zeros)], free,

@@ -47,7 +47,8 @@ def guarded(function: Function, name: str) -> Function:
     """Give a public function whose failures name the argument that does not fit its annotation.
 
     A call that succeeds, an error of ours and an error with fitting arguments are left as they are, so nothing that
-    works is refused. The function counts as that of the package ``jounce``, where others find it.
+    works is refused; only options that are neither True nor False are refused before. The function counts as that of
+    the package ``jounce``, where others find it.
 
     >>> def halve(length: float) -> float:
     ...     return length / 2.0
@@ -55,9 +56,14 @@ def guarded(function: Function, name: str) -> Function:
     Traceback (most recent call last):
     jounce.core.errors.DescriptionError: halve: length: a list was given; allowed: a number.
     """
+    flags = frozenset(key for key, hint in function.__annotations__.items() if hint in ("bool", bool))
 
     @wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
+        if not all(_fits(options[key], bool) for key in flags & options.keys()):
+            error = misfit(function, arguments, options)  # "no" would count as yes, and files be overwritten
+            if error is not None:
+                raise error
         try:
             return function(*arguments, **options)
         except JounceError:
@@ -192,7 +198,7 @@ def _fits(value: Any, hint: Any) -> bool:
     if origin is Literal:
         return any(type(value) is type(part) and value == part for part in parts)
     if hint is bool:
-        return type(value).__name__ in ("bool", "bool_")
+        return type(value).__name__ in ("bool", "bool_", "int") and value in (0, 1)
     if not isinstance(kind, type):
         return True
     if kind in (float, int, Numbers) or kind.__name__ == "ndarray":

@@ -34,8 +34,11 @@ class _DescriptionType(ModelMetaclass):
     """Raises jounce errors at the outermost construction only, so that nested parts keep their path."""
 
     def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: N805
+        if arguments:
+            allowed = ", ".join(cls.model_fields)  # type: ignore[attr-defined]
+            raise DescriptionError("fields are given by their names", where=cls.__name__, allowed=allowed)
         try:
-            return super().__call__(*arguments, **fields)
+            return super().__call__(**fields)
         except ValidationError as error:
             raise description_error(error, cast("type[BaseModel]", cls)) from None
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.seeds import is_whole
 from jounce.core.types import Array
 from jounce.design.problem import (
     DesignProblem,
@@ -38,7 +39,7 @@ from jounce.parts import Corner, Rig
 from jounce.parts.rig import quantity_at, unit_of
 from jounce.ride.family import Families, LinearFamily
 from jounce.roads import Trial
-from jounce.variants.designs import Spread, is_whole, sobol
+from jounce.variants.designs import Spread, sobol
 
 Case = Trial | Mapping[str, Any]
 """A trial, ``{"road": ..., "speed": ...}`` for a random road, or ``{"travel": [...]}`` for kinematics over it (m)."""

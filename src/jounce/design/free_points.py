@@ -125,6 +125,8 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
         owners += [k] * size
         firsts += first[:size]
         labels += first if entry.along is None else [f"{entry.point} along {_line(entry.along)}"]
+    if not columns:
+        raise DescriptionError("nothing is free", where="free", allowed='e.g. {"hardpoints.tie_rod_inner[2]": "10 mm"}')
     return FreeNumbers(
         origin,
         np.hstack(columns),

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.seeds import check_seed
 from jounce.core.types import Array
 from jounce.design.free_points import FreeNumbers
 from jounce.design.kinematic_study import FreePoint
@@ -289,6 +290,7 @@ def search_from(search: Search, x: Array) -> Outcome:
 
 def places(search: Search, starts: int, seed: int) -> list[Array]:
     """Where searches begin: the rig (or the nearest place of the boxes), then a Latin hypercube of the boxes."""
+    check_seed(seed)
     random = np.random.default_rng(seed)
     size = len(search.scale)
     first = np.clip(np.zeros(size), search.lower, search.upper)
@@ -299,6 +301,7 @@ def places(search: Search, starts: int, seed: int) -> list[Array]:
 
 def refuse_idle(search: Search, free: Sequence[FreePoint], seed: int) -> None:
     """Refuse entries of which no number changes any target, at the rig and at another place of the boxes."""
+    check_seed(seed)
     random = np.random.default_rng(seed + 1)
     other = search.lower + random.random(len(search.scale)) * (search.upper - search.lower)
     effect = np.zeros(len(search.scale))

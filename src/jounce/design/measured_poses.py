@@ -17,6 +17,7 @@ import numpy as np
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding
 from jounce.core.samples import as_samples
+from jounce.core.seeds import check_seed
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import positive_si
@@ -202,6 +203,7 @@ def fit_hardpoints(
 def _begins(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
     if starts < 1:
         raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+    check_seed(seed)
     random = np.random.default_rng(seed)
     width = numbers.upper - numbers.lower
     first = np.clip(np.zeros(len(width)), numbers.lower + 1e-6 * width, numbers.upper - 1e-6 * width)

@@ -159,6 +159,8 @@ def kinematic_spread(
     """
     corner = check_corner(as_rig(rig))
     wishes = [item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets]
+    if not wishes:
+        raise DescriptionError("nothing is wanted", where="targets", allowed="one target or more")
     chosen = spread if isinstance(spread, Spread) else Spread(**spread)
     cars = {} if vehicle is None else {"": vehicle}
     return spread_of(corner, read_targets({"": corner}, wishes, cars, shapes), chosen, vehicle)

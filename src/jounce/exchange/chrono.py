@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from jounce.core.errors import OutputError
+from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
+from jounce.core.units import to_si
 from jounce.core.writing import check_writable, write_atomically
 from jounce.parts import Rig
 from jounce.parts.bodies import RigidBody
@@ -50,7 +51,7 @@ class ChronoExport(Plain):
     findings: tuple[Finding, ...]
 
 
-def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float = 0.0, force: bool = False) -> ChronoExport:
+def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float | str = 0.0, force: bool = False) -> ChronoExport:
     """Write a 3-D corner as a suspension file of Project Chrono (``.json``).
 
     Double wishbones, McPherson struts and five links of which two are an arm. Heights count from the wheel centre,
@@ -88,6 +89,9 @@ def write_chrono(rig: Rig, path: Path | str, *, wheel_mass: float = 0.0, force: 
     'MultiLink'
     """
     file = check_writable(path, what="suspensions", suffixes=(".json",), force=force)
+    wheel_mass = to_si(wheel_mass, "kg", where="wheel_mass")
+    if wheel_mass < 0.0:
+        raise DescriptionError("not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more")
     writing = _Writing(_left(rig), wheel_mass)
     table = writing.table()
     write_atomically(file, (json.dumps(_plain(table), indent=2) + "\n").encode(), force=force)

@@ -13,6 +13,7 @@ import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
+from jounce.core.seeds import is_whole
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
@@ -25,7 +26,6 @@ from jounce.parts import Rig
 from jounce.parts.rig import check_rig, shown_unit_of
 from jounce.recordings.sensors import Sensor
 from jounce.roads import Trial
-from jounce.variants.designs import is_whole
 
 _TOLERANCE = 1e-7
 

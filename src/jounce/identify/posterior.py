@@ -17,6 +17,7 @@ import numpy as np
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.seeds import check_seed, is_whole
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
@@ -31,7 +32,6 @@ from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, co
 from jounce.identify.prediction import RICHER, Band, bands_of
 from jounce.identify.update import UpdateResult, bounds_and_priors, updated
 from jounce.parts.rig import shown_unit_of
-from jounce.variants.designs import is_whole
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -414,15 +414,18 @@ class _Given:
     def residuals(self, scaled: Array) -> Residuals:
         """Residuals with their derivatives by scaled unknowns."""
         values = np.array([item.value(s) for item, s in zip(self.free, scaled, strict=True)])
-        vector, jacobian = (np.asarray(part, dtype=float) for part in self.function(values))
+        try:
+            vector, jacobian = (np.asarray(part, dtype=float) for part in self.function(values))
+        except TypeError:
+            allowed = "residuals, shape (n,), and their derivatives, shape (n, m)"
+            raise FitError("the function gives something else", where="residuals", allowed=allowed) from None
         whole = slice(0, len(vector))
         direct = jacobian.reshape(len(vector), -1) * np.array([item.half_range for item in self.free])
         return Residuals(vector, direct, np.zeros(len(vector)), (whole,), (whole,), np.zeros(1))
 
 
 def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
-    if not is_whole(seed) or seed < 0:
-        raise FitError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
+    check_seed(seed, FitError)
     for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 2, 10_000)):
         if not (is_whole(given) and low <= given <= high):
             raise FitError("not a number of draws", where=where, found=given, allowed=f"{low} to {high}")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import SimulationError
+from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.processes import check_workers
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
@@ -201,6 +201,8 @@ def compare_tests(
         raise SimulationError("the study varies quarter cars", where="rig", found=type(rig).__name__)
     shares = np.asarray(_spaced(0.0, 0.95, 24) if wear is None else wear, dtype=float)
     chosen = tuple(usual_factors() if factors is None else factors)
+    if not shares.size:
+        raise DescriptionError("nothing to test", where="wear", allowed="shares of the damper that are lost, 0 to 1")
     used = limits or load_limits()
     places = [(factor, j) for factor in chosen for j in range(len(factor.values))]
     columns = [(rig.with_changes(factor.changes(rig, factor.values[j])), shares) for factor, j in places]

@@ -14,6 +14,7 @@ import numpy as np
 from jounce.core.columns import read_comments_csv
 from jounce.core.description import description_text, toml_table
 from jounce.core.errors import DescriptionError, RecordingError, nearest
+from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
 from jounce.inspection.findings import of_reader, remark
@@ -83,7 +84,7 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     """
     from jounce.recordings.files import read_recording
 
-    file = Path(path)
+    file = existing_file(path, RecordingError)
     told: dict[str, Any] = {}
     if tester is not None:
         told = {"columns": dict(tester.columns) or None, "variable": tester.variable}

@@ -11,7 +11,7 @@ import numpy as np
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
@@ -409,7 +409,12 @@ def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) 
     >>> jn.load_case_table(jn.load_cases(jn.load("formula-student-front"), car)).splitlines()[0][:32]
     'case,wheel,longitudinal_force [N'
     """
+    if not {"case", "wheel"} <= set(found.coords):
+        raise DescriptionError("no load cases", where="found", allowed="what jn.load_cases(...) gives")
     names = list(map(str, quantities or found.data_vars))
+    for name in names:
+        if name not in found.data_vars:
+            raise unknown(name, map(str, found.data_vars), what="quantity", where="quantities")
     rows = [",".join(["case", "wheel", *(f"{name} [{found[name].attrs['units']}]" for name in names)])]
     for case in found["case"].to_numpy():
         for wheel in found["wheel"].to_numpy():

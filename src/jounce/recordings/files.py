@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit
-from jounce.core.errors import JounceError, RecordingError, nearest
+from jounce.core.errors import JounceError, RecordingError, named, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.types import Array
@@ -389,6 +389,9 @@ def read_columns(
 
 
 def _read_table(path: Path, columns: Columns, variable: str, database: Path | str | None = None) -> SignalTable:
+    if not isinstance(columns, Mapping | str | None):
+        allowed = "name of a channel to its column, or all names in their order as one text"
+        raise RecordingError(f"{named(columns)} was given", where="columns", allowed=allowed)
     if existing_file(path, RecordingError).stat().st_size == 0:
         raise RecordingError("the file is empty", where=str(path))
     header = columns if isinstance(columns, str) else ""

@@ -18,6 +18,7 @@ from pydantic_core import PydanticCustomError
 from jounce.core.description import Description
 from jounce.core.errors import shown, unknown
 from jounce.core.samples import as_number, as_samples
+from jounce.core.seeds import check_seed
 from jounce.core.types import Array
 from jounce.core.units import Frequency, Number, Unit, to_si
 from jounce.recordings.carried import as_recording
@@ -265,6 +266,8 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
     >>> apply_sensors(run, {"sprung.az": Sensor(bias="1 g", orientation=-1)})["sprung.az"].values.round(9).tolist()
     [9.80665, 8.80665, 7.80665]
     """
+    if seed is not None:
+        check_seed(seed)
     dataset = as_recording(dataset)
     names = [str(name) for name in dataset.data_vars]
     time = dataset["time"].values

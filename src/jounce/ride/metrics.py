@@ -12,7 +12,7 @@ from jounce.core.errors import DescriptionError, RecordingError, nearest, unknow
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
-from jounce.core.units import to_si
+from jounce.core.units import positive_si, to_si
 from jounce.parts import Rig
 from jounce.recordings.carried import as_recording
 from jounce.recordings.plausibility import implausible
@@ -274,7 +274,7 @@ def ride_metrics(
         start=start,
         travel=by_corner(travel, corners, "travel"),
         stop_gap=by_corner(stop_gap, corners, "stop_gap") if stop_gap is not None else gaps_of(rig, corners),
-        exposure=to_si(exposure, "s", where="exposure"),
+        exposure=positive_si(exposure, "s", where="exposure"),
         lift_off_load=to_si(lift_off_load, "N", where="lift_off_load"),
     )
     views = _views(run, names, corners, rate, first, choices)

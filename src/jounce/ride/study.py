@@ -16,6 +16,7 @@ from jounce.core.serialise import Plain, plain_table
 from jounce.core.shown import Shown
 from jounce.core.units import positive_si
 from jounce.parts import FullCar, FullCar3D, Rig, Vehicle
+from jounce.parts.rig import check_rig
 from jounce.parts.vehicles import track_width
 from jounce.recordings.schema import channels_of
 from jounce.ride.metrics import RideMetrics, ride_metrics
@@ -98,6 +99,7 @@ def iso_trial(
     >>> ride.trial.right.side, round(ride.settling, 4), round(ride.trial.duration, 4)
     ('right', 0.646, 10.646)
     """
+    check_rig(rig)
     velocity, rough = positive_si(speed, "m/s", where="speed"), positive_si(duration, "s", where="duration")
     settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / velocity)
     lasting = settling + _whole_samples(rough)
@@ -143,7 +145,7 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     >>> driven.trial.duration, round(driven.settling, 6)   # s: the course and the wheelbase; the wheelbase
     (50.766, 0.291)
     """
-    behind = _wheelbase(rig)
+    behind = _wheelbase(check_rig(rig))
     velocity = positive_si(speed, "m/s", where="speed")
     left, right = _tracks(rig, road)
     beyond = behind if all(side.ends_level() for side in (left, right) if side is not None) else 0.0

@@ -180,6 +180,8 @@ def gradient(
         others = [name for name in measured.data_vars if name not in wanted]
         check_recording(measured.drop_vars(others), where="objective")
         times = _times_of(measured, trial)
+    elif weights is not None:
+        raise SimulationError("weights go with a recording", where="weights", hint="The objective has its own.")
     else:
         wanted = {name: objective[name] for name in objective}
     facts, solution = _run(rig, trial, parameters, times, tolerance)

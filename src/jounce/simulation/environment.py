@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from jounce.control.actuators import AnyActuator, SemiActiveDamper
 from jounce.control.laws import Passive
-from jounce.core.errors import SimulationError, unknown
+from jounce.core.errors import DescriptionError, SimulationError, named, unknown
 from jounce.core.optional import require
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
@@ -226,6 +226,8 @@ def _environment_class() -> Any:
             self._trial = trial
             self._make: Callable[[Trial], Stepper] = lambda chosen: _stepper(rig, chosen, actuator, rate)
             first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
+            if not isinstance(first, Trial):
+                raise DescriptionError(f"the function gives {named(first)}", where="trial", allowed="a trial")
             self._run = self._make(first)
             self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)
             self._cost = _weights(self._run, cost, default=COST)

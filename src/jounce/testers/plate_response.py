@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.errors import SimulationError, unknown
+from jounce.core.errors import DescriptionError, SimulationError, unknown
 from jounce.core.samples import as_samples
 from jounce.core.types import Array, Complex
 from jounce.parts.rig import Rig
@@ -34,6 +34,8 @@ class LinearTesterRig:
         """Complex amplitude of an output (SI) for 1 rad of an eccentric exciter's angle, at frequencies in Hz."""
         row, (first, last) = self._row(output), self._inputs(place)
         s = 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
+        if s.ndim > 1:
+            raise DescriptionError("not a list of frequencies", where="frequency", found=f"shape {s.shape}")
         drive = s[:, None] ** np.arange(last - first)
         size = len(self.A)
         states = np.linalg.solve(

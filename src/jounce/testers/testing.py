@@ -12,6 +12,7 @@ import numpy as np
 
 from jounce.core.errors import SimulationError
 from jounce.core.findings import Finding
+from jounce.core.seeds import check_seed
 from jounce.core.text import quoted
 from jounce.core.types import Array
 from jounce.core.writing import write_atomically
@@ -124,6 +125,7 @@ def simulate_test(
     run = run_programme(rig, tester, wheel=wheel, other=other)
     single: str = "left" if wheel == "both" else wheel
     sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {single: ""}
+    check_seed(seed)
     generator = np.random.default_rng(seed)
     channels: dict[str, tuple[Array, str, str]] = {}
     order = wheel if wheel in sides else ", ".join(sides)

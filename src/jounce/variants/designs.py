@@ -13,6 +13,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.samples import as_values
+from jounce.core.seeds import check_seed, is_whole
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import Unit, to_si
@@ -309,8 +310,7 @@ def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) ->
     for path, spread in _named(spreads).items():
         if not isinstance(spread, str | Mapping) and not is_list(spread):
             raise DescriptionError("nothing to spread over", where=path, found=spread, allowed=_FORMS)
-    if not is_whole(seed) or seed < 0:
-        raise DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
+    check_seed(seed)
     return Design(kind, dict(spreads), _count(count), int(seed))
 
 
@@ -318,11 +318,6 @@ def _named(given: object) -> Mapping[str, Any]:
     if not isinstance(given, Mapping) or not given:
         raise DescriptionError("nothing to vary", where="variants", found=given, allowed="path of a number to values")
     return given
-
-
-def is_whole(number: object) -> bool:
-    """Whether it is a whole number, Python's or NumPy's."""
-    return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 
 def is_list(values: Any) -> bool:

@@ -322,7 +322,7 @@ def read_kept(folder: Path) -> Kept:
         kept = Kept(folder, about)
         if about["schema"] == SCHEMA and kept.count >= 1 and int(about["shard"]) >= 1 and "study" in about:
             return kept
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}") from None
     except (ValueError, KeyError, TypeError, AttributeError):
         pass

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
+from jounce.core.seeds import is_whole
 from jounce.core.waiting import told
 from jounce.parts import Rig, as_rig
 from jounce.recordings.carried import by_path
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.settings import Method, RunSettings
-from jounce.variants.designs import is_whole
 from jounce.variants.many import Variants, prepared
 from jounce.variants.shards import keep_in_shards
 

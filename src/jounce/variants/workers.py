@@ -20,7 +20,7 @@ from functools import lru_cache
 from importlib import import_module, metadata
 from typing import Any
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import JounceError, named
 from jounce.core.optional import require
 from jounce.core.process_settings import PROCESS_SETTINGS
 from jounce.core.trust import trust_said, trusting
@@ -181,6 +181,8 @@ def cluster_at(address: str) -> Iterator[Any]:
 def check_cluster(client: Any) -> None:
     """Refuse a cluster without workers, and one whose Python or packages would give other results or none."""
     distributed = require("distributed", "cluster")
+    if not isinstance(client, distributed.Client):
+        raise JounceError(f"{named(client)} is no cluster", where="client", allowed="a dask.distributed.Client")
     where = str(getattr(client.scheduler, "address", "client"))
     try:
         client.wait_for_workers(1, timeout=_JOINING)

@@ -29,7 +29,7 @@ X = np.arange(0.0, 50.0, 0.1)
     [
         (float, [1, 2.5, True, np.float64(1.0), np.array(1.0), float("nan")], ["1", None, [1.0], NUMBERS, 1j, 10**400]),
         (int, [1, np.int64(2)], [1.5, "1", None, 10**400]),
-        (bool, [True, np.True_], [1, "yes", None]),
+        (bool, [True, np.True_, 1], [2, "yes", None, NUMBERS]),
         (str, ["a"], [1, b"a", None, Path("a")]),
         (Path | str, ["a", Path("a")], [1, None, RUN]),
         (Literal["a", 2], ["a", 2], ["b", 3, None, pd.Series([1])]),
@@ -81,6 +81,19 @@ def test_other_failures_are_left_alone() -> None:
             call(wrong)
     with pytest.raises(TypeError, match="missing 1 required"):
         call()
+
+
+def test_a_text_is_no_flag(tmp_path: Path) -> None:
+    file = jn.save(RIG, tmp_path / "rig.toml")
+    with pytest.raises(jn.DescriptionError, match="save: force: 'no' was given; allowed: True or False"):
+        jn.save(RIG, file, force="no")
+    assert jn.save(RIG, file, force=1) == file
+
+
+def test_an_error_of_the_function_is_no_misfit() -> None:
+    def inverse(of: float) -> float:
+        return 1.0 / of
+
     assert misfit(inverse, (0.0,), {}) is None
 
 

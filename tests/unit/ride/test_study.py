@@ -134,7 +134,7 @@ def test_a_measured_course_lies_under_both_tracks() -> None:
     car, course = jn.load("audi-a6-full-car"), jn.load_road("detrended_rms_course_1in")
     left, right = study._tracks(car, course)
     assert (left.v, right.v) == pytest.approx((0.5 * car.front.track, -0.5 * car.front.track))
-    narrow = course.model_copy(update={"v": 50.0})
+    narrow = course.model_copy(update={"v": 2.9})
     assert study._tracks(car, narrow) == (narrow, None)
     assert study._tracks(jn.load("audi-a6-half-car-4dof"), course) == (course, None)
 
