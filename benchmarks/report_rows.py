@@ -19,13 +19,7 @@ from jounce.plots import time_history, write_figure
 from jounce.recordings import recording
 from jounce.report import REPORTS, recordings_page, write_campaign
 
-ARGUMENTS = (
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-quic",
-)
+ARGUMENTS = ("--no-sandbox", "--disable-quic")
 FRAMES = """async () => {
   const player = jounce.players[0], [first, last] = player.plots.whole, times = [];
   const next = () => new Promise((done) => requestAnimationFrame(done));

@@ -26,13 +26,7 @@ import numpy as np
 TABLE = Path(__file__).parents[1] / "docs" / "explanation" / "workbench-speed.md"
 STATIC = Path(__file__).parents[1] / "src" / "jounce" / "web" / "static"
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-ARGUMENTS = [
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-quic",
-]
+ARGUMENTS = ["--no-sandbox", "--disable-quic"]
 SLIDER = """async ([selector, count, values]) => {
   // Each value is set as a hand would, and waited for until the frame after its curves is on the screen.
   const times = [], frame = () => new Promise((done) => requestAnimationFrame(done));

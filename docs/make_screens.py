@@ -22,7 +22,6 @@ SIZE = {"width": 1280, "height": 760}
 FIRST_ANSWER = 120_000  # ms; a model may have to be compiled
 STILL = 1500  # ms, in which what moves comes to rest
 PAGES = ("kinematics", "trial")
-OFF_SCREEN = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 
 def write() -> None:
@@ -39,7 +38,7 @@ def write() -> None:
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
             assert server.stdout is not None
             address = json.loads(server.stdout.readline())["url"]
-            browser = playwright.chromium.launch(executable_path=browser_file, args=OFF_SCREEN)
+            browser = playwright.chromium.launch(executable_path=browser_file, args=["--no-sandbox"])
             for scheme in ("light", "dark"):
                 context = browser.new_context(viewport=SIZE, color_scheme=scheme, locale="en-GB")
                 page = context.new_page()

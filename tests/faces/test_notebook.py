@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
@@ -18,7 +17,6 @@ from jounce.core.display import shown_in
 from jounce.core.optional import MissingPackageError, how_to_install
 from jounce.notebook.sliders import _slider, _unit, curves_of
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.3 s")
 RATE = "strut.spring.rate"
 
@@ -124,18 +122,6 @@ def test_the_viewer_is_one_frame_that_needs_nothing_else(cell: Any) -> None:
     assert re.match(r'<iframe srcdoc="[^"]+" width="100%" height="760"', text)
     assert len(repr(cell)) < 60
     assert not re.search(r"""(src|href)=["']?https?:""", cell.page)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    sync_api = pytest.importorskip("playwright.sync_api")
-    if CHROMIUM is None:
-        pytest.skip("Chromium is not installed")
-    with sync_api.sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
-        yield made
-        made.close()
 
 
 @pytest.fixture

@@ -5,8 +5,6 @@ from __future__ import annotations
 import io
 import os
 import re
-import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -30,9 +28,7 @@ from jounce.report import (
 from jounce.report.live import Curve, Pane, Scene, Viewer
 from jounce.report.papers import audi_case_page
 
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
-pytestmark = [pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed"), pytest.mark.pages]
+pytestmark = pytest.mark.pages
 
 HOSTILE = '<img src=x onerror="document.title=1">'
 CAMPAIGN = """schema = "jounce.campaign/1"
@@ -56,15 +52,6 @@ speed = "3 m/s"
 road = "A"
 recording = "2.csv"
 """
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with sync_api.sync_playwright() as playwright:
-        arguments = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-        made = playwright.chromium.launch(executable_path=CHROMIUM, args=[*arguments, "--disable-quic"])
-        yield made
-        made.close()
 
 
 class Opened:
