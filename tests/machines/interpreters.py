@@ -20,6 +20,8 @@ KEPT = (  # where version managers keep interpreters; their shims answer only wh
 SUITES = {"3.13": "trixie", "3.14": "sid"}  # Debian's releases by the Python that they have
 _ASK = "import ensurepip, sys, venv; print('%d.%d' % sys.version_info[:2], sys.executable)"
 
+_ENTER = 'for each in proc dev; do mount --rbind "/$each" "$0/$each" || exit; done; exec chroot "$0" env -C "$@"'
+
 
 class Place(NamedTuple):
     """An interpreter, and the root folder of the system that it runs in."""
@@ -36,7 +38,7 @@ class Place(NamedTuple):
         if self.root == Path("/"):
             return list(words)
         inside = [word.removeprefix(str(self.root)) for word in words]
-        return ["chroot", str(self.root), "env", "-C", f"/{folder.relative_to(self.root)}", *inside]
+        return ["unshare", "--mount", "sh", "-c", _ENTER, str(self.root), f"/{folder.relative_to(self.root)}", *inside]
 
     def taken(self, file: Path) -> str:
         """Take a file into the system; give its path there."""
