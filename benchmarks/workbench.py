@@ -99,7 +99,7 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         page.goto(served.address)
         page.wait_for_selector("html[data-ready=project]")
         rows.append(("page ready", "1.5 s", f"{time.perf_counter() - began:.2f} s"))
-        rows.append(("bundle", "1 MB", f"{size / 1e6:.2f} MB"))
+        rows.append(("bundle", "0.5 MB", f"{size / 1e6:.2f} MB"))
 
         def opened(where: str, ready: str) -> None:
             page.goto(f"{served.base}#/{where}")

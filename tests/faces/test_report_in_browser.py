@@ -471,3 +471,54 @@ def test_a_page_refuses_scripts_that_are_not_its_own(report: Path) -> None:
     assert "default-src 'none'" in policy[1]
     assert re.search(r"script-src 'sha256-[A-Za-z0-9+/=]{44}';", policy[1])
     assert report.stat().st_size < 3_000_000
+
+
+def test_a_mechanism_is_turned_moved_and_enlarged(browser: Any, report: Path) -> None:
+    """With the mouse and with two fingers; the wheel scrolls the page until the mechanism is clicked on."""
+    opened = Opened(browser, report)
+    page = opened.page
+    until(page, "jounce.players[0].view.camera.height > 100")
+    page.locator(".mechanism").scroll_into_view_if_needed()
+    box = page.locator(".mechanism canvas").bounding_box()
+    x, y = box["x"] + 20, box["y"] + box["height"] - 20
+
+    def seen() -> tuple[float, float, float, float]:
+        words = "(({ azimuth, elevation, scale, target }) => [azimuth, elevation, scale, target[2]])"
+        return tuple(page.evaluate(f"{words}(jounce.players[0].view.camera)"))
+
+    def drag(dx: float, dy: float, button: Any = "left") -> None:
+        page.mouse.move(x, y)
+        page.mouse.down(button=button)
+        page.mouse.move(x + dx, y + dy)
+        page.mouse.up(button=button)
+
+    azimuth, elevation, scale, height = seen()
+    page.mouse.move(x, y)
+    page.mouse.wheel(0, -100)
+    page.wait_for_timeout(100)
+    assert seen() == (azimuth, elevation, scale, height)
+    page.mouse.wheel(0, 100)
+    page.locator(".mechanism").scroll_into_view_if_needed()
+    box = page.locator(".mechanism canvas").bounding_box()
+    x, y = box["x"] + 20, box["y"] + box["height"] - 20
+    drag(60, -30)
+    rate = 2 * np.pi / box["height"]
+    assert seen() == pytest.approx((azimuth - 60 * rate, elevation - 30 * rate, scale, height))
+    drag(0, 3000)
+    assert seen()[1] == pytest.approx(np.pi / 2)  # no further than from above
+    page.get_by_role("button", name="front", exact=True).click()
+    _, _, scale, height = seen()
+    drag(0, -50, "right")
+    assert seen() == pytest.approx((0.0, 0.0, scale, height - 50 / scale))
+    page.mouse.wheel(0, -100)
+    until(page, f"jounce.players[0].view.camera.scale > {scale}")
+    assert seen()[2] == pytest.approx(scale / 0.95)
+    fingers = page.context.new_cdp_session(page)
+    places = [[x, y], [x + 100, y]], [[x, y], [x + 200, y]]
+    for kind, points in (("touchStart", places[0]), ("touchMove", places[1]), ("touchEnd", [])):
+        touched = [{"x": a, "y": b, "id": i} for i, (a, b) in enumerate(points)]
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touched})
+    assert seen()[2] == pytest.approx(2 * scale / 0.95)
+    page.mouse.dblclick(x, y)
+    assert seen()[:2] == pytest.approx((azimuth, elevation))
+    opened.close()
