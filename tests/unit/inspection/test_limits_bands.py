@@ -52,8 +52,7 @@ def test_any_gap_or_overlap_is_refused(edges: list[float], by: float, gap: bool,
     made = bands(edges, [False] * 5)
     which = data.draw(st.integers(1, len(made) - 1))
     moved = made[which].start + (by if gap else -by)
-    made[which] = made[which].model_copy(
-        update={"start": moved, "end": math.inf if which == len(made) - 1 else edges[-1] + 200.0}
-    )
+    end = math.inf if which == len(made) - 1 else edges[-1] + 200.0
+    made[which] = Band.model_construct(**{**dict(made[which]), "start": moved, "end": end})
     with pytest.raises(DescriptionError, match="a gap" if gap else "an overlap"):
         Criterion(quantity="theta_road", source="test", bands=tuple(made[: which + 1]))

@@ -156,7 +156,11 @@ class TestPlateInertia:
 
     @pytest.mark.parametrize(
         ("facts", "cell", "mass"),
-        [({}, "below", 20.0), ({"left.plate_mass": 0.0}, "below", 0.0), ({"left.plate_mass": 18.0}, "contact", 0.0)],
+        [
+            ({}, "under-plate", 20.0),
+            ({"left.plate_mass": 0.0}, "under-plate", 0.0),
+            ({"left.plate_mass": 18.0}, "contact", 0.0),
+        ],
     )
     def test_whose_mass_counts(self, eusama, facts, cell, mass):
         tester = eusama.model_copy(update={"force_cell": cell, "plate_mass": 20.0})

@@ -64,7 +64,8 @@ def test_residuals_of_one_kind_have_the_whole_width(trials) -> None:
         figure.draw_without_rendering()
         both.draw_without_rendering()
         assert figure.axes[0].get_position().width > 1.5 * both.axes[0].get_position().width
-    nowhere = replace(trials[0], entry=trials[0].entry.model_copy(update={"speed": None}))
+    entry = trials[0].entry
+    nowhere = replace(trials[0], entry=type(entry).model_construct(**{**dict(entry), "speed": None}))
     with pytest.raises(FitError, match="speed or a pitch"):
         residual_against_speed_and_pitch([nowhere])
 
