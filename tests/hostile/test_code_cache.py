@@ -200,6 +200,8 @@ def test_a_processor_without_a_name(monkeypatch: pytest.MonkeyPatch) -> None:
         raise RuntimeError
 
     machine.features.cache_clear()
+    machine.processor.cache_clear()
+    monkeypatch.delenv("JOUNCE_PROCESSOR", raising=False)
     monkeypatch.setattr(machine.llvm, "get_host_cpu_features", unknown)
     monkeypatch.setattr(machine.llvm, "get_host_cpu_name", lambda: "")
     try:
@@ -208,6 +210,7 @@ def test_a_processor_without_a_name(monkeypatch: pytest.MonkeyPatch) -> None:
         assert len(cache.key_here("model")) == 64
     finally:
         machine.features.cache_clear()
+        machine.processor.cache_clear()
 
 
 KEEPER = """

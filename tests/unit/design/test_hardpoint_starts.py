@@ -1,10 +1,14 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
+from scipy.optimize import minimize
 
 import jounce as jn
+from jounce.design.hardpoint_search import UNSETTLED, Search
 
 
 def test_the_numbers_of_every_search_are_a_design_of_its_own() -> None:
@@ -23,3 +27,25 @@ def test_the_numbers_of_every_search_are_a_design_of_its_own() -> None:
     assert best in [one.numbers for one in found.starts]
     assert len({tuple(one.numbers.values()) for one in found.starts}) > 1  # designs that differ
     assert found.results()["starts"][1]["numbers"] == found.starts[1].numbers
+
+
+@pytest.mark.parametrize(("away", "ended"), [(0.0, "no step makes it better"), (0.1, UNSETTLED)])
+def test_a_search_rests_where_no_step_can_gain_whatever_its_method_claims(monkeypatch, away, ended):
+    """The first number is wanted at 2, outside of its box; the second at 0.5, and must not exceed -0.6 + 0.95."""
+    both, one = np.eye(2), np.ones(2)
+    wanted = np.array([2.0, 0.5])
+    search = SimpleNamespace(
+        must=np.array([False, True]), lower=-one, upper=one, scale=one, tolerance=one, share=one,
+        low=np.array([2.0, -9.0]), high=np.array([2.0, -0.6]), numbers=lambda place: place,
+        off=lambda values: values - wanted, evaluator=SimpleNamespace(together=lambda values: (values, both)),
+    )  # fmt: skip
+
+    def unsure(*arguments, **options):
+        found = minimize(*arguments, **options)
+        found.x, found.success, found.status = found.x - [0.0, away], False, 8
+        return found
+
+    monkeypatch.setattr("scipy.optimize.minimize", unsure)
+    place, _, why = Search.constrained(search, np.zeros(2))
+    assert place == pytest.approx([1.0, 0.35 - away])  # at a wall, and at the limit
+    assert why == ended

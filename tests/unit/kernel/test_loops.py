@@ -99,7 +99,9 @@ import sys
 import jounce as jn
 trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
 from jounce.kernel import call
-call.object_for = call.bitcode_from_sources = None
+call.bitcode_from_sources = None
+if call._suits(call.this_platform()):  # older processors take the bitcode
+    call.object_for = None
 jn.simulate(jn.load("kart-quarter-car"), trial)
 assert "numba" not in sys.modules
 """
@@ -223,12 +225,13 @@ def test_elsewhere_code_is_made_for_this_processor_and_kept_in_the_cache(
 
 def test_a_loop_made_for_this_very_processor_takes_no_object_for_the_platform(elsewhere, steps) -> None:
     expected = follow()
+    made = [] if not call._suits(this_platform()) else ["object_for"]  # an older one has it already
     steps.clear()
     for _ in range(2):
         state = np.full(5, np.nan)
         Loop("hysteresis", here=True)(PATH, 1.0, 0.5, 1.0, 0.0, state)
         assert np.array_equal(state, expected)
-    assert steps == ["object_for"]  # from the bitcode, once
+    assert steps == made  # from the bitcode, once
     assert len(list((elsewhere / "cache").iterdir())) == 1
 
 
