@@ -5,7 +5,7 @@
 #   make test      set up and run the tests                   make docs    the documentation, as HTML
 #   make quick     the tests that answer at once              make clean   remove what was made here
 #   make test-pages  what the documentation says is run, pages are opened in three browsers
-#   make test-machines  the tests on every Python, on the lowest and newest versions of packages: an hour and more
+#   make test-machines  the tests on every Python, the lowest and newest packages, other processors: hours
 #   make bench-web  how fast the workbench answers, in Chromium
 #   make screens    pictures of the workbench for the documentation, in Chromium
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
@@ -69,7 +69,7 @@ test-all: $(VENV)/.test $(VENV)/.loops axe
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"
 
 # Others' interpreters and packages; a part of it: make test-machines MACHINES="--quick" or MACHINES="lowest python-3.13"
-test-machines: $(VENV)/.runtime $(VENV)/.machines
+test-machines: $(VENV)/.test $(VENV)/.loops $(VENV)/.machines
 	$(BIN)/python tests/machines/run.py $(MACHINES)
 
 # What looks at pages as assistive technology does comes with the packages of viewer/; tests that need it are skipped without.

@@ -167,9 +167,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    if config.getoption("--rounded") and collection_path.match("test_*.py") and not is_rounded(collection_path):
+    quick = config.getoption("--quick")
+    is_asked_for = not config.getoption("--rounded") or not collection_path.match("test_*.py")
+    if not is_asked_for and not is_rounded(collection_path, itself=quick):
         return True
-    if not config.getoption("--quick"):
+    if not quick:
         return None
     below = collection_path.relative_to(Path(__file__).parent).parts if collection_path != config.rootpath else ()
     return True if below and below[0] not in QUICK else None

@@ -68,7 +68,8 @@ def test_comparisons_are_seen() -> None:
 
 def seen(share: float, count: int = 2, room: float = 0.1) -> Seen:
     found = Seen()
-    found.count, found.room, found.worst["share"] = count, room, share
+    found.count, found.room = count, room
+    found.worst |= {"ours": share * room, "share": share}
     return found
 
 
@@ -79,6 +80,8 @@ def test_what_agrees_worse_than_the_page_is_rejected() -> None:
     assert held(row, ROW, seen(0.51)) == "takes 0.51 of what is allowed, the page says 0.4"
     assert held(row, {**ROW, "where": "Table 3"}, seen(0.4)) == "says another where than the page"
     assert held({**row, "share": 1e-9}, ROW, seen(1e-3)) == ""  # rounding is that of the machine
+    assert held({**row, "share": 1e-9, "room": 1e-14}, ROW, seen(0.3, room=1e-14)) == ""  # of a number of about 1
+    assert "takes 0.5" in held({**row, "share": 1e-9, "room": 1e-14}, ROW, seen(0.5, room=1e-14))
 
 
 def test_what_compares_less_or_allows_more_than_the_page_is_rejected() -> None:

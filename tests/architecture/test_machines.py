@@ -80,3 +80,28 @@ def test_a_promised_version_that_was_not_run_is_in_the_summary(
         assert f"Python {version}: promised, and not run" in summary
     assert f"{run.RED}lowest: not run" in capsys.readouterr().out
     assert 'grep "not run" build/machines/summary.txt' in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("says", "ends"), [("exit 0", "passed in "), ("echo no root; exit 77", "not run: no root"), ("exit 1", "FAILED")]
+)
+def test_what_is_played_in_the_checkout_leaves_it_there(tmp_path: Path, monkeypatch, says: str, ends: str) -> None:
+    script = tmp_path / "tests" / "machines" / "debian.sh"
+    script.parent.mkdir(parents=True)
+    script.write_text(f"#!/bin/sh\n{says}\n", encoding="utf-8")
+    script.chmod(0o755)
+    monkeypatch.setattr(run, "ROOT", tmp_path)
+    monkeypatch.setattr(run, "BUILD", tmp_path)
+    [blis] = [one for one in run.MACHINES if one.name == "debian-blis-serial"]
+    [(_, result)] = run.results([blis], quick=True)
+    assert result.startswith(ends)
+    assert script.exists()
+
+
+def test_other_processors_are_played_each_kind_in_every_change() -> None:
+    rounded = [one for one in run.MACHINES if "--rounded" in one.arguments]
+    assert {f"--rounding-noise={seed}" for seed in range(1, 6)} <= {word for one in rounded for word in one.arguments}
+    kinds = {one.name.partition("-")[0] for one in rounded}
+    assert kinds == {one.name.partition("-")[0] for one in rounded if one.quick}
+    assert {"noise", "threads", "debian"} <= kinds
+    assert not any("OPENBLAS_CORETYPE" in one.environment for one in rounded)  # some machines need the one they have

@@ -46,8 +46,8 @@ def files_of(module: str) -> list[Path]:
     return [place.with_suffix(".py")] if place.with_suffix(".py").is_file() else sorted(place.glob("*.py"))
 
 
-def is_rounded(test: Path) -> bool:
-    """Whether a test's numbers hang on another library's rounding."""
+def is_rounded(test: Path, *, itself: bool = False) -> bool:
+    """Whether a test's numbers hang on another library's rounding; of modules that it calls only without ``itself``."""
     if "golden" in test.parts or rounds(test):
         return True
-    return any(rounds(file) for module in used_by(test) if module for file in files_of(module))
+    return not itself and any(rounds(file) for module in used_by(test) if module for file in files_of(module))

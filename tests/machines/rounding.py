@@ -44,7 +44,7 @@ def moved(value: Any, seed: int) -> Any:
     mixed = (np.abs(flat).view(np.uint64) + np.uint64(seed)) * np.uint64(0x9E3779B97F4A7C15)
     steps = ((mixed >> np.uint64(32)) % np.uint64(2 * MOST + 1)).astype(float) - MOST
     sound = np.isfinite(flat) & (flat != 0.0)
-    flat[sound] += steps[sound] * np.spacing(np.abs(flat[sound]))
+    flat[sound] += steps[sound] * np.spacing(flat[sound])
     found = flat.view(numbers.dtype).reshape(numbers.shape, order=order)
     return found if isinstance(value, np.ndarray) else found[()]
 

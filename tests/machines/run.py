@@ -1,8 +1,9 @@
 """Run the tests where jounce was not made: on other interpreters, with other versions of what it depends on.
 
 ``make test-machines`` runs the whole suite on every machine of the table below, ``.ci/run`` the quick part of some
-(``--quick``). Each machine works in a copy of the checkout, so none uses what another has compiled. Logs and the
-summary are written to ``build/machines``.
+(``--quick``). Interpreters and packages get a copy of the checkout each, so none uses what another has compiled. Other
+processors are played in the checkout itself, by what hangs on rounding. Logs and the summary are written to
+``build/machines``.
 """
 
 from __future__ import annotations
@@ -20,7 +21,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
+from numpy._core import _multiarray_umath as built_numpy  # there is no public list of what it can do without
+
 from interpreters import Place, place_of
+from jounce.kernel.machine import levels
 
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build" / "machines"
@@ -44,6 +48,9 @@ def promised() -> list[str]:
 
 HERE = f"{sys.version_info.major}.{sys.version_info.minor}"
 OLDEST, NEWEST = promised()[0], promised()[-1]
+THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+SPARED = [name for name in built_numpy.__cpu_dispatch__ if built_numpy.__cpu_features__[name]]
+NOT_HERE = 77  # what debian.sh ends with where it cannot make one
 
 
 @dataclass(frozen=True)
@@ -52,7 +59,8 @@ class Machine:
 
     name: str
     python: str = OLDEST
-    packages: Literal["pinned", "lowest", "newest", "wheel"] = "pinned"  # wheel: runtime pins, and jounce as a wheel
+    # wheel: runtime pins, and jounce as a wheel; here: what runs this; debian: NumPy and SciPy of a newer Debian
+    packages: Literal["pinned", "lowest", "newest", "wheel", "here", "debian"] = "pinned"
     environment: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()  # of pytest
     quick: bool = False  # whether `.ci/run` tries it, with --quick
@@ -64,11 +72,35 @@ MACHINES = (
     Machine("lowest", OLDEST, "lowest", arguments=("-o", "filterwarnings=default"), quick=True),
     Machine("newest", NEWEST, "newest"),
     *(Machine(f"wheel-{version}", version, "wheel", quick=True) for version in promised() if version != HERE),
-)
+    *(
+        Machine(
+            f"noise-{seed}", HERE, "here", arguments=("--rounded", f"--rounding-noise={seed}", f"--shuffle={seed}"),
+            quick=seed == 1,
+        )
+        for seed in range(1, 6)
+    ),
+    Machine("threads-4", HERE, "here", dict.fromkeys(THREADS, "4"), ("--rounded",), quick=True),
+    # With --quick nothing is compiled: that sines are right at each level is a test of every run (test_elementary).
+    *(
+        Machine(
+            level, HERE, "here", {"JOUNCE_PROCESSOR": level, "NPY_DISABLE_CPU_FEATURES": " ".join(SPARED)},
+            ("--rounded",), quick=level == "x86-64-v2",
+        )
+        for level in levels()
+    ),
+    *(
+        Machine(f"debian-{blas}", HERE, "debian", arguments=("--rounded",), quick=True)
+        for blas in ("blas", "blis-serial")
+    ),
+)  # fmt: skip
 
 
 class Failed(Exception):
     """A step of a machine failed."""
+
+
+class NotRun(Exception):
+    """A machine cannot be had here."""
 
 
 @dataclass
@@ -82,7 +114,8 @@ class Run:
     def __post_init__(self) -> None:
         self.log = BUILD / f"{self.machine.name}.log"
         self.log.unlink(missing_ok=True)
-        self.folder = copied(self.place.folder(BUILD) / self.machine.name)
+        self.is_here = self.machine.packages in {"here", "debian"}
+        self.folder = ROOT if self.is_here else copied(self.place.folder(BUILD) / self.machine.name)
         self.python = self.folder / ".venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
 
     def call(self, *words: object) -> None:
@@ -94,11 +127,20 @@ class Run:
             environment = {**kept, **self.machine.environment}
             command = self.place.command(self.folder, *map(str, words))
             done = subprocess.run(command, cwd=self.folder, env=environment, stdout=log, stderr=log, check=False)
+        if done.returncode == NOT_HERE and self.is_here:
+            raise NotRun(self.log.read_text(encoding="utf-8").strip().rpartition("\n")[2])
         if done.returncode:
             raise Failed(f"{' '.join(map(str, words))[:100]}: see {self.log}")
 
     def all(self) -> None:
         """Set up, run a demonstration and the tests."""
+        tests = ["-n", "auto", "--dist", "loadfile", *(["--quick"] if self.quick else []), *self.machine.arguments]
+        if self.machine.packages == "here":
+            self.call(sys.executable, "-m", "pytest", *tests)
+            return
+        if self.machine.packages == "debian":
+            self.call("tests/machines/debian.sh", self.machine.name.removeprefix("debian-"), *tests)
+            return
         if self.machine.packages == "pinned":
             self.call("make", "demo", ".venv/.test", f"PYTHON={self.place.python}", "DEMO_ARGUMENTS=--quick --out demo")
         elif self.machine.packages == "wheel":
@@ -121,8 +163,7 @@ class Run:
             )  # fmt: skip
             self.call(self.python, "-m", "jounce.kernel.loops.make")
             self.call(self.python, "-m", "jounce", "demo", "--quick", "--out", "demo")
-        size = ["--quick"] if self.quick else []
-        self.call(self.python, "-m", "pytest", "-n", "auto", "--dist", "loadfile", *size, *self.machine.arguments)
+        self.call(self.python, "-m", "pytest", *tests)
 
     def _environment(self, *wanted: str) -> None:
         self.call(self._uv(), "venv", "--quiet", "--python", self.place.python, ".venv")
@@ -162,12 +203,15 @@ def results(machines: list[Machine], *, quick: bool) -> Iterator[tuple[Machine, 
         run = Run(machine, place, quick)
         try:
             run.all()
+        except NotRun as error:
+            yield machine, f"not run: {error}"
         except (Failed, subprocess.CalledProcessError) as error:
             yield machine, f"FAILED: {error}"
         else:
             said = run.log.read_text(encoding="utf-8").strip().rpartition("\n")[2] if run.log.exists() else ""
             yield machine, f"passed in {time.monotonic() - started:.0f} s: {said.strip('= ')}"
-            shutil.rmtree(run.folder, ignore_errors=True)
+            if not run.is_here:
+                shutil.rmtree(run.folder, ignore_errors=True)
 
 
 def main() -> int:
