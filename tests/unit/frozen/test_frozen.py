@@ -85,7 +85,9 @@ def test_a_child_process_does_what_an_interpreter_does(tmp_path: Path) -> None:
 def test_a_frozen_application_simulates_sweeps_and_serves(tmp_path: Path) -> None:
     """Five minutes, and half a gigabyte on the disk."""
     pytest.importorskip("PyInstaller")
-    (tmp_path / "app.py").write_text("import sys\nfrom jounce.__main__ import run\nsys.exit(run())\n")
+    (tmp_path / "app.py").write_text(
+        "import sys\nfrom jounce.__main__ import run\nif __name__ == '__main__':\n    sys.exit(run())\n"
+    )
     left_out = ("asammdf", "distributed", "emcee", "gymnasium", "playwright", "pyarrow", "pytest", "slycot", "zarr")
     words = [sys.executable, "-m", "PyInstaller", "--log-level=WARN", f"--additional-hooks-dir={HOOKS}", "app.py"]
     words += [f"--exclude-module={name}" for name in left_out]
