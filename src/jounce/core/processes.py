@@ -46,6 +46,8 @@ def _unguarded_line() -> str:
     name = getattr(getattr(main, "__spec__", None), "name", "")
     if main is None or name.rpartition(".")[2] == "__main__":  # workers do not import `python -m package`
         return ""
+    if getattr(sys, "frozen", False):  # the application itself is started again, and its script has no source there
+        return ""
     frame: FrameType | None = sys._getframe()
     while frame is not None and not (frame.f_globals is vars(main) and frame.f_code.co_name == "<module>"):
         frame = frame.f_back

@@ -67,3 +67,11 @@ def test_what_workers_do_not_import_needs_none(tmp_path: Path) -> None:
 def test_a_worker_of_a_pool_is_told_so(tmp_path: Path) -> None:
     (tmp_path / "own.py").write_text(IN_A_POOL, encoding="utf-8")
     assert "workers: a worker of a pool cannot start workers of its own; allowed: 1" in run(tmp_path, "own.py").stdout
+
+
+def test_a_frozen_application_needs_none_that_could_be_read(tmp_path: Path) -> None:
+    """Its script lies in the application, without source: what is guarded there cannot be seen."""
+    frozen = "import os, sys\nsys.frozen = True\nos.remove('own.py')\n"
+    (tmp_path / "own.py").write_text(frozen + ASK + GUARD + CALL, encoding="utf-8")
+    done = run(tmp_path, "own.py")
+    assert (done.returncode, done.stdout) == (0, "begins\n"), done.stderr
