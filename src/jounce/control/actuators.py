@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 import casadi as ca
 import numpy as np
-from pydantic import Discriminator, Tag, model_validator
+from pydantic import BaseModel, Discriminator, Tag, model_validator
 
 from jounce.control.design import CornerModel
 from jounce.core.description import Description
@@ -297,7 +297,7 @@ class ActiveActuator(_Actuator):
     def resolved(self, corner: CornerModel) -> Self:
         """Give the same actuator with its limit."""
         if self.in_place_of is not None:
-            return self.model_copy(update={"force_limit": math.inf})
+            return BaseModel.model_copy(self, update={"force_limit": math.inf})  # none, which no description may give
         limit = 0.5 * corner.sprung_mass * corner.gravity if self.force_limit is None else self.force_limit
         return self.model_copy(update={"force_limit": limit})
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, Protocol, Self
 
 import casadi as ca
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
 from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
 from jounce.control.design import CornerModel
@@ -145,7 +145,7 @@ class Controller(Description):
 
     def resolved(self, corner: CornerModel) -> Self:
         """Give the same controller with its actuator's open numbers filled in for a corner."""
-        return self.model_copy(update={"actuator": self.actuator.resolved(corner)})
+        return BaseModel.model_copy(self, update={"actuator": self.actuator.resolved(corner)})  # checked before
 
 
 class ForceLaw(Controller):

@@ -217,7 +217,10 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
 def resolved(path: Path | str, *, home: bool = False) -> Path:
     """Give a path in full, without links; with ``home`` its ``~`` is that of a user. What is no path is refused."""
     try:
-        return (Path(path).expanduser() if home else Path(path)).resolve()
+        place = (Path(path).expanduser() if home else Path(path)).resolve()
+        if any(each.is_symlink() for each in (place, *place.parents)):  # Python 3.13 leaves it, older ones raise
+            raise RuntimeError("a link that leads to itself")
+        return place
     except (RuntimeError, ValueError) as error:  # links that lead to themselves, users that are none, NUL
         hint = "Choose another name."
         raise OutputError("no such path can be", where=str(path), found=str(error), hint=hint) from None

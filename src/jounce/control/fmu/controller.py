@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Literal, Protocol, Self
 
 import numpy as np
-from pydantic import model_validator
+from pydantic import BaseModel, model_validator
 
 from jounce.control.actuators import OWN, RATE, ActiveActuator
 from jounce.control.controller import CallbackController, Limits, Regulator, Setting
@@ -131,7 +131,7 @@ class FmuControl(CallbackController):
         fixed = read_fmu(self.file).fixed_step
         if fixed:
             rate = 1.0 / (fixed * max(math.floor(1.0 / (rate * fixed) + _ROUND), 1))
-        return self.model_copy(update={"rate": rate})
+        return BaseModel.model_copy(self, update={"rate": rate})  # its actuator may be resolved
 
     def regulator(self, setting: Setting) -> Regulator:
         """Give what the loop calls."""
