@@ -60,7 +60,7 @@ def guarded(function: Function, name: str) -> Function:
 
     @wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
-        if not all(_fits(options[key], bool) for key in flags & options.keys()):
+        if not all(fits(options[key], bool) for key in flags & options.keys()):
             error = misfit(function, arguments, options)  # "no" would count as yes, and files be overwritten
             if error is not None:
                 raise error
@@ -129,7 +129,7 @@ class _Names(dict[str, Any]):
 
 def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]]:
     """Where a value, or one inside of it, does not fit: the place, what is there, and what should be."""
-    if _fits(value, hint):
+    if fits(value, hint):
         if is_dataclass(value) and not isinstance(value, type):
             hints = _hints(type(value))
             for field in fields(value):
@@ -179,22 +179,22 @@ def _is_series(origin: Any) -> bool:
 def _is_for(value: Any, hint: Any) -> bool:
     """Whether a value is of a class that a hint asks for by name: a rig, a road, a recording."""
     return any(
-        isinstance(option, type) and bool(_words(option)[0][1]) and _fits(value, option) for option in _options(hint)
+        isinstance(option, type) and bool(_words(option)[0][1]) and fits(value, option) for option in _options(hint)
     )
 
 
-def _fits(value: Any, hint: Any) -> bool:
+def fits(value: Any, hint: Any) -> bool:
     """Whether a value fits an annotation, as far as that can be told; what cannot be told fits."""
     options = _options(hint)
     if len(options) > 1:
-        return any(_fits(value, option) for option in options)
+        return any(fits(value, option) for option in options)
     (hint,) = options
     origin, parts = get_origin(hint), get_args(hint)
     kind = origin or hint
     if isinstance(hint, TypeVar):
-        return hint.__bound__ is None or _fits(value, hint.__bound__)
+        return hint.__bound__ is None or fits(value, hint.__bound__)
     if origin is typing.Annotated:
-        return _fits(value, parts[0])
+        return fits(value, parts[0])
     if origin is Literal:
         return any(type(value) is type(part) and value == part for part in parts)
     if hint is bool:
@@ -207,7 +207,7 @@ def _fits(value: Any, hint: Any) -> bool:
         return callable(value)
     if _is_mapping(kind) and parts:
         return isinstance(value, Mapping) and all(
-            _fits(key, parts[0]) and _fits(item, parts[1]) for key, item in value.items()
+            fits(key, parts[0]) and fits(item, parts[1]) for key, item in value.items()
         )
     if _is_series(kind) and parts:
         return _is_series_of(value, kind, parts)
@@ -227,8 +227,8 @@ def _is_series_of(value: Any, kind: type, parts: tuple[Any, ...]) -> bool:
     if not isinstance(value, Sized) or not can_be_indexed or _dimensions(value) != 1:
         return False
     if kind is tuple and parts[-1] is not Ellipsis:
-        return len(value) == len(parts) and all(map(_fits, value, parts))
-    return all(_fits(item, parts[0]) for item in value)
+        return len(value) == len(parts) and all(map(fits, value, parts))
+    return all(fits(item, parts[0]) for item in value)
 
 
 def _is_number(value: Any, kind: type) -> bool:

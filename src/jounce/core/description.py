@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeV
 from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
 from pydantic_core import CoreSchema, PydanticCustomError
 
+from jounce.core.arguments import fits
 from jounce.core.errors import DescriptionError, nearest, shown, unknown
 from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
@@ -88,12 +89,12 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return DescriptionError("descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Give a copy; the fields in ``update`` are read and checked as those of a new description are."""
-        copied = super().model_copy(deep=deep)
-        if not update:
-            return copied
-        own = {name: getattr(copied, name) for name in type(self).model_fields if name in self.model_fields_set}
-        return type(self)(**{**own, **update})
+        """Give a copy; a field that does not exist or a value of another kind is read as that of a new description."""
+        kinds = type(self).model_fields
+        if all(name in kinds and fits(value, kinds[name].annotation) for name, value in (update or {}).items()):
+            return super().model_copy(update=update, deep=deep)
+        own = {name: getattr(self, name) for name in kinds if name in self.model_fields_set}
+        return type(self)(**{**own, **(update or {})})
 
     def __getstate__(self) -> dict[Any, Any]:
         """State whose pickled bytes are the same in every process: nothing derived, and no set of texts."""

@@ -15,7 +15,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 import jounce as jn
-from jounce.core.arguments import _fits, _hints, guarded, misfit
+from jounce.core.arguments import fits, _hints, guarded, misfit
 
 RIG = jn.load("kart-quarter-car")
 TRIAL = jn.Trial(road=jn.Step(height="10 mm"), speed="3 m/s", duration="0.2 s")
@@ -49,8 +49,8 @@ X = np.arange(0.0, 50.0, 0.1)
     ids=str,
 )
 def test_what_fits_an_annotation(hint: Any, fitting: list[Any], others: list[Any]) -> None:
-    assert [value for value in fitting if not _fits(value, hint)] == []
-    assert [value for value in others if _fits(value, hint)] == []
+    assert [value for value in fitting if not fits(value, hint)] == []
+    assert [value for value in others if fits(value, hint)] == []
 
 
 @pytest.mark.parametrize(
