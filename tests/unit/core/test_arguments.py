@@ -15,7 +15,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 import jounce as jn
-from jounce.core.arguments import fits, _hints, guarded, misfit
+from jounce.core.arguments import _hints, fits, guarded, misfit
 
 RIG = jn.load("kart-quarter-car")
 TRIAL = jn.Trial(road=jn.Step(height="10 mm"), speed="3 m/s", duration="0.2 s")
