@@ -119,4 +119,5 @@ def test_a_frozen_application_simulates_sweeps_and_serves(tmp_path: Path) -> Non
             assert b"<title>" in page.read()
     finally:
         server.send_signal(signal.SIGINT)
+    server.stdout.close()
     assert server.wait(30) == 0
