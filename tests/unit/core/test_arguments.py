@@ -46,7 +46,7 @@ X = np.arange(0.0, 50.0, 0.1)
         (xr.Dataset, [RUN], [RUN["tyre.force"], pd.DataFrame(), None]),
         (Any, [None, RIG], []),
     ],
-    ids=str,
+    ids=lambda value: None if isinstance(value, list) else str(value),
 )
 def test_what_fits_an_annotation(hint: Any, fitting: list[Any], others: list[Any]) -> None:
     assert [value for value in fitting if not fits(value, hint)] == []
