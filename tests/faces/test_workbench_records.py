@@ -184,7 +184,7 @@ def test_two_who_ask_at_once_have_a_record_read_once(here: Any) -> None:
 def test_a_damaged_record_is_refused_and_nothing_stays(here: Any, tmp_path: Path) -> None:
     records, _ = here
     (tmp_path / "bad.nc").write_bytes(b"\x89HDF\r\n\x1a\n no more")
-    with pytest.raises(JounceError, match="netCDF-4"):
+    with pytest.raises(JounceError, match="not a netCDF file, or damaged"):
         records.open("bad.nc")
     kept = tmp_path / ".jounce" / "levels"
     assert not kept.exists() or not list(kept.iterdir())

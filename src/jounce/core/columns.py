@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
-from jounce.core.files import existing_file
+from jounce.core.files import existing_file, reading
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit
 
@@ -285,7 +285,8 @@ _DOS_END, _SECTOR = b"\x1a", 512
 def text_of(file: Path) -> str:
     """Text of a file of columns; what is binary, missing or larger than the memory is refused."""
     _check_memory(existing_file(file, RecordingError).stat().st_size, file)
-    content = file.read_bytes()
+    with reading(file, RecordingError):
+        content = file.read_bytes()
     if _DOS_END in content[-_SECTOR:] and _DOS_END in content[len(content.rstrip(_DOS_END + b"\0\r\n\t ")) :]:
         content = content.rstrip(_DOS_END + b"\0\r\n\t ") + b"\n"
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))

@@ -104,12 +104,12 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError) ->
         if found.st_size > _LARGEST:
             size, most = (f"{one / 1e9:.3g} GB" for one in (found.st_size, _LARGEST))
             raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {most}")
-        with _named(file, error):
+        with reading(file, error):
             return stream.read(_LARGEST)
 
 
 @contextmanager
-def _named(file: Path, error: type[JounceError]) -> Iterator[None]:
+def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
     """Let what the system says while a file is read name the file."""
     try:
         yield

@@ -218,7 +218,8 @@ def resolved(path: Path | str, *, home: bool = False) -> Path:
     """Give a path in full, without links; with ``home`` its ``~`` is that of a user. What is no path is refused."""
     try:
         place = (Path(path).expanduser() if home else Path(path)).resolve()
-        if any(each.is_symlink() for each in (place, *place.parents)):  # Python 3.13 leaves it, older ones raise
+        # Python 3.13 leaves it, older ones raise; a name that is too long is no link.
+        if any(os.path.islink(each) for each in (place, *place.parents)):  # noqa: PTH114
             raise RuntimeError("a link that leads to itself")
         return place
     except (RuntimeError, ValueError) as error:  # links that lead to themselves, users that are none, NUL
