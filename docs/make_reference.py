@@ -55,8 +55,13 @@ def names() -> dict[str, list[tuple[str, Any]]]:
             inner = sorted(getattr(value, "__all__", ()), key=str.lower)
             found[value.__name__.split(".")[1]] += [(f"{name}.{word}", getattr(value, word)) for word in inner]
         else:
-            found[value.__module__.split(".")[1]].append((name, value))
+            found[_module_of(value).split(".")[1]].append((name, value))
     return {package: members for package, members in found.items() if members}
+
+
+def _module_of(value: Any) -> str:
+    """Where a thing is written; `jounce` itself only guards it."""
+    return str(inspect.unwrap(value).__module__)
 
 
 def api_page(package: str, members: list[tuple[str, Any]]) -> str:
@@ -67,7 +72,7 @@ def api_page(package: str, members: list[tuple[str, Any]]) -> str:
         lines += ["", f"({_anchor(name)})=", f"## {name}", ""]
         if inspect.isclass(value) or inspect.isfunction(value):
             directive = "autoclass" if inspect.isclass(value) else "autofunction"
-            target = f"{value.__module__}.{value.__qualname__}"
+            target = f"{_module_of(value)}.{value.__qualname__}"
             lines += ["```{eval-rst}", f".. {directive}:: {target}", "```"]
         else:
             lines += [f"A value: `{value!r:.300}`."]

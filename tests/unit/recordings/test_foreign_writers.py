@@ -12,7 +12,7 @@ from jounce.core.errors import RecordingError
 from jounce.recordings import read_recording
 
 FOREIGN = Path(__file__).parents[2] / "files" / "foreign"
-FILES = sorted(file for file in FOREIGN.iterdir() if file.suffix not in (".py", ".md"))
+FILES = sorted(file for file in FOREIGN.iterdir() if file.is_file() and file.suffix not in (".py", ".md"))
 TIME = np.arange(40) / 100.0
 TRUTH = {
     "sprung.az": (np.round(2.0 * np.sin(9.0 * TIME), 6), "m/s^2"),
