@@ -14,7 +14,13 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals are sent oth
 WORDS = ("kinematics", "hmmwv-front", "--travel", "-50 mm:50 mm:5 mm")
 
 
-BEGUN = "import sys; from jounce.__main__ import run; print('begun', flush=True); sys.exit(run())"
+BEGUN = """
+import signal, sys
+from jounce.__main__ import run
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell may have told to ignore it
+print("begun", flush=True)
+sys.exit(run())
+"""
 
 
 @pytest.mark.parametrize("after", [0.0, 0.2, 0.5, 1.0, 1.7, 2.3])

@@ -11,6 +11,14 @@ from jounce.core.interrupts import interrupt_after, is_interrupt
 from jounce.core.remembered import Recent
 
 
+@pytest.fixture(autouse=True)
+def _as_in_a_terminal():
+    """Who starts the tests in the background may have told them to ignore the signal."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 def press():
     signal.raise_signal(signal.SIGINT)
 

@@ -216,7 +216,7 @@ def test_another_file_is_never_overwritten(tmp_path: Path, content: bytes) -> No
 
 def test_another_database_is_never_written_to(tmp_path: Path) -> None:
     file = tmp_path / "music.sqlite"
-    with sqlite3.connect(file) as connection:
+    with closing(sqlite3.connect(file)) as connection, connection:
         connection.execute("CREATE TABLE songs (name)")
     connection.close()
     content = file.read_bytes()
@@ -227,7 +227,7 @@ def test_another_database_is_never_written_to(tmp_path: Path) -> None:
 
 
 def test_a_store_of_another_version_is_refused(sound: Path) -> None:
-    with sqlite3.connect(sound) as connection:
+    with closing(sqlite3.connect(sound)) as connection, connection:
         connection.execute("UPDATE about SET value = 'jounce.store/9'")
     connection.close()
     with pytest.raises(RecordingError, match=r"another version; found 'jounce.store/9'"):
@@ -235,7 +235,7 @@ def test_a_store_of_another_version_is_refused(sound: Path) -> None:
 
 
 def test_small_tables_are_checked_whenever_a_store_is_opened(sound: Path) -> None:
-    with sqlite3.connect(sound) as connection:
+    with closing(sqlite3.connect(sound)) as connection, connection:
         (root,) = connection.execute("SELECT rootpage FROM sqlite_master WHERE name = 'about'").fetchone()
     connection.close()
     content = bytearray(sound.read_bytes())

@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, TypeVar
+from weakref import finalize
 
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.optional import require
@@ -79,6 +80,7 @@ class Store:
         self.address, self.read_only = str(location), read_only or damaged
         self.location = shown(self.address)  # for messages and results
         self._engine = open_database(self.address, read_only=self.read_only, damaged=damaged)
+        finalize(self, self._engine.dispose)  # from Python 3.13 on, SQLite's connections want to be closed
 
     def accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
         """Put a record in, with its grading (None where it waits for one), in one transaction.
