@@ -102,6 +102,6 @@ def test_other_processors_are_played_each_kind_in_every_change() -> None:
     rounded = [one for one in run.MACHINES if "--rounded" in one.arguments]
     assert {f"--rounding-noise={seed}" for seed in range(1, 6)} <= {word for one in rounded for word in one.arguments}
     kinds = {one.name.partition("-")[0] for one in rounded}
-    assert kinds == {one.name.partition("-")[0] for one in rounded if one.quick}
+    assert kinds - {"debian"} == {one.name.partition("-")[0] for one in rounded if one.quick}
     assert {"noise", "threads", "debian"} <= kinds
     assert not any("OPENBLAS_CORETYPE" in one.environment for one in rounded)  # some machines need the one they have

@@ -88,10 +88,8 @@ MACHINES = (
         )
         for level in levels()
     ),
-    *(
-        Machine(f"debian-{blas}", HERE, "debian", arguments=("--rounded",), quick=True)
-        for blas in ("blas", "blis-serial")
-    ),
+    # Making a Debian takes longer than its tests: by hand.
+    *(Machine(f"debian-{blas}", HERE, "debian", arguments=("--rounded",)) for blas in ("blas", "blis-serial")),
 )  # fmt: skip
 
 

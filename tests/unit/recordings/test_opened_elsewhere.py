@@ -40,4 +40,8 @@ def test_other_programs_read_what_is_written(library: str, rest: str, tmp_path: 
     if engine in ("netcdf4", "calamine"):
         pytest.importorskip({"netcdf4": "netCDF4", "calamine": "python_calamine"}[engine])
     file = write_recording(run, tmp_path / f"run{suffix}")
-    assert check.differing(check.OPENERS[library, rest](file)) == ""
+    try:
+        opened = check.OPENERS[library, rest](file)
+    except ImportError as refused:  # pandas wants a newer openpyxl than jounce does
+        pytest.skip(str(refused))
+    assert check.differing(opened) == ""
