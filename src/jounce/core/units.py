@@ -207,6 +207,22 @@ def base_units(si: str) -> dict[str, int]:
     return {words[str(name)]: int(power) for name, power in sorted(powers.items())}
 
 
+def as_number(value: object, si: str, *, where: str = "") -> float:
+    """Give a single number of any library as a float in ``si``; a DescriptionError at the place ``where`` otherwise."""
+    from jounce.core.foreign import plain_numbers
+
+    refusal = DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
+    if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
+        raise refusal
+    try:
+        array, unit = plain_numbers(value, where, DescriptionError)
+    except DescriptionError:
+        raise refusal from None
+    if array.ndim:
+        raise refusal
+    return float(array) * (conversion_factor(unit, si, where=where) if unit else 1.0)
+
+
 def to_si(value: object, si: str, *, where: str = "") -> float:
     """Read one physical value in ``si``: text with its unit (``"22.73 N/mm"``), or a bare number that is already SI.
 
@@ -216,8 +232,6 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     if type(value) is float and -LARGEST <= value <= LARGEST:  # most are: descriptions made from others
         return value
     if not isinstance(value, str) and (type(value) is bool or not isinstance(value, Real) or hasattr(value, "dtype")):
-        from jounce.core.samples import as_number
-
         value = as_number(value, si, where=where)
     if not isinstance(value, str):
         try:

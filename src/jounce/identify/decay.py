@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.core.units import to_si
+from jounce.core.units import as_number, to_si
 from jounce.identify.estimate import (
     Estimate,
     Uncertainty,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
+from jounce.core.units import as_number
 from jounce.kernel.call import Loop
 
 _follow = Loop("hysteresis")

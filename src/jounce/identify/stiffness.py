@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike
 
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding, Severity
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
+from jounce.core.units import as_number
 from jounce.identify.estimate import (
     Estimate,
     Uncertainty,

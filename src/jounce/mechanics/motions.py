@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import AssemblyError, DescriptionError
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.segments import SINE, Segments, piecewise_linear
+from jounce.core.units import as_number
 
 
 def constant_rate(rate: float, start: float = 0.0) -> Segments:

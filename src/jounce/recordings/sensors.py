@@ -17,10 +17,10 @@ from pydantic_core import PydanticCustomError
 
 from jounce.core.description import Description
 from jounce.core.errors import shown, unknown
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.seeds import check_seed
 from jounce.core.types import Array
-from jounce.core.units import Frequency, Number, Unit, to_si
+from jounce.core.units import Frequency, Number, Unit, as_number, to_si
 from jounce.recordings.carried import as_recording
 from jounce.recordings.schema import channel_unit
 from jounce.recordings.signals import check_frequency

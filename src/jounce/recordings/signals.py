@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
+from jounce.core.units import as_number
 
 _TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
 _ANTI_ALIAS_ORDER = 8

@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.recursion import first_order
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
+from jounce.core.units import as_number
 
 Averaging = Literal["linear", "exponential"]
 TIME_CONSTANT = 1.0

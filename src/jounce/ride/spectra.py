@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import RecordingError, nearest, unknown
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.core.units import to_si
+from jounce.core.units import as_number, to_si
 from jounce.recordings.carried import rate_of_channels
 from jounce.recordings.quality import check_time
 from jounce.ride.weighting import weighting_response

@@ -10,10 +10,9 @@ from typing import Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.samples import as_number
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
-from jounce.core.units import to_si
+from jounce.core.units import as_number, to_si
 from jounce.roads.rough import BAND, REFERENCE, as_roughness, track_coherence
 
 Density = Callable[[Array], Array]

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import DescriptionError, RecordingError, unknown
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.types import Array
+from jounce.core.units import as_number
 
 Start = Literal["rest", "first", "mean"]
 STARTS: tuple[Start, ...] = ("rest", "first", "mean")

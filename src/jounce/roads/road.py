@@ -14,10 +14,10 @@ from pydantic import model_validator
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
 from jounce.core.kinds import Kinds
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
-from jounce.core.units import NonNegativeLength, PositiveLength
+from jounce.core.units import NonNegativeLength, PositiveLength, as_number
 from jounce.roads.profile import SHORTEST, Profile, laid_out, passes
 
 LEVEL = 1e-6  # m; a belt loop whose ends differ by more is not closed

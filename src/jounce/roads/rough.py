@@ -12,10 +12,10 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.description import Seed, Whole
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
-from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit
+from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit, as_number
 from jounce.roads.profile import Profile, hermite_profile, laid_out, linear_profile, periodic_places
 from jounce.roads.road import Road, SampledRoad
 

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
+from jounce.core.units import as_number
 from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
 
 _UNEVEN = 1e-3  # of the spacing

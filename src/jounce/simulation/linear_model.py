@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import SimulationError, unknown
-from jounce.core.samples import as_number, as_samples
+from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
+from jounce.core.units import as_number
 from jounce.mechanics.facts import moved_by
 from jounce.parts import Rig
 from jounce.simulation.compiled import Compiled, compile_rig

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import SimulationError, nearest
-from jounce.core.samples import as_number
 from jounce.core.segments import Segments
 from jounce.core.types import Array
+from jounce.core.units import as_number
 from jounce.mechanics.facts import Facts
 from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import channel_unit, quantity_of, recording

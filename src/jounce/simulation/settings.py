@@ -9,8 +9,8 @@ from typing import Literal, get_args
 import numpy as np
 
 from jounce.core.errors import SimulationError
-from jounce.core.samples import as_number
 from jounce.core.types import Array
+from jounce.core.units import as_number
 
 Method = Literal["auto", "explicit", "implicit"]
 METHODS: tuple[str, ...] = get_args(Method)

@@ -1,0 +1,135 @@
+"""Numbers and arrays of other libraries as floats, and the unit that they carry.
+
+Libraries are known by what their objects offer (``__array__``, ``magnitude`` and ``units``, ``attrs``) and not
+imported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import UTC, datetime, timedelta
+from decimal import Decimal
+from numbers import Real
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import JounceError, shown
+from jounce.core.types import Array
+
+
+def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple[Array, str]:
+    """Floats, and the unit that they carry; empty for none."""
+    try:
+        array, unit = _numbers(values)
+        if array.dtype.kind not in "mM":
+            return np.asarray(array, dtype=np.float64), unit
+        _refuse(np.isnat(array), "is missing")
+        if array.dtype.kind == "M":
+            if not array.ndim:
+                raise _NoNumberError("an instant is no number")
+            array = array - array[:1]
+        if np.datetime_data(array.dtype)[0] in ("generic", "Y", "M"):
+            raise _NoNumberError("durations in months, years or no unit")
+        return np.asarray(array / np.timedelta64(1, "s"), dtype=np.float64), "s"
+    except _NoNumberError as fault:
+        raise error(str(fault), where=where, allowed="real numbers") from None
+    except Exception as fault:  # noqa: BLE001 - of any library, e.g. of a tensor that lies on a graphics card
+        text = " ".join(str(fault).split())
+        raise error(f"not an array of numbers ({text})", where=where, found=type(values).__name__) from None
+
+
+class _NoNumberError(Exception):
+    """What is no number, in words."""
+
+
+def _numbers(values: Any) -> tuple[NDArray[Any], str]:
+    """Numbers, durations or instants as a plain array, and the unit that they carry."""
+    values, unit = _bare(values)
+    if hasattr(values, "__dask_graph__"):
+        values = values.compute()  # its own conversion loses masks
+    if isinstance(values, Sequence) and not isinstance(values, str | bytes):
+        array, of_items = _stacked(list(values))
+        return array, unit or of_items
+    array = np.asanyarray(values)
+    _refuse(getattr(array, "mask", False), "is masked")
+    array = np.asarray(array)
+    kind = array.dtype.kind
+    if kind == "O":
+        array, of_items = _stacked(list(array)) if array.ndim else _scalar(array.item())
+        return array, unit or of_items
+    if kind == "c":
+        _refuse(array.imag != 0.0, "has an imaginary part")
+        return array.real, unit
+    if kind not in "biufmM" and (kind != "V" or array.dtype.type is np.void):  # bfloat16 is a kind of "V"
+        raise _NoNumberError("text, not numbers" if kind in "SUT" else f"{array.dtype} is no kind of number")
+    return array, unit
+
+
+def _bare(values: Any) -> tuple[Any, str]:
+    """Values without the unit that they carry, and that unit: ``"1"`` for a plain number, empty where there is none."""
+    if hasattr(values, "magnitude") and hasattr(values, "units"):  # Pint
+        return values.magnitude, _unit(format(values.units, "D"))
+    if isinstance(values, np.ndarray):  # Astropy, unyt
+        unit = getattr(values, "unit", getattr(values, "units", None))
+        _refuse(getattr(values, "mask", False), "is masked")
+        return (values, "") if unit is None else (values.view(np.ndarray), _unit(str(unit)))
+    if hasattr(values, "data_vars"):
+        raise _NoNumberError("a whole Dataset; give the values of one channel, e.g. run['sprung.az']")
+    attributes: Any = getattr(values, "attrs", None)
+    unit = attributes.get("units") if hasattr(attributes, "get") else None
+    if unit is None:
+        unit = getattr(values, "units", getattr(getattr(values, "dtype", None), "units", None))
+    unit = unit.decode() if isinstance(unit, bytes) else unit if isinstance(unit, str) else ""
+    if type(values).__module__.startswith("xarray."):  # its own conversion loses masks and units, too
+        values, own = _bare(values.variable.data if hasattr(values, "variable") else values.data)
+        return values, own or unit
+    return values, unit
+
+
+def _unit(text: str) -> str:
+    return "1" if text in ("", "dimensionless") else text
+
+
+def _stacked(items: list[Any]) -> tuple[NDArray[Any], str]:
+    """Items as one array; they are of one kind and carry one unit."""
+    kinds_of_items = {type(item) for item in items}
+    if np.timedelta64 not in kinds_of_items and all(issubclass(kind, _REAL) for kind in kinds_of_items):
+        return np.array(items, dtype=np.float64), ""
+    parts = [_numbers(item) for item in items]
+    if len({part.shape for part, _ in parts}) > 1:
+        raise _NoNumberError("rows of different lengths")
+    kinds = {part.dtype.kind if part.dtype.kind in "mM" else "f" for part, _ in parts}
+    units = {unit for _, unit in parts}
+    if len(kinds) > 1 or len(units) > 1:
+        raise _NoNumberError(f"numbers of several kinds or units ({', '.join(sorted(units | kinds))})")
+    return np.array([part for part, _ in parts]), units.pop()
+
+
+def _scalar(value: Any) -> tuple[NDArray[Any], str]:
+    """A single object that NumPy has no type for."""
+    if isinstance(value, Real | Decimal):
+        return np.array(float(value)), ""
+    for convert in ("to_timedelta64", "to_datetime64"):  # pandas
+        if hasattr(value, convert):
+            return np.array(getattr(value, convert)()), _ZONED if getattr(value, "tzinfo", None) else ""
+    if hasattr(value, "as_py"):  # Arrow
+        return _numbers(value.as_py())
+    if isinstance(value, timedelta):
+        return np.array(value, "m8[us]"), ""
+    if isinstance(value, datetime):
+        if value.tzinfo is not None:
+            return np.array(value.astimezone(UTC).replace(tzinfo=None), "M8[us]"), _ZONED
+        return np.array(value, "M8[us]"), ""
+    raise _NoNumberError(f"{shown(value)} is no number")
+
+
+_REAL = (float, int, np.floating, np.integer)  # NumPy's durations count as integers, too
+_ZONED = "instants with a time zone"
+
+
+def _refuse(wrong: NDArray[np.bool_] | bool, what: str) -> None:
+    if np.any(wrong):
+        at = f"sample {int(np.argmax(wrong)) + 1} " if np.ndim(wrong) else "the number "
+        raise _NoNumberError(at + what)
