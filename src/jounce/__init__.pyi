@@ -132,7 +132,7 @@ from .recordings import read_columns as read_columns
 from .recordings import read_recording as read_recording
 from .recordings import to_pandas as to_pandas
 from .recordings import write_recording as write_recording
-from .recordings.schema import recording as recording
+from .recordings.carried import recording as recording
 from .report.animation import animate as animate
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper

@@ -11,7 +11,7 @@ import pytest
 
 from jounce.inspection import evaluate
 from jounce.parts.testers import load_tester
-from jounce.recordings.schema import recording
+from jounce.recordings import recording
 
 NOISE = 0.01
 

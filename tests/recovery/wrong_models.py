@@ -19,7 +19,7 @@ from jounce.identify.discrepancy import _Calibration, _State
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
 from jounce.papers.virtual_bench import wheel_path
-from jounce.recordings.schema import recording
+from jounce.recordings import recording
 
 RATE, DURATION = 1000.0, 1.4
 TRIALS = (  # speed m/s, pitch m (0: a single obstacle), strut angle deg

@@ -15,7 +15,7 @@ from jounce.inspection import Corner, evaluate, force_response, steady_state
 from jounce.inspection.methods import half_power, plate_gain, theta_by_amplification
 from jounce.inspection.quarter_car import rig_poles, road_poles, wheel_damping
 from jounce.parts.testers import load_tester
-from jounce.recordings.schema import recording
+from jounce.recordings import recording
 from jounce.testers.plate_response import road_damping_ratio
 from jounce.testers.plates import tyre_rigidity
 

@@ -16,7 +16,7 @@ from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
 from jounce.parts import Rig
 from jounce.parts.rig import unknown_path
-from jounce.recordings.schema import recording
+from jounce.recordings.schema import recording_of
 from jounce.roads import Road, Train, Trial
 from jounce.simulation.settings import RunSettings
 
@@ -153,7 +153,7 @@ def _one(rig: Rig, trial: Trial, free: tuple[Free, ...], output_step: float) -> 
     Against a record of zeros the residuals are the signals and their Jacobian the sensitivities, both with a minus.
     """
     times = RunSettings(output_step).times(trial.duration)
-    zeros = recording(times, {name: (np.zeros(len(times)), unit, "") for name, unit in _WATCHED.items()})
+    zeros = recording_of(times, {name: (np.zeros(len(times)), unit, "") for name, unit in _WATCHED.items()})
     problem = UpdateProblem(
         [FitTrial(f"speed {trial.speed:g} m/s", rig, trial, zeros)], free,
         channels=None, weights="printed", align=False, lag_bound=1.0, tolerance=1e-6,

@@ -208,10 +208,22 @@ def base_units(si: str) -> dict[str, int]:
 
 
 def as_number(value: object, si: str, *, where: str = "") -> float:
-    """Give a single number of any library as a float in ``si``; a DescriptionError at the place ``where`` otherwise."""
+    """Give a number of any library, or a text with its unit, as a float in ``si``; NaN is for the caller to judge.
+
+    A DescriptionError at the place ``where`` refuses all else.
+
+    >>> import numpy as np
+    >>> as_number(np.timedelta64(500, "ms"), "s"), as_number("500 ms", "s"), as_number(0.5, "s")
+    (0.5, 0.5, 0.5)
+    """
     from jounce.core.foreign import plain_numbers
 
-    refusal = DescriptionError("not a physical value", where=where, found=value, allowed=f"'<number> <unit of {si}>'")
+    if type(value) is float:
+        return value
+    if isinstance(value, str):
+        return to_si(value, si, where=where)
+    found = "None" if value is None else value
+    refusal = DescriptionError("not a physical value", where=where, found=found, allowed=f"'<number> <unit of {si}>'")
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
         raise refusal
     try:

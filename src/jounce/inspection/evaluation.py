@@ -90,7 +90,7 @@ def evaluate(
     Examples
     --------
     >>> from jounce.inspection.quarter_car import Corner, force_response
-    >>> from jounce.recordings.schema import recording
+    >>> from jounce.recordings import recording
     >>> t = np.arange(12000) / 1000.0
     >>> f = np.clip(25.0 - 2.5 * (t - 1.5), 0.1, 25.0)  # slow enough to be steady at every instant
     >>> angle = 2 * np.pi * np.cumsum(f) / 1000.0

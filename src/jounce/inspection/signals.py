@@ -260,7 +260,7 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     Examples
     --------
     >>> from jounce.parts.testers import Tester, TesterLimits
-    >>> from jounce.recordings.schema import recording
+    >>> from jounce.recordings import recording
     >>> t = np.arange(12000) / 1000.0
     >>> z = 3e-3 * np.sin(2 * np.pi * (25.0 * t - t**2))
     >>> force = -18.0 * (2 * np.pi * (25.0 - 2.0 * t)) ** 2 * z

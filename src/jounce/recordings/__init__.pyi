@@ -1,5 +1,6 @@
 """Public names of recordings, each loaded on first use."""
 
+from .carried import recording as recording
 from .files import read_columns as read_columns
 from .files import read_recording as read_recording
 from .files import to_pandas as to_pandas
@@ -10,7 +11,6 @@ from .reader import Reader as Reader
 from .readers import READERS as READERS
 from .schema import channel_unit as channel_unit
 from .schema import check_recording as check_recording
-from .schema import recording as recording
 from .sensors import Sensor as Sensor
 from .sensors import apply_sensors as apply_sensors
 from .sensors import filter_signals as filter_signals

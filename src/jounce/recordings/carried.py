@@ -2,19 +2,61 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from jounce.core.columns import Column, name_and_unit
 from jounce.core.errors import RecordingError, named
 from jounce.core.samples import as_samples
 from jounce.recordings.quality import check_time
-from jounce.recordings.schema import channel_unit, is_spelling, quantity_of, recording
+from jounce.recordings.schema import channel_unit, is_spelling, quantity_of, recording_of
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
+
+
+def recording(
+    time: ArrayLike | pd.DataFrame,
+    channels: Mapping[str, tuple[ArrayLike, str, str]] | None = None,
+    *,
+    attributes: Mapping[str, object] | None = None,
+) -> xr.Dataset:
+    """Put signals together as a recording.
+
+    Parameters
+    ----------
+    time : array_like, shape (n,), or DataFrame
+        Time of the samples in s; or alone, a table of pandas or Polars with columns ``name [unit]``, one of them or the
+        index ``time [s]``.
+    channels : mapping of str to (array_like of shape (n,), str, str)
+        Values in SI, SI unit, and name in words (empty: derived from the name) of each channel. Float arrays are kept
+        without a copy.
+    attributes : mapping, optional
+        Facts about the whole recording.
+
+    Returns
+    -------
+    xarray.Dataset
+        One variable per channel with ``units``, ``long_name`` and ``place`` on the coordinate ``time`` (s).
+
+    Raises
+    ------
+    RecordingError
+        When a channel has not as many samples as ``time``.
+
+    Examples
+    --------
+    >>> run = recording([0.0, 0.001], {"sprung.az": ([0.0, 1.5], "m/s^2", "")})
+    >>> run["sprung.az"].attrs["place"], run["sprung.az"].attrs["long_name"], float(run["sprung.az"].max())
+    ('sprung', 'vertical acceleration, sprung', 1.5)
+    """
+    if channels is None:
+        return as_recording(time).assign_attrs(attributes or {})
+    return recording_of(time, channels, attributes)
 
 
 def is_table(given: object) -> bool:
@@ -55,7 +97,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     for name, column in columns.items():
         unit = channel_unit(name) if quantity_of(name) not in ("", "command") else column.unit or "1"
         channels[name] = (column.in_si(unit), unit, "")
-    return recording(time, channels)
+    return recording_of(time, channels)
 
 
 def _spelled(run: xr.Dataset, where: str) -> xr.Dataset:

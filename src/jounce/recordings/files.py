@@ -22,7 +22,7 @@ from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
 from jounce.recordings.reader import ReaderOptions, SignalTable
 from jounce.recordings.readers import is_read_in_child, read_signals
-from jounce.recordings.schema import channel_unit, quantity_of, recording
+from jounce.recordings.schema import channel_unit, quantity_of, recording_of
 from jounce.recordings.signals import read_at, uniform_instants
 from jounce.recordings.writers import RECORDING_FILES
 
@@ -161,7 +161,7 @@ def read_recording(
         attributes["recorded_rates"] = "; ".join(
             f"{name} {rate:g} Hz, between them a spline" for name, rate in rates.items()
         )
-    run = recording(time, channels, attributes=attributes)
+    run = recording_of(time, channels, attributes=attributes)
     for name, rate in rates.items():
         run[name].attrs["recorded_rate"] = rate
     return run, findings

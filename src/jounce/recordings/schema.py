@@ -17,7 +17,6 @@ from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 
 if TYPE_CHECKING:
-    import pandas as pd
     import xarray as xr
 
 QUANTITIES: dict[str, tuple[str, str]] = {
@@ -197,47 +196,12 @@ def describe(name: str) -> str:
     return f"{words}, {place}" if place else words
 
 
-def recording(
-    time: ArrayLike | pd.DataFrame,
-    channels: Mapping[str, tuple[ArrayLike, str, str]] | None = None,
-    *,
-    attributes: Mapping[str, object] | None = None,
+def recording_of(
+    time: ArrayLike, channels: Mapping[str, tuple[ArrayLike, str, str]], attributes: Mapping[str, object] | None = None
 ) -> xr.Dataset:
-    """Put signals together as a recording.
-
-    Parameters
-    ----------
-    time : array_like, shape (n,), or DataFrame
-        Time of the samples in s; or alone, a table of pandas or Polars with columns ``name [unit]``, one of them or the
-        index ``time [s]``.
-    channels : mapping of str to (array_like of shape (n,), str, str)
-        Values in SI, SI unit, and name in words (empty: derived from the name) of each channel. Float arrays are kept
-        without a copy.
-    attributes : mapping, optional
-        Facts about the whole recording.
-
-    Returns
-    -------
-    xarray.Dataset
-        One variable per channel with ``units``, ``long_name`` and ``place`` on the coordinate ``time`` (s).
-
-    Raises
-    ------
-    RecordingError
-        When a channel has not as many samples as ``time``.
-
-    Examples
-    --------
-    >>> run = recording([0.0, 0.001], {"sprung.az": ([0.0, 1.5], "m/s^2", "")})
-    >>> run["sprung.az"].attrs["place"], run["sprung.az"].attrs["long_name"], float(run["sprung.az"].max())
-    ('sprung', 'vertical acceleration, sprung', 1.5)
-    """
+    """Put arrays together as a recording; arguments as for :func:`jounce.recording`."""
     import xarray as xr
 
-    if channels is None:
-        from jounce.recordings.carried import as_recording
-
-        return as_recording(time).assign_attrs(attributes or {})
     instants = as_samples(time, "s", where="time")
     variables = {}
     for name, (values, unit, long_name) in channels.items():
@@ -300,7 +264,7 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
 
     Examples
     --------
-    >>> check_recording(recording([0.0, 0.001], {"tyre.force": ([200.0, 201.0], "N", "")}))
+    >>> check_recording(recording_of([0.0, 0.001], {"tyre.force": ([200.0, 201.0], "N", "")}))
     """
     check_units(dataset, where=where)
     time = np.asarray(dataset["time"].values)

@@ -261,7 +261,7 @@ def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: i
 
     Examples
     --------
-    >>> from jounce.recordings.schema import recording
+    >>> from jounce.recordings import recording
     >>> run = recording([0.0, 0.001, 0.002], {"sprung.az": ([0.0, 1.0, 2.0], "m/s^2", "")})
     >>> apply_sensors(run, {"sprung.az": Sensor(bias="1 g", orientation=-1)})["sprung.az"].values.round(9).tolist()
     [9.80665, 8.80665, 7.80665]

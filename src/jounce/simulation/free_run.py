@@ -19,7 +19,7 @@ from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.facts import moved_by
 from jounce.mechanics.mechanism import BALANCE
-from jounce.recordings.schema import recording
+from jounce.recordings.schema import recording_of
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_implicit_step, room
 from jounce.simulation.result import Solution, samples_reached
@@ -176,7 +176,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         for i, output in enumerate(compiled.facts.outputs)
         if output.name != BALANCE or "energy.kinetic" in compiled.output_names
     }
-    run = recording(solution.time[:reach], channels)
+    run = recording_of(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
     run.attrs["findings"] = [str(finding) for group in notes for finding in group]

@@ -14,7 +14,7 @@ from jounce.core.types import Array
 from jounce.core.units import as_number
 from jounce.mechanics.facts import Facts
 from jounce.parts import Rig, as_rig
-from jounce.recordings.schema import channel_unit, quantity_of, recording
+from jounce.recordings.schema import channel_unit, quantity_of, recording_of
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.prepare import prepare
@@ -95,7 +95,7 @@ class Solved:
 
     def recording(self) -> xr.Dataset:
         """Give it as everyone reads it."""
-        return recording(self.time, self.channels, attributes=self.attributes)
+        return recording_of(self.time, self.channels, attributes=self.attributes)
 
 
 def solved(

@@ -20,7 +20,7 @@ from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester, as_tester
 from jounce.parts.vehicles import FrontViewAxle, FullCar, HalfCar4DOF, axle_of
 from jounce.recordings.files import write_recording
-from jounce.recordings.schema import recording
+from jounce.recordings.schema import recording_of
 from jounce.testers.programme import Other, ProgrammeRun, Wheel, run_programme
 from jounce.testers.rig import channel, rig_on_tester
 
@@ -142,7 +142,7 @@ def simulate_test(
         channels.update(_measured(run, tester, side, place, sensors or Sensors(), (generator, noise)))
     if truth:
         channels.update(_truth(run, sides))
-    return recording(run.time, channels, attributes=attributes)
+    return recording_of(run.time, channels, attributes=attributes)
 
 
 def _measured(

@@ -6,7 +6,7 @@ import plate_twin
 import pytest
 
 from jounce.parts.testers import load_tester
-from jounce.recordings.schema import recording
+from jounce.recordings import recording
 
 
 @pytest.fixture(scope="session")

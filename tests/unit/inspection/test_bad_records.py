@@ -11,7 +11,7 @@ from jounce.core.errors import DescriptionError, RecordingError
 from jounce.inspection import evaluate
 from jounce.inspection.evaluation import require_gradable
 from jounce.parts.testers import load_tester
-from jounce.recordings.schema import recording
+from jounce.recordings import recording
 
 
 @pytest.fixture(scope="module")

@@ -314,7 +314,7 @@ def test_packed_signals_are_the_same_bit_by_bit() -> None:
     import numpy as np
 
     from jounce.inspection.archive.entries import pack, unpack
-    from jounce.recordings.schema import recording
+    from jounce.recordings import recording
 
     rng = np.random.default_rng(3)
     time = np.arange(500) / 1000.0

@@ -11,7 +11,7 @@ from jounce.inspection.signals import WheelSignals, _greatest_part, mean_shaking
 from jounce.inspection.sweep import turns_of
 from jounce.parts import load
 from jounce.parts.testers import load_tester
-from jounce.recordings.schema import recording
+from jounce.recordings import recording
 from jounce.testers.testing import simulate_test
 
 RATE, LEAST = 1000.0, 0.325e-3

@@ -5,6 +5,7 @@ import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.core.units import conversion_factor
+from jounce.recordings import recording
 from jounce.recordings.schema import (
     QUANTITIES,
     channel_unit,
@@ -14,7 +15,6 @@ from jounce.recordings.schema import (
     extremes,
     place_of,
     quantity_of,
-    recording,
 )
 
 TIME = np.arange(5) * 0.001

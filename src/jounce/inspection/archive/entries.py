@@ -116,7 +116,7 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
 
     Examples
     --------
-    >>> from jounce.recordings.schema import recording
+    >>> from jounce.recordings import recording
     >>> run = recording([0.0, 0.001], {"left.plate.z": ([0.0, 2.9991e-3], "m", "")})
     >>> again, findings = unpack(pack(run))
     >>> again.identical(run), findings
@@ -140,7 +140,7 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
 
 def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
     """Give back what was packed; raises RecordingError for bytes that are damaged or of another version."""
-    from jounce.recordings.schema import recording
+    from jounce.recordings.schema import recording_of
 
     try:
         content = zlib.decompress(packed)
@@ -158,7 +158,7 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
         start += width * head["samples"]
         arrays[channel["name"]] = (values, channel["units"], channel["long_name"])
     time = arrays.pop("time")[0]
-    return recording(time, arrays, attributes=head["attributes"]), [of_plain(one) for one in head["findings"]]
+    return recording_of(time, arrays, attributes=head["attributes"]), [of_plain(one) for one in head["findings"]]
 
 
 def _packed(values: Array) -> tuple[dict[str, Any], bytes]:
