@@ -1139,7 +1139,7 @@ def _checked(
 ) -> tuple[Array, Array]:
     if quantity not in QUANTITIES:
         raise unknown(str(quantity), QUANTITIES, what="quantity", where=name)
-    si = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}[quantity]
+    si = _UNITS[quantity]
     t = as_samples(time, "s", where=f"{name}: time", error=FitError)
     signal = as_samples(record, si, where=f"{name}: {quantity}", error=FitError)
     if t.ndim != 1 or t.shape != signal.shape:

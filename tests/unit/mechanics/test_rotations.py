@@ -14,6 +14,7 @@ from jounce.mechanics.rotations import (
     quaternion_matrix,
     quaternion_rate,
     roll_pitch_yaw,
+    rotation_vector,
     skew,
     unit,
 )
@@ -85,3 +86,24 @@ def test_normals_make_a_right_handed_frame_that_leans_on_the_farthest_axis(axis:
     assert n2[farthest] == pytest.approx(0.0, abs=1e-15)
     assert n1[farthest] > 0.7
     np.testing.assert_allclose(ca.DM(skew(along) @ ca.SX(n1)).full().ravel(), n2, rtol=0.0, atol=1e-14)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-14, 1e-6, 0.03, 0.0999, 0.1001, 0.7, 2.0, 3.0])
+def test_a_rotation_vector_and_its_rate(angle: float) -> None:
+    """The series below 0.1 rad and the closed form above it give SciPy's vector, and the rate of its differences."""
+    matrix = ca.SX.sym("matrix", 3, 3)
+    values = ca.Function("vector", [matrix], list(rotation_vector(matrix)))
+    slopes = ca.Function("slopes", [matrix], [ca.jacobian(ca.vec(part), matrix) for part in rotation_vector(matrix)])
+    spin, step = np.array([0.7, -1.1, 0.4]), 1e-4
+    for axis in AXES:
+        vector = angle * axis / np.linalg.norm(axis)
+        turn = Rotation.from_rotvec(vector)
+        found, rates = (np.array(part) for part in values(turn.as_matrix()))
+        np.testing.assert_allclose(found.ravel(), vector, rtol=0.0, atol=1e-14)
+
+        def moved(by: float, turn: Rotation = turn) -> np.ndarray:
+            return (Rotation.from_rotvec(by * spin) * turn).as_rotvec()
+
+        difference = (8.0 * (moved(step) - moved(-step)) - (moved(2.0 * step) - moved(-2.0 * step))) / (12.0 * step)
+        np.testing.assert_allclose(rates @ spin, difference, rtol=0.0, atol=1e-10)
+        assert all(np.isfinite(np.array(part)).all() for part in slopes(turn.as_matrix()))
