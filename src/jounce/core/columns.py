@@ -557,8 +557,8 @@ def _columns(
         mixed = _mixed_marks(table, lines, heads, file) if {",", "."} <= set("".join(marks)) else None
         comma = mixed is None and "," in marks
         for position, (cells, head, mark) in enumerate(zip(table, heads, marks, strict=True)):
-            name, unit = name_and_unit(head)
-            clock = seconds_of(cells) if not mark and (names_time(name) or not unit) else None
+            name, unit = (head, units[position]) if units else name_and_unit(head)
+            clock = seconds_of(cells) if not mark and (names_time(name) or unit in ("", "s")) else None
             if clock is not None:
                 clocks[position] = clock[1]
                 found.append(clock[0])

@@ -28,10 +28,8 @@ def _registry() -> Any:
     def make() -> Any:
         import pint
 
-        try:
-            return pint.UnitRegistry(cache_folder=":auto:", autoconvert_offset_to_baseunit=True)
-        except OSError:  # no folder that could be written: slower, with the same units
-            return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
+        # No cache of its own: pint unpickles whatever lies in that folder, and others may be able to write there.
+        return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
     return _registries.of("pint", make)
 
@@ -95,7 +93,7 @@ def is_unit(text: str) -> bool:
     [True, True, True, False, False, False]
     """
     text = text.strip()
-    if text in _GRAVITY or text in _WHOLE:
+    if text in _GRAVITY or text in _WHOLE or text in _KNOWN:
         return True
     try:
         _parsed(text)
@@ -104,19 +102,35 @@ def is_unit(text: str) -> bool:
     return any(letter.isalpha() or letter in "%°" for letter in text)
 
 
+def is_unit_of(text: str, si: str) -> bool:
+    """Whether a text is a unit that converts to an SI unit.
+
+    >>> is_unit_of("ms", "s"), is_unit_of("N", "s"), is_unit_of("front", "s")
+    (True, False, False)
+    """
+    try:
+        _factor(text.strip(), si)
+    except ValueError:
+        return False
+    return True
+
+
 _EVERYDAY: dict[str, dict[str, float]] = {
     "1": {"%": 0.01},
     "Hz": {"kHz": 1e3},
     "N": {"kN": 1e3},
     "N/m": {"N/mm": 1e3, "kN/m": 1e3, "kN/mm": 1e6},
+    "N/m^3": {"N/mm^3": 1e9},
     "Pa": {"MPa": 1e6, "bar": 1e5, "kPa": 1e3},
     "kg": {"g": 1e-3},
     "m": {"cm": 0.01, "mm": 1e-3},
     "m/s": {"km/h": 1e3 / 3600.0, "mm/s": 1e-3},
+    "m/s^2": {"mm/s^2": 1e-3},
     "rad": {"deg": math.pi / 180.0},
     "s": {"ms": 1e-3},
 }
 """Units of nearly every description, so that most commands need no library of units: a test holds them against it."""
+_KNOWN = {unit for si, others in _EVERYDAY.items() for unit in (si, *others)} - {"1"}
 
 
 @lru_cache(maxsize=512)

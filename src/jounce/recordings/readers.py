@@ -35,7 +35,7 @@ from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.types import Array
-from jounce.core.units import is_unit
+from jounce.core.units import is_unit, is_unit_of
 from jounce.core.workbooks import sheets_of
 from jounce.recordings.hdf5 import announcement, check_size
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
@@ -44,6 +44,7 @@ from jounce.recordings.matlab import read_matrices
 from jounce.recordings.netcdf import Group, opened
 from jounce.recordings.parquet import check_counts, check_end
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
+from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
 
 READERS: list[Reader] = []
@@ -611,7 +612,7 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
             unit = unit or told.get("unit") or told.get("units") or ""
             long_names[name] = told.get("long_name", "")
             kind, values, fault = field_.type, np.empty(0), None
-            if arrow.types.is_temporal(kind) and hasattr(kind, "unit"):
+            if arrow.types.is_temporal(kind) and hasattr(kind, "unit") and _may_be_clock(name, unit):
                 whole = chunks.cast(arrow.int32() if kind.bit_width == 32 else arrow.int64())
                 ticks = whole.to_numpy()  # float, with NaN, where instants are missing
                 values, unit = (
@@ -661,7 +662,7 @@ def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
             kept[title] = [row for _, row in rows]
     is_ours = {*EXCEL} <= kept.keys() and options.variable in ("", EXCEL[0])
     title = EXCEL[0] if is_ours else _chosen_sheet(kept, options.variable, path)
-    table = _renamed(columns_in(_as_text(kept[title]), path), options.header)
+    table = _by_cell(_renamed(columns_in(_as_text(kept[title]), path), options.header), kept[title], path, title)
     if not is_ours:
         others = tuple(name for name, rows in kept.items() if name != title and _holds_numbers(rows))
         with _understood(path, "an Excel workbook"):
@@ -715,17 +716,83 @@ def _as_text(rows: list[list[Any]]) -> str:
 
 
 def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
-    """Rows in which the unit above durations is s, whether another one is written there or none."""
+    """Rows in which the unit above durations is s, whether another unit of time is written there or none.
+
+    Durations below anything else stay: a number that is shown as hours is a duration for the library, too.
+    """
     found = [list(row) for row in rows]
     below = {
         i: n for n, row in reversed([*enumerate(rows)]) for i, cell in enumerate(row) if isinstance(cell, timedelta)
     }
     for i, n in below.items():
-        head = rows[n - 1][i] if n and i < len(rows[n - 1]) else None
-        if isinstance(head, str):
-            is_bare_unit = is_unit(head) and not names_time(head)
-            found[n - 1][i] = "s" if is_bare_unit else f"{name_and_unit(head)[0]} [s]"
+        above = [row[i] for row in rows[max(n - 2, 0) : n] if i < len(row) and isinstance(row[i], str)]
+        cells = {type(row[i]) for row in rows[n:] if i < len(row) and row[i] not in (None, "")}
+        is_bare_unit = bool(above) and is_unit(above[-1]) and not names_time(above[-1])
+        name, unit = (above[0], above[-1]) if is_bare_unit else name_and_unit(above[-1] if above else "")
+        if cells == {timedelta} and _may_be_clock(name, unit):
+            for row in found[n:]:
+                if i < len(row) and isinstance(row[i], timedelta):
+                    row[i] = row[i].total_seconds()
+            if above:
+                found[n - 1][i] = "s" if is_bare_unit else f"{name} [s]"
     return found
+
+
+def _may_be_clock(name: str, unit: str) -> bool:
+    """Whether durations and instants below a name and a unit are meant so: below a channel's they are a mistake."""
+    is_channel = quantity_of(name) and channel_unit(name) != "s"
+    return names_time(name) or (not is_channel and (not unit or is_unit_of(unit, "s")))
+
+
+def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) -> ColumnTable:
+    """The table; a column's fault names the sheet's cell, and what is neither number nor text there.
+
+    A known channel is no clock: instants and durations in it are such a fault.
+    """
+    columns = list(table.columns)
+    for place, column in enumerate(columns):
+        old = column.fault or RecordingError("", allowed="a number")
+        line = int(found[1]) if (found := re.search(r", line (\d+): column ", old.where)) else 0
+        if not (line or (column.fault is None and column.unit == "s" and not _may_be_clock(column.name, "s"))):
+            continue
+        heads = (column.written or column.label, column.label, column.name)
+        below = {i for row in rows for i, cell in enumerate(row) if isinstance(cell, str) and _cell_text(cell) in heads}
+        cells = [(n, i, row[i]) for n, row in enumerate(rows, 1) for i in sorted(below) if i < len(row)]
+        if line:
+            here = [one for one in cells if one[0] == line and _cell_text(one[2])[:80] == old.found]
+        else:
+            here = [one for one in cells if isinstance(one[2], datetime | time | timedelta)]
+        if not here:
+            continue
+        line, i, cell = here[0]
+        kind = next((word for kinds, word in _KINDS_OF_CELL if isinstance(cell, kinds)), "")
+        kind = "an error" if not kind and str(cell) in _ERRORS_OF_EXCEL else kind
+        fault = RecordingError(
+            f"{kind} in a column of numbers" if kind else old.what,
+            where=f"{path}: sheet {sheet!r}, cell {_letters(i)}{line} (column {heads[0]!r})",
+            found=str(cell).upper() if isinstance(cell, bool) else _cell_text(cell)[:80],
+            allowed=old.allowed,
+            hint="Correct the cell, or format it as a number; rename the column if it is no channel."
+            if kind
+            else old.hint,
+        )
+        columns[place] = replace(column, fault=fault)
+    return replace(table, columns=tuple(columns))
+
+
+_KINDS_OF_CELL = (
+    (bool, "a truth value"), (datetime, "a date"), (time, "a time of day"), (timedelta, "a duration")
+)  # fmt: skip
+_ERRORS_OF_EXCEL = ("#DIV/0!", "#NAME?", "#NULL!", "#NUM!", "#REF!", "#VALUE!", "#GETTING_DATA", "#SPILL!", "#CALC!")
+
+
+def _letters(column: int) -> str:
+    """Name of a column of a sheet, from 0.
+
+    >>> [_letters(column) for column in (0, 25, 26, 701, 702)]
+    ['A', 'Z', 'AA', 'ZZ', 'AAA']
+    """
+    return (_letters(column // 26 - 1) if column > 25 else "") + chr(ord("A") + column % 26)
 
 
 def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
@@ -761,13 +828,11 @@ def _format_below(path: Path, sheet: str, header: str) -> str:
 
 
 def _cell_text(cell: Any) -> str:
-    """A cell as a text file has it: clocks as ISO 8601 has them, durations in s."""
+    """A cell as a text file has it: clocks as ISO 8601 has them."""
     if cell is None:
         return ""
     if isinstance(cell, datetime | time):
         return cell.isoformat()
-    if isinstance(cell, timedelta):
-        cell = cell.total_seconds()
     return repr(cell) if isinstance(cell, float) else " ".join(str(cell).replace('"', "'").split())
 
 

@@ -166,3 +166,45 @@ def test_what_a_sheet_cannot_hold(tmp_path: Path, monkeypatch) -> None:
     with pytest.raises(OutputError, match=r"more than a sheet of Excel holds; found '10 rows, 2 columns'"):
         jn.write_recording(recording(), tmp_path / "a.xlsx")
     assert not list(tmp_path.iterdir())
+
+
+NO_NUMBERS = {
+    "a date": datetime(2026, 5, 3, 12),  # noqa: DTZ001 - as Excel has it
+    "a time of day": time(0, 0),
+    "a duration": timedelta(0),
+    "a truth value": False,
+    "an error": "#DIV/0!",
+}
+
+
+@pytest.mark.parametrize("heads", [
+    [["time [s]", "sprung.az [m/s^2]", "tyre.force [N]"]], [["time [s]", "sprung.az", "tyre.force [N]"]],
+    [["time", "sprung.az", "tyre.force"], ["s", "m/s^2", "N"]],
+])  # fmt: skip
+@pytest.mark.parametrize("rows", [range(50), [20]], ids=["all", "one"])
+@pytest.mark.parametrize("kind", NO_NUMBERS)
+def test_cells_of_a_channel_that_are_no_numbers(
+    tmp_path: Path, kind: str, rows: list[int], heads: list[list[str]]
+) -> None:
+    """A duration was read as seconds (a number that is shown as hours is one), and such a column was left out."""
+    table = [[t, NO_NUMBERS[kind] if i in rows else 1.0, f] for i, (t, f) in enumerate(SAMPLES)]
+    file = book(tmp_path / "a.xlsx", run=[*heads, *table])
+    cell = rf"sheet 'run', cell B{rows[0] + 1 + len(heads)} \(column 'sprung\.az.*{kind} in a column of numbers; found"
+    with pytest.raises(RecordingError, match=cell + r".*format it as a number"):
+        jn.read_recording(file)
+    assert jn.read_columns(file, {"tyre.force": "N"})[0]["tyre.force"].size == len(SAMPLES)
+
+
+@pytest.mark.parametrize("kind", NO_NUMBERS)
+def test_cells_of_a_clock_that_are_of_another_kind(tmp_path: Path, kind: str) -> None:
+    table = [[NO_NUMBERS[kind] if i == 20 else t, f] for i, (t, f) in enumerate(SAMPLES)]
+    with pytest.raises(RecordingError, match=rf"cell A22 \(column 'time \[s\]'\): {kind} in a column of numbers"):
+        jn.read_recording(book(tmp_path / "a.xlsx", run=[["time [s]", "tyre.force [N]"], *table]))
+
+
+@pytest.mark.parametrize("instant", [timedelta, lambda seconds: datetime(2026, 5, 3, second=seconds)])  # noqa: DTZ001
+def test_a_unit_that_is_none_of_time_stays(tmp_path: Path, instant) -> None:
+    """A column that is no channel: its values were seconds, whatever its unit said."""
+    rows = [["time [s]", "heat [degC]"], *([t, instant(seconds=i)] for i, (t, _) in enumerate(SAMPLES))]
+    with pytest.raises(RecordingError, match=r"cell B2 \(column 'heat \[degC\]'\): a d"):
+        jn.read_columns(book(tmp_path / "a.xlsx", run=rows), {"heat": "s"})

@@ -9,7 +9,7 @@ import pytest
 
 from jounce.core.errors import RecordingError
 from jounce.core.optional import MissingPackageError, how_to_install, require
-from jounce.recordings import read_recording, readers
+from jounce.recordings import read_columns, read_recording, readers
 
 TIME = np.arange(40) * 0.001
 WAVE = np.sin(TIME * 200.0)
@@ -373,6 +373,16 @@ def test_parquet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pq.write_table(holes, file)
     with pytest.raises(RecordingError, match="not a finite number at row 1"):
         read_recording(file)
+
+
+@pytest.mark.parametrize("head", ["sprung.az [m/s^2]", "sprung.az", "heat [degC]"])
+def test_durations_in_a_channel_of_parquet_are_no_seconds(tmp_path: Path, head: str) -> None:
+    pa, pq = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    ticks = pa.array(np.arange(20), pa.duration("ms"))
+    pq.write_table(pa.table({"time [s]": np.arange(20) * 0.1, head: ticks}), tmp_path / "a.parquet")
+    name = head.partition(" ")[0]
+    with pytest.raises(RecordingError, match=r"number column; found 'duration\[ms\]'"):
+        read_columns(tmp_path / "a.parquet", {name: "s"})
 
 
 def test_parquet_without_rows_and_with_durations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -438,7 +438,9 @@ class PointReading:
             )
             if meant is not None:
                 text, three = "a hardpoint without three coordinates", "a name and three numbers"
-                raise DescriptionError(f"{meant}: {text}", where=where, found=", ".join(cells), allowed=three)
+                raise DescriptionError(
+                    f"{meant}: {text}", where=where, found=", ".join(filter(None, cells)), allowed=three
+                )
         if self.table.unread:
             first = self.table.unread[0][0]
             self.note(f"lines with numbers that are no points: {len(self.table.unread)}, from {first}.")
