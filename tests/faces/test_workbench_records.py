@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
 import shlex
+import shutil
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -47,7 +50,9 @@ def opened(tmp_path: Path) -> Any:
     _written(tmp_path / "long.nc")
     project = Project(tmp_path)
     jobs = Jobs(project)
-    yield Records(project, jobs), jobs
+    records = Records(project, jobs)
+    yield records, jobs
+    records.end()
     jobs.end()
 
 
@@ -121,19 +126,10 @@ def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(tmp
     assert set(RECORDS) == {suffix for known in READERS for suffix in known.suffixes}
 
 
-def test_a_record_in_a_folder_that_may_not_be_written_is_seen_all_the_same(
-    here: Any, tmp_path: Path, monkeypatch
-) -> None:
+def test_a_file_that_cannot_be_read_is_told_without_its_folder() -> None:
     from jounce.core.errors import OutputError
-    from jounce.web import records as module
     from jounce.web.project import unusable
 
-    records, _ = here
-    monkeypatch.setattr(module.os, "access", lambda _path, _mode: False)
-    assert records.open("long.nc").about["count"] == COUNT
-    assert not (tmp_path / ".jounce").exists()
-    assert records.open("long.nc").folder.parent == Path(records.apart.name)
-    records.apart.cleanup()
     told = unusable(OSError(28, "No space left on device", "/secret/x"), "x")
     assert isinstance(told, OutputError)
     assert str(told).startswith("x: cannot be read or written; found 'No space left on device'.")
@@ -166,6 +162,68 @@ def test_what_was_read_stays_until_the_file_changes(here: Any, tmp_path: Path) -
     assert asked == 2 * ["Reading long.nc"]
 
 
+def test_another_record_of_the_same_size_and_time_is_another_record(here: Any, tmp_path: Path) -> None:
+    """As ``cp -p`` leaves it, or an archive that is unpacked."""
+    records, asked = here
+    names = []
+    for name in ("first", "other"):
+        (tmp_path / "new.csv").write_text(f"time [s],{name} [mm]\n0,1\n0.1,2\n")
+        os.utime(tmp_path / "new.csv", (1e9, 1e9))
+        shutil.copy2(tmp_path / "new.csv", tmp_path / "run.csv")
+        names += [one["name"] for one in records.open("run.csv").about["channels"]]
+    assert names == ["first", "other"]
+    assert len(asked) == 2
+
+
+def test_a_record_is_recognised_by_its_content_where_a_disk_tells_nothing_else(
+    here: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Some keep whole seconds, no date of a change and no number of a file."""
+    records, _ = here
+    monkeypatch.setattr("jounce.web.records.state_of", lambda file: (0, file.stat().st_size, 0, 0))
+    names = []
+    for name in ("first", "other"):
+        (tmp_path / "run.csv").write_text(f"time [s],{name} [mm]\n0,1\n0.1,2\n")
+        names += [one["name"] for one in records.open("run.csv").about["channels"]]
+    assert names == ["first", "other"]
+
+
+def test_what_a_folder_brings_along_is_not_taken_for_what_was_read(tmp_path: Path) -> None:
+    """Levels that somebody else left in the project say what they like: channels, numbers, more than there is."""
+    from jounce.web.jobs import Jobs
+    from jounce.web.project import Project
+    from jounce.web.records import Records
+
+    (tmp_path / "run.csv").write_text("time [s],true [mm]\n0,1\n0.1,2\n")
+    jobs = Jobs(Project(tmp_path))
+    first = Records(jobs.project, jobs)
+    folder = first.open("run.csv").folder
+    about = json.loads((folder / "about.json").read_text())
+    about["channels"] = [{"name": "invented", "unit": "N"}]
+    for place in {folder, tmp_path / ".jounce" / "levels" / folder.name}:
+        if place != folder:
+            shutil.copytree(folder, place)
+        (place / "about.json").write_text(json.dumps(about))
+        np.save(place / "0.npy", np.array([7.0, 8.0], np.float32))
+    found = Records(jobs.project, jobs).open("run.csv")
+    assert found.about["channels"] == [{"name": "true", "unit": "mm"}]
+    (scene,) = found.viewer(["true"], 0.0, 1.0, 50).scenes
+    assert list(scene.panes[0].curves[0].values) == [1.0, 2.0]
+
+
+def test_the_last_few_records_stay_until_the_server_ends(here: Any, tmp_path: Path, monkeypatch) -> None:
+    records, asked = here
+    monkeypatch.setattr("jounce.web.records._MOST_KEPT", 2)
+    for name in ("a.csv", "b.csv", "c.csv", "a.csv"):
+        if not (tmp_path / name).exists():
+            (tmp_path / name).write_text("time [s],x [mm]\n0,1\n0.1,2\n")
+        records.open(name)
+    assert [one.removeprefix("Reading ") for one in asked] == ["a.csv", "b.csv", "c.csv", "a.csv"]
+    assert len(list(records.folder.iterdir())) == 2
+    records.end()
+    assert not records.folder.exists()
+
+
 def test_two_who_ask_at_once_have_a_record_read_once(here: Any) -> None:
     """Else the second would write what the first looks at."""
     records, asked = here
@@ -186,8 +244,7 @@ def test_a_damaged_record_is_refused_and_nothing_stays(here: Any, tmp_path: Path
     (tmp_path / "bad.nc").write_bytes(b"\x89HDF\r\n\x1a\n no more")
     with pytest.raises(JounceError, match="not a netCDF file, or damaged"):
         records.open("bad.nc")
-    kept = tmp_path / ".jounce" / "levels"
-    assert not kept.exists() or not list(kept.iterdir())
+    assert list(records.folder.iterdir()) == []
 
 
 def test_a_record_that_is_not_packed_is_read_with_few_libraries(tmp_path: Path) -> None:

@@ -138,6 +138,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         ready()
         yield
         jobs.end()
+        records.end()
 
     app = FastAPI(title="jounce workbench", version=version, docs_url=None, redoc_url=None, lifespan=living)
 

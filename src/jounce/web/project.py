@@ -15,7 +15,7 @@ from pathlib import Path
 from stat import S_ISREG
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
-from jounce.core.files import content_of
+from jounce.core.files import State, content_of, state_of
 from jounce.core.writing import write_atomically
 
 _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are listed
@@ -100,7 +100,7 @@ class Project:
             if kind and not (kind == "results" and file.parent in swept):
                 state = file.stat()
                 path = file.relative_to(self.root).as_posix()
-                is_spatial = kind == "rig" and _has_hardpoints(file, state.st_size, state.st_mtime_ns)
+                is_spatial = kind == "rig" and _has_hardpoints(file, state_of(file))
                 found.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
             if len(found) == _MOST:
                 break
@@ -243,10 +243,10 @@ def _kind(file: Path) -> str:
 
 
 @lru_cache(256)
-def _has_hardpoints(file: Path, size: int, _written: int) -> bool:
-    """Whether the text of a rig has them, as it was when it had that size and was written."""
+def _has_hardpoints(file: Path, state: State) -> bool:
+    """Whether the text of a rig has them, as it is in that state."""
     try:
-        return size <= LONGEST and "hardpoints" in tomllib.loads(file.read_text(encoding="utf-8-sig"))
+        return state[1] <= LONGEST and "hardpoints" in tomllib.loads(file.read_text(encoding="utf-8-sig"))
     except (OSError, ValueError, RecursionError):
         return False
 

@@ -1,12 +1,14 @@
-"""The long records that a project has seen, each read once in a process of its own."""
+"""The long records that a project has seen, each read once in a process of its own.
+
+What was read lies in a folder of this server alone: what a project's folder brings along could show another record.
+"""
 
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import tempfile
 import threading
+from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path
@@ -14,36 +16,47 @@ from typing import Any
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.files import state_of
+from jounce.core.writing import lasting_folder
 from jounce.web.answers import word
 from jounce.web.jobs import Jobs
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
 from jounce.web.tasks import Doing
 
-_PLACE, _MOST_KEPT = (".jounce", "levels"), 6
+_MOST_KEPT = 6
 _MEMORY, _SECONDS = 6e9, 120.0  # that reading a record may take
+_PIECES, _PIECE = 64, 1 << 16  # of a file's content, by which it is recognised: all of it up to 4 MB
 
 
 class Records:
-    """The records of a project that were looked at; what was read of them is kept beside it, the last few."""
+    """The records of a project that were looked at; the last few stay as they were read, until the server ends."""
 
     def __init__(self, project: Project, jobs: Jobs) -> None:
         self.project, self.jobs = project, jobs
         self.lock = threading.Lock()
-        self.apart: tempfile.TemporaryDirectory[str] | None = None
+        self.folder: Path | None = None
+        self.known: OrderedDict[str, Levels] = OrderedDict()
 
     def open(self, path: str) -> Levels:
         """Read a record, in a process of its own, unless that was done."""
         file = self.project.inside(path)
         if not file.is_file():
             raise DescriptionError("no such file", where=path, hint="Choose a record of the project.")
-        state = file.stat()
-        key = sha256(f"{path}\0{state.st_size}\0{state.st_mtime_ns}".encode()).hexdigest()[:24]
-        folder = self._place() / key
         with self.lock:  # a page that is loaded anew asks again: what is being read is not written twice
-            if not (folder / ABOUT).is_file():
-                self._read(path, file, folder)
-        return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+            key = _fingerprint(file)
+            if key not in self.known:
+                self.known[key] = self._read(path, file, key)
+            self.known.move_to_end(key)
+            while len(self.known) > _MOST_KEPT:
+                _, old = self.known.popitem(last=False)
+                shutil.rmtree(old.folder, ignore_errors=True)
+            return self.known[key]
+
+    def end(self) -> None:
+        """Take away what was read."""
+        if self.folder is not None:
+            shutil.rmtree(self.folder, ignore_errors=True)
 
     def ways(self, path: str, about: Mapping[str, Any], channels: Sequence[str]) -> dict[str, Any]:
         """The same in Python and on the command line, which read known channels with a unit of theirs only."""
@@ -60,16 +73,10 @@ class Records:
             command = command_line(["jounce", "plot", word(path), *read, "--figure", "record.png"])
         return {"python": python, "command": command, "files": {}}
 
-    def _place(self) -> Path:
-        """Where it is kept: in the project, or as long as the server lives where nothing can be written there."""
-        place = self.project.inside("/".join(_PLACE))
-        known = next(one for one in (place, *place.parents) if one.exists())
-        if os.access(known, os.W_OK):
-            return place
-        self.apart = self.apart or tempfile.TemporaryDirectory(prefix="jounce-")
-        return Path(self.apart.name)
-
-    def _read(self, path: str, file: Path, folder: Path) -> None:
+    def _read(self, path: str, file: Path, key: str) -> Levels:
+        self.folder = self.folder or lasting_folder()
+        folder = self.folder / key
+        shutil.rmtree(folder, ignore_errors=True)  # half of it, where the disk was full
         question = {"kind": "levels", "file": str(file), "folder": str(folder)}
         limits = (_MEMORY, _SECONDS)
         try:
@@ -77,14 +84,22 @@ class Records:
         except Exception:
             shutil.rmtree(folder, ignore_errors=True)
             raise
-        self._forget(folder)
+        return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
 
-    def _forget(self, new: Path) -> None:
-        """Take away what was read longest ago."""
-        kept = sorted((one for one in new.parent.iterdir() if one.is_dir()), key=lambda one: one.stat().st_mtime)
-        for old in kept[:-_MOST_KEPT]:
-            if old != new:
-                shutil.rmtree(old, ignore_errors=True)
+
+def _fingerprint(file: Path) -> str:
+    """What a record is recognised by.
+
+    Dates and sizes can be set, as ``cp -p`` does, and some disks do not tell which file it is or when that was changed:
+    so pieces of the content count, too, evenly spread from the first byte to the last.
+    """
+    state = state_of(file)
+    found, last = sha256(f"{file}\0{state}".encode(errors="surrogatepass")), max(0, state[1] - _PIECE)
+    with file.open("rb") as stream:
+        for place in dict.fromkeys(last * k // (_PIECES - 1) for k in range(_PIECES)):
+            stream.seek(place)
+            found.update(stream.read(_PIECE))
+    return found.hexdigest()[:24]
 
 
 def _is_known(name: str) -> bool:
