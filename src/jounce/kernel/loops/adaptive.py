@@ -41,11 +41,17 @@ from jounce.kernel.engine import (
 )
 from jounce.kernel.loops.compiling import call_native, call_step, part
 from jounce.kernel.loops.events import crossing, flip
-from jounce.kernel.loops.signals import advance, fill, finish_samples, place_samples, regulate
+from jounce.kernel.loops.signals import (
+    CLOSED,
+    PROJECTIONS,
+    advance,
+    fill,
+    finish_samples,
+    place_samples,
+    regulate,
+)
 
 _LAST_RATE, _INTERVALS = RATES + LAST_STAGE, len(PROBES) - 1
-_PROJECTIONS = 4
-_CLOSED = 1e-7  # residual that one projection brings down to rounding: it is squared
 _SINGULAR = 1e-10  # conditioning of the constraints at which a mechanism counts as locked up
 _STALLED = 20  # events of each switch without time passing: more than any sequence of contacts that comes to an end
 
@@ -85,11 +91,11 @@ def _close(problem: Any, work: Any, t: float) -> int:
     systems = (work.projected.shape[1] - size) // 2
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
-    for _ in range(_PROJECTIONS):
+    for _ in range(PROJECTIONS):
         call_native(problem.engine.project, work.rows, STATE, work.u, problem.p, problem.m, work.projected, 0)
         closed = sound = True  # comparisons that a residual without a number fails
         for k in range(systems):
-            closed = closed and work.projected[0, k] < _CLOSED
+            closed = closed and work.projected[0, k] < CLOSED
             sound = sound and work.projected[0, systems + k] > _SINGULAR
         for d in range(size):
             work.rows[STATE, d] = work.projected[0, 2 * systems + d]

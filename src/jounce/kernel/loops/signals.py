@@ -14,6 +14,8 @@ import numpy as np
 from jounce.kernel.engine import COMPLETED, DIVERGED, NO_COMMAND, STATE, TRIAL
 from jounce.kernel.loops.compiling import call_many, call_native, call_step, part, sine_and_cosine
 
+CLOSED = 1e-7  # residual of the constraints that one projection brings down to rounding: it is squared
+PROJECTIONS = 4  # most of them in a row
 _BLOCK = 256
 """Samples whose outputs are computed at once: enough for vectors of them, few enough to stay in the cache."""
 
@@ -113,13 +115,23 @@ def _interpolate(problem: Any, work: Any, t: float, h: float, first: int, last: 
 
 @part()
 def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
-    """Move the samples ``first`` to ``last`` onto the constraints."""
+    """Move the samples ``first`` to ``last`` onto the constraints.
+
+    Between the ends of a step samples lie further from them than one projection can close. The block is projected again
+    until it could.
+    """
     address, count = problem.engine.project_many, last - first
     told = out.projected.shape[0] - out.states.shape[0]  # rows above those of the states
-    call_many(address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count)
-    for d in range(out.states.shape[0]):
+    for _ in range(PROJECTIONS):
+        call_many(address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count)
+        widest = 0.0
         for i in range(first, last):
-            out.states[d, i] = out.projected[told + d, i]
+            for k in range(told // 2):
+                widest = max(widest, out.projected[k, i])
+            for d in range(out.states.shape[0]):
+                out.states[d, i] = out.projected[told + d, i]
+        if widest < CLOSED:
+            return
 
 
 @part()
