@@ -205,6 +205,7 @@ def columns_in(text: str, file: Path) -> ColumnTable:
     comments, first = _leading_comments(lines)
     if first == len(lines):
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
+    _check_width(lines[first : first + _LONGEST_PREAMBLE], file, first + 1)
     remarks: tuple[str, ...] = ()
     if named := _names_in_comment(lines, first):
         first, lines[named[0]] = named
@@ -331,6 +332,17 @@ def _names_in_comment(lines: list[str], first: int) -> tuple[int, str] | None:
 
 
 _LONGEST_PREAMBLE = 200  # lines
+_MOST_COLUMNS = 10_000
+
+
+def _check_width(lines: list[str], file: Path, first: int) -> None:
+    """Refuse a table of too many columns before each of their headers is searched for a unit."""
+    for number, line in enumerate(lines, first):
+        cells = max(len(line.split()), *(line.count(mark) + 1 for mark in ",;\t"))
+        if cells > _MOST_COLUMNS:
+            hint = "Export fewer channels, or a binary format (.mf4, .tdms, .parquet, .mat)."
+            where, allowed = f"{file}, line {number}", f"up to {_MOST_COLUMNS}"
+            raise RecordingError("too many columns", where=where, found=f"{cells}", allowed=allowed, hint=hint)
 
 
 def _header_line(lines: list[str], first: int) -> int:

@@ -117,7 +117,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
             raise description_error(error, cls, where=where, text=text, path=path) from None
 
 
-_LARGEST = 20_000_000  # bytes
+_LARGEST = 5_000_000  # bytes
 
 
 def description_text(path: Path | str) -> str:
@@ -154,6 +154,11 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
 
 def toml_table(text: str) -> dict[str, Any]:
     """Parse TOML; whatever is wrong with it, nesting and numbers that nothing can hold too, is a TOMLDecodeError."""
+    # Before it is parsed, which takes seconds for tens of thousands, and the square of a key's length.
+    if text.count("\n[") > _MOST_TABLES or text.count("=") > _MOST_KEYS:
+        raise tomllib.TOMLDecodeError(f"more than {_MOST_TABLES} tables or {_MOST_KEYS} keys")
+    if _LONG_KEY.search(text):
+        raise tomllib.TOMLDecodeError(f"a key of more than {_DEEPEST} parts")
     try:
         table = tomllib.loads(text)
     except tomllib.TOMLDecodeError:
@@ -168,6 +173,8 @@ def toml_table(text: str) -> dict[str, Any]:
 
 
 _DEEPEST = 30
+_MOST_TABLES, _MOST_KEYS = 10_000, 100_000
+_LONG_KEY = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_DEEPEST}}}""")
 
 
 def is_nested_deeply(value: object) -> bool:
@@ -311,7 +318,8 @@ def description_error(
     path: tuple[str | int, ...] = (),
 ) -> DescriptionError:
     """Turn pydantic's report into one jounce message, at most five lines; ``path`` is where ``kind`` lies."""
-    items = error.errors()
+    every = error.errors()
+    items = every[:_MOST_PROBLEMS]  # names are compared with names: the square of their number
     misspelt = [item for item in items if item["type"] == "extra_forbidden"]
     items = [item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))]
     items = [item for item in items if not (item["type"] == "too_short" and _is_within(item, items))]
@@ -319,8 +327,11 @@ def description_error(
     if len(problems) == 1:
         place, what = problems[0]
         return DescriptionError(what, where=place)
-    more = f"\n(and {len(items) - 5} more)" if len(items) > 5 else ""
+    more = f"\n(and {len(items) - 5 + len(every[_MOST_PROBLEMS:])} more)" if len(items) > 5 else ""
     return DescriptionError("\n".join(f"{place}: {what}" for place, what in problems) + more)
+
+
+_MOST_PROBLEMS = 200
 
 
 def _is_misspelt(item: Any, unknown_keys: list[Any]) -> bool:

@@ -230,7 +230,8 @@ def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
         (explorer() + "\ntype: mcpherson\n", "a.yaml", "type is given twice"),
         ('{"unit": "mm", "unit": "m", "a": [1, 2, 3]}', "a.json", "unit is given twice"),
         ("a: {x: 1, y: 2}\n", "a.yaml", "no points are in it"),
-        ("{" * 5000, "a.json", "no points are in it"),
+        ("{" * 1000, "a.json", "no points are in it"),
+        ("{" * 5000, "a.json", "a line is too long for a point; found '5000'; allowed: up to 2000 characters"),
     ],
 )
 def test_mistakes_are_named(tmp_path, text: str, name: str, message: str) -> None:

@@ -21,7 +21,7 @@ from jounce.core.workbooks import sheets_of
 from jounce.parts.bodies import distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
-from jounce.parts.importers.points import AXLE_END, PointRow, PointTable, from_nested, from_vsusp
+from jounce.parts.importers.points import AXLE_END, LONGEST_LINE, PointRow, PointTable, from_nested, from_vsusp
 
 Side = Literal["left", "right"]
 _NAMES = {
@@ -78,8 +78,6 @@ _UNIT_LINE = re.compile(r"(?i)\W*(?:length\s+)?units?\b[\s:=,;]*\W?([a-z]+)\W*")
 _UNIT_IN = re.compile(r"[\[(]\s*([A-Za-z]+)\s*[\])]")
 _LABEL = re.compile(r"(?i)^\W*(?:point\b)?\W*\d*\W*(?:point\s+\d+\s*:)?\s*")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
-_ENTRY = re.compile(r"\W*([^:]*[A-Za-z][^:]*?)[\"']?\s*:\s*[\[{](.*)[\]}]\W*")
-"""Point of a YAML or JSON file: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
 _HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
 _RADIUS = (0.08, 0.8)  # m
 _NESTED = (".yaml", ".yml", ".json")
@@ -229,6 +227,9 @@ def _text(file: Path) -> str:
 
 def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
     for number, line in enumerate(_text(file).splitlines(), 1):
+        if len(line) > LONGEST_LINE:
+            where, allowed = f"{file}, line {number}", f"up to {LONGEST_LINE} characters"
+            raise DescriptionError("a line is too long for a point", where=where, found=f"{len(line)}", allowed=allowed)
         bare = line.strip()
         if bare.startswith("#"):  # a comment, unless it names columns or the unit
             bare = bare.lstrip("# \t")
@@ -246,8 +247,8 @@ def _cells(line: str) -> list[str]:
     >>> _cells("  top_mount: {x: 1, y: -2.5, z: 3}"), _cells('"top": [1, 2, 3],')
     (['top_mount', '1', '-2.5', '3'], ['top', '1', '2', '3'])
     """
-    if entry := _ENTRY.fullmatch(line):
-        return [entry[1], *(re.sub(r"^\W*[xyz]\W*:", "", cell).strip() for cell in entry[2].split(","))]
+    if entry := _entry(line):
+        return [entry[0], *(re.sub(r"^\W*[xyz]\W*:", "", cell).strip() for cell in entry[1].split(","))]
     if ";" in line or "\t" in line:
         cells = line.split(";" if ";" in line else "\t")
         return [re.sub(r"^([+-]?\d+),(\d+)$", r"\1.\2", cell.strip(" \"'")) for cell in cells]
@@ -258,6 +259,16 @@ def _cells(line: str) -> list[str]:
         except csv.Error:
             return [cell.strip() for cell in line.split(",")]
     return [word.strip("\"'") for word in re.findall(r"'[^']*'|\"[^\"]*\"|\S+", line)]
+
+
+def _entry(line: str) -> tuple[str, str] | None:
+    """Name and coordinates of a point of YAML or JSON: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
+    name, _, rest = line.partition(":")
+    name, rest = re.sub(r"^\W+", "", name).rstrip(" \t\"'"), rest.strip()
+    end = max(rest.rfind("]"), rest.rfind("}"))
+    if rest[:1] not in ("[", "{") or end < 1 or re.search(r"\w", rest[end:]) or not re.search("[A-Za-z]", name):
+        return None
+    return name, rest[1:end]
 
 
 def _sheet(file: Path) -> Iterator[tuple[str, list[str]]]:

@@ -12,15 +12,17 @@ from urllib.parse import unquote
 
 import numpy as np
 
+from jounce.core.description import is_nested_deeply
 from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 
 _DEEPEST = 20  # levels of keys
-_KEY = re.compile(r"""(\s*)(-\s+)?(?:"([^"]*)"|'([^']*)'|([^:#{}\[\]]+?))\s*:(?:\s+(.*))?$""")
+_KEY = re.compile(r"""(?:"([^"]*)"\s*|'([^']*)'\s*|([^:#{}\[\]]++)):(?:\s+(.*))?$""")
 _ITEM = re.compile(r"(\s*)-\s+(.*)$")
-_COMMENT = re.compile(r"\s+#.*$")
+_COMMENT = re.compile(r"(?<!\s)\s+#.*$")
+LONGEST_LINE = 2000  # characters
 _FLOW = re.compile(r"\{(.*)\}|\[(.*)\]")
-_VSUSP = re.compile(r"\b(front|rear)\{([^}]*)\}")
+_VSUSP = re.compile(r"\b(front|rear)\{([^{}]*)\}")
 _MICRONS = 1e-6  # m: all numbers of VSUSP
 _ARM_SPAN = 0.3  # of the lower arm's length: from the middle of an arm to its pivots, which a front view does not show
 AXLE_END = "axle end"
@@ -89,6 +91,8 @@ def nested(text: str) -> dict[str, Any] | None:
     root: dict[str, Any] = {}
     open_: list[tuple[int, Any, str]] = [(-1, root, "")]  # indent, what is filled, key in the one above
     for line in text.splitlines():
+        if len(line) > LONGEST_LINE:
+            return None
         bare = _COMMENT.sub("", line).rstrip()
         if not bare.strip() or bare.lstrip().startswith("#") or bare.strip() in ("---", "..."):
             continue
@@ -105,10 +109,10 @@ def nested(text: str) -> dict[str, Any] | None:
                 return None
             here.append(_value(match[2]))
             continue
-        match = _KEY.match(bare)
+        match = _KEY.match(bare.lstrip())
         if match is None or not isinstance(here, dict) or len(open_) > _DEEPEST:
             return None
-        key, value = (match[3] or match[4] or match[5] or "").strip(), (match[6] or "").strip()
+        key, value = (match[1] or match[2] or match[3] or "").strip(), (match[4] or "").strip()
         if key in here:
             raise _TwiceError(key)
         here[key] = _value(value) if value else {}
@@ -137,7 +141,7 @@ def from_nested(file: Path, text: str) -> PointTable | None:
         keys = nested(text)
     except _TwiceError as error:
         raise DescriptionError(f"{error} is given twice", where=str(file), allowed="every point once") from None
-    if keys is None:
+    if keys is None or is_nested_deeply(keys):
         return None
     table = PointTable(file, unit=_text(keys.get("units", keys.get("unit"))))
     side = _text(keys.get("side"))
