@@ -73,6 +73,23 @@ def fitted(trials: list[jn.FitTrial], **more: Any) -> jn.UpdateResult:
     return jn.update_model(trials, FREE, weights="normalised", tolerance=1e-6, **more)
 
 
+def test_a_stretch_without_signal_is_left_out_and_named() -> None:
+    """40 ms of exact 0 in one channel of one trial: it moved the damper by several of its standard errors."""
+    truth, trials = bench(3)
+    whole = fitted(trials)
+    record = trials[0].measured.copy(deep=True)
+    held = int((START + 0.02) * RATE)
+    record["sprung.az"].to_numpy()[held : held + 40] = 0.0
+    lost = fitted([replace(trials[0], measured=record), *trials[1:]])
+    for path, value in whole.parameters.items():
+        assert abs(lost.parameters[path].value - value.value) < 1.5 * value.standard_error, path
+    assert off(lost, truth) < off(whole, truth) + 0.02
+    (said,) = [one for one in lost.findings if "frozen" in one.message]
+    assert said.place == "sprung.az"
+    assert said.message.endswith("1.6 m/s (40 samples)")
+    assert not [one for one in whole.findings if "frozen" in one.message]
+
+
 def off(result: jn.UpdateResult, truth: dict[str, float]) -> float:
     """Largest relative error of the values."""
     return max(abs(result.parameters[path].value / value - 1.0) for path, value in truth.items())

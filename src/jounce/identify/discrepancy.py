@@ -461,7 +461,7 @@ class _Calibration:
                 own[:, [name for name, _ in self.own].index(key)] = shifted[:, k]
         bias = f"{channel.name} bias"
         if bias in names and channel.datum != "free offset":
-            common[:, names[bias]] = self.nuisances[self.place[bias]].deviation
+            common[:, names[bias]] = channel.seen(np.full(len(table), self.nuisances[self.place[bias]].deviation))
         return _Block(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
 
     def _sensed(self, channel: Channel, xi: Array) -> Channel:

@@ -14,6 +14,7 @@ from typing import Any, Protocol
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
 from jounce.core.shown import Shown
@@ -25,6 +26,7 @@ from jounce.kernel.engine import Status
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.carried import as_recording
+from jounce.recordings.quality import frozen_samples
 from jounce.recordings.schema import check_recording
 from jounce.recordings.sensors import Datum, Sensor, bias_of, filter_signals
 from jounce.recordings.signals import shift_signals
@@ -118,7 +120,10 @@ class Unknown(Protocol):
 
 @dataclass(frozen=True)
 class Channel:
-    """One compared channel of one trial, ready to be evaluated."""
+    """One compared channel of one trial, ready to be evaluated.
+
+    ``frozen`` are samples that tell nothing (see `frozen_samples`): ``measured`` is a line across them.
+    """
 
     name: str
     column: int
@@ -127,14 +132,27 @@ class Channel:
     bias: float
     weight: float
     datum: Datum = "undeformed"
+    frozen: NDArray[np.bool_] | None = None
 
     def offset(self, table: Array, slope: Array) -> tuple[Array, Array]:
-        """Table and slope by the lag, with a free offset as the best constant: as if it were fitted, too."""
-        if self.datum != "free offset":
-            return table, slope
-        table = table - table.mean(axis=0)
-        table[:, 0] += self.measured.mean()
-        return table, slope - slope.mean()
+        """Table and slope by the lag, with a free offset as the best constant: as if it were fitted, too.
+
+        Where the record is frozen the table is the record, whatever the parameters: nothing is left there.
+        """
+        if self.datum == "free offset":
+            seen = slice(None) if self.frozen is None else ~self.frozen
+            table = table - table[seen].mean(axis=0)
+            table[:, 0] += self.measured[seen].mean()
+            slope = slope - slope[seen if len(slope) > 1 else slice(None)].mean()
+        if self.frozen is not None:
+            table, slope = table.copy(), self.seen(slope)
+            table[self.frozen] = 0.0
+            table[self.frozen, 0] = self.measured[self.frozen]
+        return table, slope
+
+    def seen(self, slope: Array) -> Array:
+        """A slope of the reading, 0 where the record is frozen."""
+        return slope if self.frozen is None else np.where(self.frozen, 0.0, slope)
 
 
 @dataclass(frozen=True)
@@ -344,7 +362,8 @@ class UpdateProblem:
                 sides.append([shift_signals(table, trial.rate, lag)[:, 0] for table in tables])
             for channel, above, below in zip(trial.channels, *sides, strict=True):
                 slope = (above - below) / (2.0 * _ASIDE)
-                found.append(-channel.weight * (slope - (slope.mean() if channel.datum == "free offset" else 0.0)))
+                slope = slope - (slope.mean() if channel.datum == "free offset" else 0.0)
+                found.append(-channel.weight * channel.seen(slope))
         return np.concatenate(found)
 
     def _tables(self, trial: Prepared, values: Array, scaled: Array) -> list[Array]:
@@ -503,10 +522,15 @@ def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
 
 def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]) -> Channel:
     column, sensor = compiled.output_names.index(name), trial.sensors.get(name)
-    measured = trial.measured[name].to_numpy()
+    measured = np.asarray(trial.measured[name].to_numpy(), dtype=float)
+    frozen = frozen_samples(measured)
+    if frozen.any():
+        at = np.arange(len(measured))
+        measured = np.interp(at, at[~frozen], measured[~frozen])
     bias = 0.0 if sensor is None else bias_of(sensor, compiled.facts.outputs[column].unit, where=name)
     datum = (sensor and sensor.datum) or "undeformed"
-    return Channel(name, column, measured, sensor, bias, _weight(weights, name, measured), datum)
+    weight = _weight(weights, name, measured)
+    return Channel(name, column, measured, sensor, bias, weight, datum, frozen if frozen.any() else None)
 
 
 def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> float:

@@ -517,7 +517,7 @@ def updated(  # noqa: PLR0913 - as update_model
     best = optima[0]
     residuals = problem.residuals(best.scaled)
     left = _left_over(problem, residuals)
-    findings += [*_unexplained(problem, residuals), *_copies(problem)]
+    findings += [*_unexplained(problem, residuals), *_copies(problem), *_frozen(problem)]
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
     whole = _whole(problem, best.scaled)
     inside = ~np.pad(at_bound, (0, whole.shape[1] - len(at_bound)))
@@ -845,6 +845,17 @@ def _copies(problem: UpdateProblem) -> list[Finding]:
             findings.append(Finding(trial.source.name, "warning", text))
         first.setdefault(record, trial.source.name)
     return findings
+
+
+def _frozen(problem: UpdateProblem) -> list[Finding]:
+    """Name the channels of which stretches are left out, because they show a single number while the rig moves."""
+    trials = dict[str, list[str]]()
+    for trial in problem.trials:
+        for channel in trial.channels:
+            if channel.frozen is not None:
+                trials.setdefault(channel.name, []).append(f"{trial.source.name} ({channel.frozen.sum()} samples)")
+    text = "stretches in which the record is frozen were left out of the fit: {}"
+    return [Finding(name, "warning", text.format(", ".join(where))) for name, where in trials.items()]
 
 
 def _common_factors(problem: UpdateProblem) -> list[Finding]:

@@ -69,6 +69,11 @@ SENTENCES: dict[str, Sentence] = {
         "{text}",
         "Jeder Wert des Kanals steht {value:.0f} Abtastungen lang: Er wurde langsamer aufgezeichnet und ist verspätet.",
     ),
+    "reading_frozen": Sentence(
+        "{text}",
+        "Der Kanal bleibt stehen, obwohl er sich davor und danach bewegt: {percent:.2g} % seiner Messwerte sind "
+        "Ausfall des Aufnehmers oder der Aufzeichnung.",
+    ),
     "reading_resampled": Sentence(
         "{text}",
         "Die Zeitschritte schwanken um {percent:.2g} % (zulässig: 1 %); auf gleiche Schritte umgerechnet.",
@@ -380,6 +385,7 @@ _OF_READER = {
     "the channel is constant": "reading_constant",
     "the channel looks clipped": "reading_clipped",
     "each value is held for": "reading_held",
+    "the channel stays at exactly": "reading_frozen",
     "the time step varies": "reading_resampled",
     "columns that are no known channel": "reading_columns",
     "signals of another length": "reading_columns",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
@@ -166,7 +167,8 @@ def check_channels(
     Returns
     -------
     list of Finding
-        A warning for each channel that is constant, holds each of its values for the same number of samples, or is
+        A warning for each channel that is constant, holds each of its values for the same number of samples, has
+        frozen stretches (see `frozen_samples`), or is
         clipped: several flat pieces of at least 3 equal samples at its largest or smallest value, entered by a jump.
         Flat pieces at 0, at either end of the record, and what was driven (``road``, ``platform``, braking and bends)
         do not count.
@@ -195,7 +197,7 @@ def check_channels(
             text = f"the channel is constant ({values[0]:g}); was the sensor connected?"
             findings.append(Finding(at, "warning", text, float(values[0])))
         elif clipping and not (_is_driven(name) or quantity_of(name) in _NEVER_CLIPPED):
-            findings += _holding(values, at) or _clipping(values, at)
+            findings += _holding(values, at) or [*_freezing(values, at), *_clipping(values, at)]
     return findings
 
 
@@ -221,6 +223,84 @@ def _holding(values: Array, at: str) -> list[Finding]:
 
 
 _FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them that are of one length
+
+
+def _freezing(values: Array, at: str) -> list[Finding]:
+    stretches = frozen_stretches(values)
+    if not stretches:
+        return []
+    lost = sum(end - start for start, end in stretches)
+    start, end = max(stretches, key=lambda one: one[1] - one[0])
+    more = f", the longest of {len(stretches)} stretches" if len(stretches) > 1 else ""
+    text = (
+        f"the channel stays at exactly {values[start]:g} for {end - start} samples from sample {start + 1} on{more}, "
+        f"but moves before and after: a dropout of sensor or logger; {lost} samples tell nothing"
+    )
+    return [Finding(at, "warning", text, lost / values.size)]
+
+
+def frozen_stretches(values: Array) -> list[tuple[int, int]]:
+    """First sample, and the one behind the last, of each stretch in which a signal shows no motion, only one number.
+
+    A stretch counts where the signal moves up to both of its ends, so that chance does not repeat a number so often.
+    A sensor at rest with noise below its resolution does not: it comes to rest and leaves it by single steps. Neither
+    do a tyre off the ground and a clipped sensor: they reach the end of their range without a jump.
+
+    >>> noise = np.random.default_rng(0).normal(size=100).round(2)
+    >>> noise[40:60] = 0.0
+    >>> frozen_stretches(noise)
+    [(40, 60)]
+    """
+    starts, ends = _runs(values, _FEWEST_FROZEN)
+    if not starts.size:
+        return []
+    numbers = np.unique(values)
+    lowest, highest = numbers[0], numbers[-1]
+    resolution = max(float(np.diff(numbers).min()), _ROUNDED * float(highest - lowest))
+    found = []
+    for start, end in zip(starts.tolist(), ends.tolist(), strict=True):
+        sides = values[:start][::-1], values[end:]
+        if any(side.size < _BESIDE for side in sides):
+            continue
+        steps = [np.abs(np.diff(side[:_BESIDE])) for side in sides]
+        still = max((np.count_nonzero(step == 0.0) + 1.0) / (step.size + 2.0) for step in steps)
+        if still ** (end - start - 1) * values.size > _CHANCE or not all(
+            _is_moving(side, resolution) for side in sides
+        ):
+            continue
+        jumps = [abs(side[0] - values[start]) for side in sides]
+        usual = [float(np.max(step[:5])) for step in steps]
+        if values[start] in (lowest, highest) and not all(
+            jump > _JUMP * step for jump, step in zip(jumps, usual, strict=True)
+        ):
+            continue
+        found.append((start, end))
+    return found
+
+
+_FEWEST_FROZEN, _BESIDE = 8, 12  # samples of a stretch, and those that are looked at on each of its sides
+_CHANCE = 1e-6  # that one of a record's stretches comes by chance
+_ROUNDED = 1e-9  # of the range: what moves by less does not move, as in simulations at rest
+_JUMP = 3.0  # largest steps beside it, by which a stretch at the end of a range must be apart
+
+
+def _is_moving(beside: Array, resolution: float) -> bool:
+    """Whether a signal moves next to a stretch (nearest sample first): by several steps of resolution, or to and fro.
+
+    What goes to and fro between two or three neighbouring numbers may just lie between them.
+    """
+    steps = np.diff(beside[:_BESIDE])
+    turns = np.sign(steps[steps != 0.0])
+    is_restless = np.count_nonzero(np.diff(turns)) >= 3 and np.unique(np.round(beside[:_BESIDE] / resolution)).size > 3
+    return is_restless or float(np.median(np.abs(steps[:5]))) > 1.5 * resolution
+
+
+def frozen_samples(values: Array) -> NDArray[np.bool_]:
+    """Whether each sample lies in one of the `frozen_stretches` of a signal."""
+    found = np.zeros(values.size, dtype=bool)
+    for start, end in frozen_stretches(values):
+        found[start:end] = True
+    return found
 
 
 def clipped_share(values: Array) -> float:
@@ -258,10 +338,16 @@ def _clipping(values: Array, at: str) -> list[Finding]:
 
 def _flat_samples(values: Array, limit: float, jump: float) -> int:
     """Count samples in inner runs at ``limit`` that begin and end by more than ``jump``."""
-    flags = np.concatenate(([False], values == limit, [False])).astype(np.int8)
-    edges = np.diff(flags)
-    starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
-    inner = (starts > 0) & (ends < values.size) & (ends - starts >= CLIPPED_RUN)
-    starts, ends = starts[inner], ends[inner]
+    starts, ends = _runs(values, CLIPPED_RUN)
+    at_limit = values[starts] == limit
+    starts, ends = starts[at_limit], ends[at_limit]
     steep = (np.abs(values[starts - 1] - limit) > jump) & (np.abs(values[ends] - limit) > jump)
     return int((ends - starts)[steep].sum())
+
+
+def _runs(values: Array, fewest: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """First sample, and the one behind the last, of each run of equal samples that is not at an end of the record."""
+    edges = np.flatnonzero(np.diff(values)) + 1
+    starts, ends = edges[:-1], edges[1:]
+    long = ends - starts >= fewest
+    return starts[long], ends[long]

@@ -5,7 +5,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.units import conversion_factor
-from jounce.recordings.quality import check_channels, check_time
+from jounce.recordings.quality import check_channels, check_time, frozen_samples, frozen_stretches
 
 STEPS = np.arange(200)
 
@@ -180,3 +180,51 @@ def test_a_voltage_is_told_from_a_misspelt_unit() -> None:
             conversion_factor(unit, "m/s^2")
     with pytest.raises(DescriptionError, match="Check spelling"):
         conversion_factor("N/mV", "m/s^2")
+
+
+NOISE = np.random.default_rng(4).normal(size=3000)
+SWING = np.exp(-(np.arange(3000) % 1000) / 250.0) * np.sin(np.arange(3000) % 1000 * 0.03)
+
+
+def _with(values: np.ndarray, start: int, count: int, held: float | None) -> np.ndarray:
+    found = values.copy()
+    found[start : start + count] = found[start] if held is None else held
+    return found
+
+
+@pytest.mark.parametrize(
+    ("values", "start", "count"),
+    [
+        (_with(np.round(NOISE, 2), 500, 2000, 0.0), 500, 2000),
+        (_with(np.round(SWING + 0.01 * NOISE, 3), 1100, 20, 0.0), 1100, 20),
+        (_with(np.round(SWING + 0.01 * NOISE, 3), 1105, 20, None), 1105, 20),
+        (_with(SWING, 1100, 20, 0.0), 1100, 20),  # a simulation without noise
+        (_with(2.0 + SWING, 1100, 20, 0.0), 1100, 20),  # at the end of the range, but by a jump
+    ],
+)
+def test_a_stretch_without_signal_is_found_and_told(values: np.ndarray, start: int, count: int) -> None:
+    assert frozen_stretches(values) == [(start, start + count)]
+    assert np.flatnonzero(frozen_samples(values)).tolist() == list(range(start, start + count))
+    (told,) = check_channels({"sprung.az": values}, where="a.csv")
+    assert told.severity == "warning"
+    assert f"for {count} samples from sample {start + 1} on" in told.message
+    assert told.value == pytest.approx(count / values.size)
+    assert check_channels({"road.z": values}, where="a.csv") == []
+
+
+@pytest.mark.parametrize("bits", range(4, 15))
+@pytest.mark.parametrize("noise", [0.0, 0.1, 0.3, 0.5, 1.0])
+def test_a_coarse_sensor_that_comes_to_rest_is_not_frozen(bits: int, noise: float) -> None:
+    step, time = 2.0 / 2**bits, np.arange(3000) * 1e-3
+    rest = np.where(time % 1.0 < 0.7, SWING, 0.0) * np.clip((0.7 - time % 1.0) / 0.3, 0.0, 1.0) ** 2  # hits, settles
+    for signal in (SWING, rest, np.sin(3.0 * time), np.cumsum(NOISE) / 60.0, np.maximum(np.sin(20.0 * time), 0.0)):
+        assert frozen_stretches(np.round((signal + noise * step * NOISE) / step) * step) == []
+
+
+def test_a_tyre_off_the_ground_and_a_model_at_rest_are_not_frozen() -> None:
+    force = np.maximum(400.0 + 500.0 * np.sin(STEPS * 0.1), 0.0)
+    assert frozen_stretches(force) == []
+    assert frozen_stretches(np.maximum(400.0 + 500.0 * np.sin(np.arange(3000) * 0.05) + 5.0 * NOISE, 0.0)) == []
+    rest = 1e-17 * np.round(NOISE[:100])
+    rest[40:60] = 1e-17
+    assert frozen_stretches(np.concatenate((rest, SWING))) == []
