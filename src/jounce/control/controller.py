@@ -412,9 +412,12 @@ class Limits:
         self.last = list(self._rest)
 
     def kept(self, commands: list[float]) -> list[float]:
-        """Commands clipped and limited in rate; those that are no numbers stay as they are."""
+        """Commands clipped and limited in rate; NaN for those that are not finite, of which no limit makes one."""
         found = []
         for command, before, step, (low, high) in zip(commands, self.last, self._steps, self._limits, strict=True):
+            if not math.isfinite(command):
+                found.append(math.nan)
+                continue
             clipped = low if command < low else high if command > high else command
             change = clipped - before
             found.append(before + step if change > step else before - step if change < -step else clipped)

@@ -3,6 +3,10 @@
    A spring or tyre, too: inputs 9 deflection [mm], 10 rate [m/s]; parameters 11 stiffness [N/mm], 12 damping [N*s/m],
    13 preload [N], 14 cubic [N/m^3], 15 pulls (1: also below zero); output 16 load [N].
    Outputs: 4 coefficient [N*s/m], 5 force [daN] of a damper with the gain, 8 a count of steps. */
+#ifndef _WIN32
+#define _POSIX_C_SOURCE 200809L
+#include <signal.h>
+#endif
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,9 +54,14 @@ static S step(It *it) {
     if (it->mistake == 4) puts("+++ noise on standard output +++"), fflush(stdout);
     if (it->mistake == 5) it->x[0] = NAN;
     if (it->mistake == 6) for (;;) {}
+    if (it->mistake == 7) it->x[0] = INFINITY;
+#ifndef _WIN32
+    if (it->mistake == 8) kill(0, SIGKILL);
+#endif
     double body = 1e-3 * it->x[0], v = it->x[1], c = 1e3 * it->x[2], force = -c * body;
     it->x[4] = it->on && force * v > 0.0 ? force * v / fmax(v * v, 1e-12) : 0.0;
     if (it->mistake == 5) it->x[4] = NAN;
+    if (it->mistake == 7) it->x[4] = INFINITY;
     it->x[5] = 0.1 * c * v;
     double d = 1e-3 * it->x[9];
     it->x[16] = it->x[13] + 1e3 * it->x[11] * d + it->x[14] * d * d * d + it->x[12] * it->x[10];

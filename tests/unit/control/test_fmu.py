@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import zipfile
 
 import numpy as np
@@ -186,8 +189,9 @@ def test_an_fmu_that_crashes_fails_hangs_or_prints(tmp_path, library, version, m
     for trusted in (False, True):
         with pytest.raises(SimulationError, match=r"t = 0.005 s: the step from 0.005 s gave error: the valve is stuck"):
             run(file, parameters={"mistake": 2}, trusted=trusted)
-        with pytest.raises(SimulationError, match="no finite command"):
-            run(file, parameters={"mistake": 5}, trusted=trusted)
+        for mistake in (5, 7):  # NaN, and an infinity, which the limits of its actuator made a command
+            with pytest.raises(SimulationError, match="no finite command"):
+                run(file, parameters={"mistake": mistake}, trusted=trusted)
     told = run(file, parameters={"mistake": 3}).attrs["findings"]
     assert any("notes.txt" in text for text in told)
     quiet, loud = (run(file, parameters={"mistake": mistake}) for mistake in (0, 4))
@@ -195,6 +199,64 @@ def test_an_fmu_that_crashes_fails_hangs_or_prints(tmp_path, library, version, m
     monkeypatch.setattr("jounce.control.fmu.controller._PATIENCE", 0.3)
     with pytest.raises(SimulationError, match=r"it has not answered for 0\.3 s"):
         run(file, parameters={"mistake": 6})
+
+
+_KILLS = """
+import sys
+import jounce as jn
+from jounce.control.fmu import FmuControl
+law = FmuControl(file=sys.argv[1], inputs={"v_body": "sprung.vz"}, output="coefficient", parameters={"mistake": 8})
+try:
+    trial = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="0.05 s")
+    jn.simulate(jn.load("kart-quarter-car"), trial, control=law)
+except jn.JounceError as error:
+    print(error)
+"""
+
+
+@needs_compiler
+@pytest.mark.skipif(os.name != "posix", reason="process groups are a thing of POSIX")
+def test_an_fmu_that_kills_its_process_group_ends_itself_only(tmp_path, library) -> None:
+    words = [sys.executable, "-c", _KILLS, str(fmu_component.write(tmp_path / "a.fmu", 3, library(3)))]
+    ended = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60, start_new_session=True)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert "the FMU crashed (signal 9)" in ended.stdout
+
+
+@pytest.mark.parametrize("way", [zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+@pytest.mark.parametrize("at", [0, 1, 4, 9, 40, -1])
+def test_members_that_are_damaged(tmp_path, way: int, at: int) -> None:
+    """Whatever the way of compression: damaged LZMA was an internal error."""
+    file, text = tmp_path / "a.fmu", fmu_component.description(3)
+    content = np.random.default_rng(1).bytes(3000) + bytes(3000)
+    with zipfile.ZipFile(file, "w", way) as archive:
+        archive.writestr("modelDescription.xml", text, zipfile.ZIP_STORED)
+        archive.writestr(f"binaries/{this_platform()}/component{PLATFORMS[this_platform()].suffix}", content)
+        first = archive.infolist()[1]
+        begin = first.header_offset + 30 + len(first.filename)
+        end = begin + first.compress_size
+    whole = bytearray(file.read_bytes())
+    place = begin + at if at >= 0 else end - 1
+    for damage in {0, 1, 93, 128, 255} - {whole[place]}:
+        whole[place] = damage
+        file.write_bytes(whole)
+        with pytest.raises((DescriptionError, SimulationError), match=r"a\.fmu.*(archive that can be read|loaded)"):
+            run(file)
+
+
+@pytest.mark.parametrize(("place", "value"), [(6, 1), (8, 9), (8, 99), (8, 12), (8, 14)])
+def test_members_that_are_encrypted_or_of_another_way(tmp_path, place: int, value: int) -> None:
+    file = tmp_path / "a.fmu"
+    for name in ("modelDescription.xml", f"binaries/{this_platform()}/component{PLATFORMS[this_platform()].suffix}"):
+        fmu_component.write(file, 3, b"no library")
+        whole = bytearray(file.read_bytes())
+        for mark, more in ((b"PK\x03\x04", 0), (b"PK\x01\x02", 2)):
+            begin = whole.index(name.encode()) - 30 if not more else whole.rindex(name.encode()) - 46
+            assert whole[begin : begin + 4] == mark
+            whole[begin + place + more] = value
+        file.write_bytes(whole)
+        with pytest.raises(DescriptionError, match=r"a\.fmu: not an archive that can be read"):
+            run(file)
 
 
 @needs_compiler

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import atexit
+import errno
 import math
 import re
 import shutil
 import stat
-import struct
 import zipfile
-import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar
@@ -242,28 +242,31 @@ def read_fmu(path: Path | str) -> FmuComponent:
     2
     """
     file = existing_file(path)
-    try:
-        with zipfile.ZipFile(file) as archive:
-            members = _members(archive, str(file))
-            if "modelDescription.xml" not in members:
-                raise DescriptionError("no modelDescription.xml is in it", where=str(file), allowed="an FMU")
-            info = members["modelDescription.xml"]
-            if info.file_size > _LONGEST_DESCRIPTION:
-                most = f"up to {_LONGEST_DESCRIPTION // 1_000_000} MB"
-                raise DescriptionError("its description is too large", where=str(file), allowed=most)
-            text = archive.read(info)
-    except _DAMAGE as error:
-        raise _damaged(file, error) from None
+    with _understood(file), zipfile.ZipFile(file) as archive:
+        members = _members(archive, str(file))
+        if "modelDescription.xml" not in members:
+            raise DescriptionError("no modelDescription.xml is in it", where=str(file), allowed="an FMU")
+        info = members["modelDescription.xml"]
+        if info.file_size > _LONGEST_DESCRIPTION:
+            most = f"up to {_LONGEST_DESCRIPTION // 1_000_000} MB"
+            raise DescriptionError("its description is too large", where=str(file), allowed=most)
+        text = archive.read(info)
     return _component(file, _parsed(text, str(file)), members)
 
 
-_DAMAGE = (
-    zipfile.BadZipFile, zlib.error, struct.error, EOFError, RuntimeError, ValueError, IndexError, OSError,
-)  # fmt: skip
-
-
-def _damaged(file: Path, error: Exception) -> DescriptionError:
-    return DescriptionError(f"not an archive that can be read: {error}", where=str(file), allowed="an FMU (a ZIP file)")
+@contextmanager
+def _understood(file: Path) -> Iterator[None]:
+    """Whatever is raised over an archive is one refusal: each way of compression has errors of its own."""
+    try:
+        yield
+    except DescriptionError:
+        raise
+    except Exception as error:  # of lzma, bz2, zlib, struct, of what is encrypted or not known
+        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES):
+            raise  # of the disk that it is unpacked on
+        text = " ".join(str(error).split()) or type(error).__name__
+        allowed = "an FMU (a ZIP file)"
+        raise DescriptionError(f"not an archive that can be read: {text}", where=str(file), allowed=allowed) from None
 
 
 def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]:
@@ -461,18 +464,15 @@ def unpacked(component: FmuComponent) -> Path:
 def _unpack(file: Path, folder: Path, binaries: str) -> None:
     (folder / "resources").mkdir()
     left = _MOST_BYTES
-    try:
-        with zipfile.ZipFile(file) as archive:
-            for name, info in _members(archive, str(file)).items():
-                if not name.startswith((binaries, "resources/")):
-                    continue
-                target = folder.joinpath(*name.split("/"))
-                target.parent.mkdir(parents=True, exist_ok=True)
-                with archive.open(info) as content, target.open("wb") as out:
-                    while piece := content.read(min(_CHUNK, left + 1)):
-                        left -= len(piece)  # what an archive says of its sizes may be wrong
-                        if left < 0:
-                            raise DescriptionError("too large for an FMU", where=str(file))
-                        out.write(piece)
-    except _DAMAGE as error:
-        raise _damaged(file, error) from None
+    with _understood(file), zipfile.ZipFile(file) as archive:
+        for name, info in _members(archive, str(file)).items():
+            if not name.startswith((binaries, "resources/")):
+                continue
+            target = folder.joinpath(*name.split("/"))
+            target.parent.mkdir(parents=True, exist_ok=True)
+            with archive.open(info) as content, target.open("wb") as out:
+                while piece := content.read(min(_CHUNK, left + 1)):
+                    left -= len(piece)  # what an archive says of its sizes may be wrong
+                    if left < 0:
+                        raise DescriptionError("too large for an FMU", where=str(file))
+                    out.write(piece)

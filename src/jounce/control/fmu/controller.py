@@ -5,13 +5,16 @@ from __future__ import annotations
 import ctypes
 import json
 import math
+import os
 import re
 import select
+import signal
 import struct
 import subprocess
 import sys
 import weakref
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Protocol, Self
@@ -801,6 +804,7 @@ class _Child:
                 stderr=subprocess.DEVNULL,
                 cwd=self._folder,
                 bufsize=0,
+                start_new_session=True,  # a signal to its own process group does not reach ours
             )
         except OSError as error:
             self._place.__exit__(None, None, None)
@@ -838,7 +842,7 @@ class _Child:
         stream = self._process.stdout
         assert stream is not None
         if patience and sys.platform != "win32" and not select.select([stream], [], [], patience)[0]:
-            self._process.kill()
+            self._kill()
             raise caller.FmuFailedError(f"it has not answered for {patience:g} s, and was ended")
         found = b""
         while len(found) < count:
@@ -853,6 +857,14 @@ class _Child:
         how = f"signal {-code}" if code < 0 else f"exit code {code}"
         return caller.FmuFailedError(f"the FMU crashed ({how}); what it ran in was a process of its own")
 
+    def _kill(self) -> None:
+        """End the process and what it has started."""
+        if os.name == "posix":
+            with suppress(ProcessLookupError):
+                os.killpg(self._process.pid, signal.SIGKILL)
+        else:
+            self._process.kill()
+
     def close(self) -> None:
         """End the process, and remove what was written in its folder."""
         for stream in (self._process.stdin, self._process.stdout):
@@ -861,6 +873,6 @@ class _Child:
         try:
             self._process.wait(5.0)
         except subprocess.TimeoutExpired:
-            self._process.kill()
+            self._kill()
             self._process.wait()
         self._place.__exit__(None, None, None)
