@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import itertools
+import re
+import tempfile
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
+from typing import Any
 
+import foreign_records
 import numpy as np
+from foreign_records import Record
 
 import jounce as jn
+from jounce.core.errors import JounceError
 from jounce.identify.damper import fit_damper
 from jounce.identify.decay import DecayParameters, decay_response, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import fit_stiffness
+from jounce.recordings import read_recording
 
 Outcome = tuple[bool, bool]
 """Whether the estimate is right, and whether a warning or problem that speaks of its cause is beside it."""
@@ -95,11 +103,50 @@ def datums() -> Iterator[Outcome]:
         yield right, _is_loud(update.findings, "sign is turned")
 
 
+def _fit_damper(file: Path, **choice: Any) -> tuple[dict[str, Any], list[Any]]:
+    run, notes = read_recording(file)
+    signals = (run["displacement"].to_numpy(), None, run["force"].to_numpy(), run["time"].to_numpy())
+    result = fit_damper(*signals, law="bilinear", **choice)
+    return result.parameters, [*notes, *result.findings]
+
+
+def judged(record: Record, fit: Callable[..., tuple[dict[str, Any], list[Any]]]) -> str:
+    """Whether a fit of the file is right (within its interval or 3 %), told with its cause, refused, or silent.
+
+    A sound record with a warning is a false alarm.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "record.csv"
+        file.write_text(record.text(), encoding="utf-8")
+        try:
+            found, findings = fit(file, **dict(record.choice))
+        except JounceError:
+            return "refused"
+    loud = [one.message for one in findings if one.severity != "note" and "only one trial" not in one.message]
+    if all(_close(found[name].value, value, 0.03) or found[name].has(value) for name, value in record.truth.items()):
+        return "false alarm" if loud and not record.about else "right"
+    return "told" if record.about and any(re.search(record.about, text) for text in loud) else "silent"
+
+
+def files(records: Callable[[], Iterator[Record]], fit: Callable[..., Any]) -> Iterator[Outcome]:
+    """Files made without jounce; a refusal and a false alarm count as what they are."""
+    for record in records():
+        verdict = judged(record, fit)
+        yield verdict == "right", verdict in ("told", "refused")
+
+
+FILES: dict[str, tuple[Callable[[], Iterator[Record]], Callable[..., Any]]] = {
+    "files of dampers: sign, datum, unit, rate, steps, filter, dropouts, drift, exchange": (
+        foreign_records.dampers,
+        _fit_damper,
+    ),
+}
 SUBJECTS: dict[str, Callable[[], Iterator[Outcome]]] = {
     "dampers: signs, gas force, sampling, with and without velocity": dampers,
     "springs: signs, preload": springs,
     "free decays: damping, friction, drag, quantity, sign, sampling": decays,
     "updates: datum and sign of each channel": datums,
+    **{subject: partial(files, *how) for subject, how in FILES.items()},
 }
 
 

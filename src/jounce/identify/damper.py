@@ -17,9 +17,10 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.decay import lost_samples, noise_of, quantum_of, zigzag
 from jounce.identify.estimate import Estimate, central_differences, linear_least_squares, r_squared, uncertainty
+from jounce.identify.low_pass import low_pass_corner
 from jounce.identify.signs import ForcePositive, Signs, StrokePositive, closed_part, damper_signs, sign_of
 from jounce.recordings.carried import as_recording, clock_of, damper_channels
-from jounce.recordings.quality import clipped_share
+from jounce.recordings.quality import clipped_share, frozen_samples
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -103,6 +104,8 @@ def read_motion(
     sign_of(stroke_positive, "stroke", where=name), sign_of(force_positive, "force", where=name)
     findings: list[Finding] = []
     x, f, t = arrays["displacement"], arrays["force"], arrays["time"]
+    lost = _without_dropouts(arrays, name, findings)
+    x = arrays["displacement"]
     derivative = np.asarray(np.gradient(x, t))
     resolution = 0.0
     uses_derivative = "velocity" not in arrays or velocity_from == "displacement"
@@ -113,14 +116,15 @@ def read_motion(
         findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
     v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
     findings += [*_out_of_range({"displacement": x, "force": f}, name)]
-    if uses_derivative and (lost := lost_samples(t, x)):
+    if uses_derivative and (jumps := lost_samples(t, x)):
         text = (
-            f"the displacement jumps at {lost} places as if samples were missing there, though the time goes on: the "
+            f"the displacement jumps at {jumps} places as if samples were missing there, though the time goes on: the "
             "derivative is wrong there and everywhere too large; give the recorded time, or the velocity."
         )
-        findings.append(Finding(name, "problem", text, float(lost)))
+        findings.append(Finding(name, "problem", text, float(jumps)))
     first, last = _moving_part(x, name, findings)
-    x, v, f, t, derivative = (column[first:last] for column in (x, v, f, t, derivative))
+    sound = np.flatnonzero(~lost[first:last]) + first
+    x, v, f, t, derivative = (column[sound] for column in (x, v, f, t, derivative))
     cycles = _cycles(x)
     if cycles < 0.95:
         raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
@@ -147,6 +151,28 @@ def _check(arrays: dict[str, Array], name: str) -> None:
         raise FitError("the time does not increase", where=name, found=f"sample {place}")
     if np.ptp(arrays["displacement"]) == 0.0 or np.ptp(arrays["force"]) == 0.0:
         raise FitError("displacement or force never changes", where=name, hint="Are these the right columns?")
+
+
+def _without_dropouts(arrays: dict[str, Array], name: str, findings: list[Finding]) -> NDArray[np.bool_]:
+    """Mark what the logger lost while the machine moved, and bridge the displacement there for its derivative."""
+    lost = np.zeros(len(arrays["time"]), bool)
+    for column in ("displacement", "velocity", "force"):
+        if column in arrays and (marks := frozen_samples(arrays[column])).any():
+            text = (
+                f"the {column} stands still at {np.count_nonzero(marks)} samples while the record goes on, and jumps: "
+                "dropouts of the logger, which were left out."
+            )
+            findings.append(Finding(name, "warning", text, float(np.count_nonzero(marks))))
+            lost |= marks
+            if column == "displacement":
+                time, bridged = arrays["time"], arrays[column].copy()
+                bridged[marks] = np.interp(time[marks], time[~marks], bridged[~marks])
+                arrays[column] = bridged
+                lost |= np.convolve(marks, np.ones(2 * _BESIDE + 1), mode="same") > 0.0
+    return lost
+
+
+_BESIDE = 8  # samples beside a bridge whose derivative it spoils
 
 
 def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
@@ -638,6 +664,7 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
     )
     findings += damper_advice(result, motion, at_bound, name)
     findings += _changes(motion.velocity[used] / motion.peak_velocity, fitted[used], residual, result, name)
+    findings += _logged(motion, fitted, parameters["offset"].value, name)
     return replace(result, findings=tuple(findings))
 
 
@@ -922,6 +949,33 @@ def _changes(speed: Array, fitted: Array, residual: Array, result: DamperResult,
             "warms up): intervals are wide for it and the offset is that of the middle; take the drift off."
         )
         findings.append(Finding(name, "warning", text, drift))
+    return findings
+
+
+_COARSE = 0.25  # of the force on one side
+
+
+def _logged(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
+    """What the logger did to the force: steps as large as the force itself, a low pass near the motion."""
+    findings: list[Finding] = []
+    step, force = quantum_of(motion.force), fitted - offset
+    side = min(float(force.max()), -float(force.min()))
+    if step > _COARSE * side > 0.0:
+        text = (
+            f"the force is recorded in steps of {step:.3g} N, and one side has {side:.3g} N: rounding is no noise, and "
+            "coefficients may be off by more than their intervals; measure with a finer range, or faster."
+        )
+        findings.append(Finding(name, "warning", text, step))
+    time = motion.time
+    frequency = motion.cycles / float(time[-1] - time[0])
+    rate = 1.0 / float(np.median(np.diff(time)))
+    if corner := low_pass_corner(motion.force - fitted, motion.force, rate, frequency):
+        text = (
+            f"the noise of the force ends at some {corner:.2g} Hz, near the {frequency:.2g} Hz of the motion: a low "
+            "pass of the logger, which blurs the change from bump to rebound; both come out too equal. Measure with "
+            "a wider one, or slower."
+        )
+        findings.append(Finding(name, "warning", text, corner))
     return findings
 
 

@@ -28,7 +28,8 @@ ForcePositive = Literal["compression", "tension"]
 
 _SLOW = 0.2  # of the peak speed: the part of a record that shows the force at rest
 _SMALL = 0.005  # of the range of the force: less is no gas force
-_UNLIKE = 0.1  # difference of bump and rebound over their sum, from which swapping them matters
+_PULLS = 0.05  # of the range of the force: no gas pulls so much, and no hysteresis looks like it
+_UNLIKE = 0.03  # difference of bump and rebound over their sum, from which swapping them matters
 _STATE = "State stroke_positive and force_positive (compression, or extension and tension)."
 _CLEAR = 0.1  # by which an opposite must be clearer than a likeness
 _IDLE = 0.02  # work over the work of the sizes: less is no damper
@@ -170,7 +171,7 @@ def damper_signs(
         return stated
     rest = static_force(x, v, f)
     gas = _sign(rest, f)
-    unlike = _unlike(v, f, rest.value if gas else 0.0)
+    unlike = _unlike(v, f, rest.value if gas else 0.0) or rest.value < -_PULLS * float(np.ptp(f))
     chosen = _Choice(stated, stroke_positive is not None, force_positive is not None, gas, rest.value, unlike)
     return (chosen.dissipating if work > 0.0 else chosen.turned)(add)
 
@@ -184,7 +185,7 @@ class _Choice:
     force_is_stated: bool
     gas: int
     rest: float
-    unlike: bool
+    unlike: bool  # or the gas pulls
 
     def dissipating(self, add: Callable[..., None]) -> Signs:
         """Stroke and force agree: both are right, or both are turned."""

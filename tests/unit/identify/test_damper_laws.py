@@ -4,12 +4,14 @@ import itertools
 import math
 from dataclasses import replace
 
+import foreign_records
 import numpy as np
 import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 from jounce.identify.damper import (
+    DamperResult,
     _check_velocity,
     _cycles,
     _fitted_part,
@@ -512,3 +514,51 @@ def test_a_degressive_valve_is_not_taken_for_dry_friction():
 def test_a_smooth_velocity_of_whole_cycles_has_no_steps():
     t, x, v, f = shaken()
     assert "recorded in steps" not in advised(x, v, f, t)
+
+
+def _of(group: str, name: str) -> foreign_records.Record:
+    """A record whose truth is known, made without jounce."""
+    return next(one for one in foreign_records.dampers() if (one.group, one.name) == (group, name))
+
+
+def _fitted(record: foreign_records.Record) -> tuple[DamperResult, list[str]]:
+    time, stroke, force = record.columns.values()
+    result = fit_damper(1e-3 * stroke, None, force, time, law="bilinear", **dict(record.choice))
+    return result, [one.message for one in result.findings if one.severity == "warning"]
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "words"),
+    [
+        ("sign", "both turned, gas 45, rest 0.5 s, friction 0 False, rebound 600", "where gas would push outwards"),
+        ("steps", "force 50 N, 1 Hz, noise 1", "steps of 50 N"),
+        ("filter", "both low pass of order 1 at 3 times 1 Hz", "a low pass of the logger"),
+        ("filter", "both low pass of order 2 at 6 times 1 Hz", "a low pass of the logger"),
+    ],
+)
+def test_what_a_logger_did_to_the_force_is_told(group: str, name: str, words: str) -> None:
+    result, told = _fitted(_of(group, name))
+    assert abs(result.parameters["bump_coefficient"].value / foreign_records.BUMP - 1.0) > 0.08
+    assert any(words in text for text in told)
+
+
+@pytest.mark.parametrize("kind", ["zero", "held"])
+@pytest.mark.parametrize("which", ["force", "all"])
+def test_dropouts_are_left_out_and_no_oil_is_blamed(which: str, kind: str) -> None:
+    result, told = _fitted(_of("dropout", f"{which} {kind} 5 times 0.1 s"))
+    assert result.parameters["bump_coefficient"].value == pytest.approx(foreign_records.BUMP, rel=0.02)
+    assert result.parameters["rebound_coefficient"].value == pytest.approx(foreign_records.REBOUND, rel=0.02)
+    assert [text for text in told if "dropouts of the logger" not in text] == []
+    assert told
+
+
+def test_a_machine_that_dwells_or_moves_evenly_has_no_dropouts() -> None:
+    time = np.arange(0.0, 8.0, 2e-3)
+    place = np.abs((time % 2.0) - 1.0)
+    triangle = 0.04 * (place - 0.5)
+    dwelling = 0.04 * (np.clip(1.6 * place - 0.3, 0.0, 1.0) - 0.5)
+    for stroke in (triangle, dwelling):
+        velocity = np.gradient(stroke, time)
+        result = fit_damper(stroke, velocity, 900.0 * velocity, time)
+        assert not any("dropouts" in one.message for one in result.findings)
+        assert result.parameters["coefficient"].value == pytest.approx(900.0, rel=1e-6)

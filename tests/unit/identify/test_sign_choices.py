@@ -67,7 +67,7 @@ def test_what_shows_how_a_record_counts() -> None:
         assert _sign(Estimate(-size), 10.0 * np.sign(wave)) == -sign
     assert _sign(Estimate(3.0, 2.0, (-1.0, 7.0)), wave) == 0
     assert _sign(Estimate(3.0, 1.0, (1.0, 5.0)), wave) == 1
-    for ratio, unlike in ((1.2, False), (1.25, True)):  # a tenth of their sum
+    for ratio, unlike in ((1.05, False), (1.07, True)):  # 3 % of their sum
         force = np.where(wave > 0.0, ratio, 1.0) * wave
         assert _unlike(wave, force + 3.0, 3.0) == unlike
         assert _unlike(-wave, -force, 0.0) == unlike

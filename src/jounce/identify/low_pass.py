@@ -1,0 +1,43 @@
+"""A low pass of the logger, seen in the noise of a record."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.identify.decay import quantum_of
+
+_FALL, _STEADY = 50.0, 6.0  # power of the noise over that at the top: all in all, and two octaves below it
+_NEAR = 12.0  # times the frequency of the motion: a low pass above it leaves the motion as it is
+_EXACT = 1e-6  # of the range: no noise at all
+_ROUNDING = 4.0  # times the power of rounding: no noise is left there
+_HARMONIC, _LEAST = 0.3, 4  # of the frequency, beside multiples of it; octaves that show a fall
+
+
+def low_pass_corner(residual: Array, signal: Array, rate: float, frequency: float) -> float | None:
+    """Find where (Hz) a low pass ends the noise of a record; None where it does not, or far above the motion.
+
+    ``residual`` is what a fit leaves of the ``signal``, sampled at ``rate`` (Hz), of a motion at ``frequency`` (Hz).
+    Misfits of the law lie at multiples of the frequency, noise everywhere: white noise ends nowhere, noise behind a low
+    pass falls up to the top of the spectrum or down to the power of rounding.
+    """
+    if float(residual.std()) < _EXACT * float(np.ptp(signal)):
+        return None
+    count = len(residual)
+    window = np.hanning(count)
+    spectrum = np.abs(np.fft.rfft(window * (residual - residual.mean()))) ** 2 * 2.0 / (rate * float(window @ window))
+    at = np.fft.rfftfreq(count, 1.0 / rate)
+    between = np.abs(at / frequency - np.round(at / frequency)) > _HARMONIC
+    powers, top = [], 0.48 * rate
+    while top > 3.0 * frequency and np.count_nonzero(inside := between & (at > 0.5 * top) & (at <= top)) >= 3:
+        powers.append(float(np.quantile(spectrum[inside], 0.25)))
+        top *= 0.5
+    if len(powers) < _LEAST:
+        return None
+    end, most = powers[0], max(powers)
+    rounded = quantum_of(signal) ** 2 / (6.0 * rate)
+    if most < _FALL * max(end, 1e-300) or (powers[2] < _STEADY * end and end > _ROUNDING * rounded):
+        return None
+    octave = next(k for k, power in enumerate(powers) if power > 0.25 * most)
+    corner = 0.48 * rate * 0.5**octave / np.sqrt(2.0)
+    return float(corner) if corner < _NEAR * frequency else None
