@@ -16,16 +16,26 @@ def run() -> int:
         import multiprocessing
 
         multiprocessing.freeze_support()
+    try:
+        return _run()
+    except KeyboardInterrupt as error:  # before it is handled, or while another one is answered
+        from jounce.core.interrupts import leave, signal_of
+
+        leave(signal_of(error), None)
+
+
+def _run() -> int:
+    from jounce.core.interrupts import handle_interrupts, interrupt, leave
+
+    handle_interrupts(leave)
     gc.set_threshold(50_000)
     if not any(word.startswith("--cluster") for word in sys.argv):
         sys.modules.setdefault("dask", None)  # type: ignore[arg-type]  # xarray loads it wherever it is installed: 0.3 s
-    try:
-        from jounce.cli import main
+    from jounce.cli import main
 
-        code = main()
-    except KeyboardInterrupt:  # while the commands are loaded
-        sys.stderr.write("jounce: interrupted; no file is left half-written.\n")
-        code = 130
+    handle_interrupts(interrupt)
+    code = main()
+    handle_interrupts(leave)
     gc.freeze()
     return code
 

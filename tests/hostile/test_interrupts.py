@@ -1,4 +1,4 @@
-"""Ctrl-C while a command loads and compiles: one line, and the exit code of what was interrupted."""
+"""Signals that end a command: one line, an exit code that names the signal, nothing half-written, no process left."""
 
 from __future__ import annotations
 
@@ -11,22 +11,37 @@ import time
 import pytest
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals are sent otherwise there")
-WORDS = ("kinematics", "hmmwv-front", "--travel", "-50 mm:50 mm:5 mm")
+KINEMATICS = ("kinematics", "hmmwv-front", "--travel", "-50 mm:50 mm:5 mm")
+SWEEP = ("sweep", "study.toml", "--out", "swept", "--workers", "2")
+LINE = "jounce: interrupted; no file is left half-written."
+HINT = "jounce: what is finished is kept; the same command with --resume goes on."
+STUDY = """schema = "jounce.sweep/1"
+rig = "kart-quarter-car"
+metrics = ["max sprung.az"]
+trial = {speed = "2 m/s", duration = "1 s", road = {kind = "step", height = "10 mm", start = "1 m"}}
+design = {kind = "monte-carlo", count = 20, seed = 1}
+vary = {"strut.spring.rate" = "20 %"}
+"""
 
 
 BEGUN = """
 import signal, sys
 from jounce.__main__ import run
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell may have told to ignore it
+signal.signal(signal.SIGHUP, signal.SIG_DFL)
 print("begun", flush=True)
-sys.exit(run())
+if __name__ == "__main__":
+    sys.exit(run())
 """
 
 
-def _begin(folder):
-    environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache")}
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    started = subprocess.Popen([sys.executable, "-c", BEGUN, *WORDS], cwd=folder, env=environment, **pipes)
+def _begin(folder, words=KINEMATICS):
+    for name in ("temporary", "cache"):
+        (folder / name).mkdir(exist_ok=True)
+    (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache"), "TMPDIR": str(folder / "temporary")}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "start_new_session": True}
+    started = subprocess.Popen([sys.executable, "-c", BEGUN, *words], cwd=folder, env=environment, **pipes)
     assert started.stdout.readline() == "begun\n"
     return started
 
@@ -41,20 +56,59 @@ def whole_time(tmp_path_factory):
     return time.monotonic() - begin
 
 
-@pytest.mark.parametrize("part", [0.0, 0.1, 0.25, 0.4, 0.6, 0.8])
-def test_interrupted_with_an_empty_cache(tmp_path, whole_time, part):
+@pytest.mark.parametrize(
+    ("part", "number"),
+    [
+        *((part, signal.SIGINT) for part in (0.0, 0.1, 0.25, 0.4, 0.6, 0.8)),
+        *((part, number) for part in (0.1, 0.4) for number in (signal.SIGTERM, signal.SIGHUP)),
+    ],
+)
+def test_ended_with_an_empty_cache(tmp_path, whole_time, part, number):
     for attempt in range(5):  # a machine may be faster this time: what has ended already is begun again
         folder = tmp_path / str(attempt)
         folder.mkdir()
         with _begin(folder) as started:
             time.sleep(part * whole_time * 0.8**attempt)
             has_ended = started.poll() is not None
-            started.send_signal(signal.SIGINT)
+            started.send_signal(number)
             _, said = started.communicate(timeout=300)
         if not has_ended:
             break
     else:
         pytest.fail("the command ended before every interrupt")
-    lines = [line for line in said.splitlines() if not line.startswith("compiling")]
-    assert started.returncode == 130, said
-    assert lines == ["jounce: interrupted; no file is left half-written."]
+    assert started.returncode == 128 + number, said
+    assert _lines(said) == [LINE]
+    assert not any((folder / "temporary").iterdir())
+
+
+def _lines(said):
+    return [line for line in said.splitlines() if not line.startswith("compiling")]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("file", ["sweep.json", "summary.json"], ids=["simulating", "drawing"])
+def test_a_sweep_says_how_it_goes_on(tmp_path, number, file):
+    """Workers get the signal, too, as from a terminal."""
+    with _begin(tmp_path, SWEEP) as started:
+        while not (tmp_path / "swept" / file).exists():
+            assert started.poll() is None, started.stderr.read()
+            time.sleep(0.005)
+        os.killpg(started.pid, number)
+        _, said = started.communicate(timeout=300)
+    if file == "summary.json" and started.returncode == 0:
+        pytest.skip("the command ended before its interrupt")
+    assert started.returncode == 128 + number, said
+    assert _lines(said) == [HINT, LINE]
+    assert not any((tmp_path / "temporary").iterdir())
+    assert _is_empty(started.pid)
+
+
+def _is_empty(group):
+    """Whether all processes of a group end within some seconds."""
+    for _ in range(600):
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.05)
+    return False

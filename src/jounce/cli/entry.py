@@ -40,7 +40,6 @@ from jounce.cli.reply import (
     FAILED,
     PIPE_CLOSED,
     REFUSED,
-    STOPPED,
     Reply,
     lead_nowhere,
     make_streams_usable,
@@ -49,13 +48,16 @@ from jounce.cli.reply import (
     tell,
 )
 from jounce.core.errors import JounceError, OutputError, nearest
-from jounce.core.interrupts import is_interrupt
+from jounce.core.interrupts import INTERRUPTED, signal_of, uncovering_interrupts
+from jounce.core.processes import NO_THREAD
 from jounce.core.text import shortened
 from jounce.core.trust import trusting
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
 _LONGEST = 1000  # characters of what the parser of the command line says
 _TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
+_TOO_LITTLE = "End other programs, or raise the limit of memory (ulimit -v)."
+_SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign", "demo"}
 _CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
@@ -194,7 +196,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0 done, 1 something failed, 2 the request is wrong, 130 interrupted.
+        Exit code: 0 done, 1 something failed, 2 the request is wrong, 130 interrupted, 129 or 143 where the terminal
+        was closed or the system asked to end.
     """
     make_streams_usable()
     _one_thread_for_matrices()
@@ -209,11 +212,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise JounceError("an argument with a NUL character", found=next(word for word in words if "\0" in word))
         if _COMPLETION in os.environ:
             return _complete(words)
-        with trusting(False):
+        with trusting(False), uncovering_interrupts():
             exit_code = _answer(words)
         sys.stdout.flush()
-    except (KeyboardInterrupt, typer.Abort):
-        return _stopped()
+    except (KeyboardInterrupt, typer.Abort) as error:
+        tell(INTERRUPTED)
+        return 128 + signal_of(error)  # as shells count
     except (BrokenPipeError, SystemExit):  # nobody reads any more; the help's console ends the process then
         lead_nowhere(sys.stdout)
         return PIPE_CLOSED
@@ -226,18 +230,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         where = str(error.filename or _nameless(error))
         return refuse(OutputError(error.strerror or str(error), where=where, hint=hint), as_json=as_json)
     except ImportError as error:
-        if is_interrupt(error):
-            return _stopped()
         hint = "Is the installation whole, and is there memory for it?"
         return refuse(JounceError("a library cannot be loaded", found=str(error), hint=hint), as_json=as_json)
     except UnicodeEncodeError as error:
         hint = "Is it written in another encoding than UTF-8?"
         return refuse(JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json)
     except MemoryError:
-        return refuse(JounceError("out of memory", hint=_TOO_LARGE), as_json=as_json)
+        hint = _TOO_LARGE if words[:1] and words[0] in _SAMPLED else _TOO_LITTLE
+        return refuse(JounceError("out of memory", hint=hint), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
-        if is_interrupt(error):
-            return _stopped()
+        if str(error) == NO_THREAD:
+            hint = "End other programs, or raise the limit of processes and threads (ulimit -u)."
+            return refuse(JounceError("no more threads can be started", hint=hint), as_json=as_json)
         if debug:
             traceback.print_exc()
         what = shortened(f"internal error: {type(error).__name__}: {error}", _LONGEST)
@@ -247,9 +251,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return exit_code
 
 
-def _stopped() -> int:
-    tell("interrupted; no file is left half-written.")
-    return STOPPED
+_LIMITS = {errno.EAGAIN: "the limit of processes (ulimit -u)", errno.EMFILE: "the limit of open files (ulimit -n)"}
 
 
 def _nameless(error: OSError) -> str:
@@ -257,6 +259,8 @@ def _nameless(error: OSError) -> str:
     if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EIO):
         lead_nowhere(sys.stdout)
         return "standard output"
+    if error.errno in _LIMITS:
+        return _LIMITS[error.errno]
     try:
         os.getcwd()  # noqa: PTH109 - only whether it is there
     except OSError:

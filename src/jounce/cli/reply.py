@@ -38,8 +38,8 @@ _PARTS = re.compile(
     r"(?P<what>[^\n]*?)(?:; found (?P<found>'[^'\n]*'|[^;\n]*?))?(?:; allowed: (?P<allowed>[^\n]*?))?"
     r"(?:\. (?P<hint>[A-Z][^\n]*))?[.]?"
 )
-DONE, FAILED, REFUSED, STOPPED, PIPE_CLOSED = 0, 1, 2, 130, 141
-"""Exit codes: all is well; something failed; the request is wrong; interrupted; the reader of the output went away."""
+DONE, FAILED, REFUSED, PIPE_CLOSED = 0, 1, 2, 141
+"""Exit codes: all is well; something failed; the request is wrong; the reader of the output went away."""
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import typer
 from jounce.cli.options import AsJson, Force, Trust
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table, tell
 from jounce.core.commands import command_line
+from jounce.core.interrupts import uncovering_interrupts
 from jounce.core.trust import trusting
 
 if TYPE_CHECKING:
@@ -77,18 +78,19 @@ def sweep(
             )
 
         try:
-            if cluster is None:
-                found = run()
-            else:
-                read_sweep(study)  # what is wrong with it is said before anybody is asked to work
-                with cluster_at(cluster) as client:
-                    found = run(client)
+            with uncovering_interrupts():
+                if cluster is None:
+                    found = run()
+                else:
+                    read_sweep(study)  # what is wrong with it is said before anybody is asked to work
+                    with cluster_at(cluster) as client:
+                        found = run(client)
+                say("drawing")
+                missing = _write(found, study, out)
         except KeyboardInterrupt:
             if (out / "sweep.json").is_file():
                 tell("what is finished is kept; the same command with --resume goes on.")
             raise
-        say("drawing")
-        missing = _write(found, study, out)
     plain = found.to_dict()
     code = DONE if found.summary.ran else FAILED
     return Reply(plain, lambda console: draw_sweep(console, plain, found.summary), as_json, code, missing)

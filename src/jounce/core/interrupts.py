@@ -1,48 +1,90 @@
-"""Ctrl-C in the midst of a library that cannot take it."""
+"""Ctrl-C and the system's request to end: before a command runs, and in the midst of a library that cannot take it."""
 
 from __future__ import annotations
 
+import os
 import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from threading import current_thread, main_thread
+from types import FrameType
+from typing import NoReturn
+
+_SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+INTERRUPTED = "interrupted; no file is left half-written."
+
+
+def interrupt(number: int, _: FrameType | None) -> None:
+    """Interrupt the command, which removes what it has begun and says so."""
+    raise KeyboardInterrupt(number)
+
+
+def leave(number: int, _: FrameType | None) -> NoReturn:
+    """End the process at once: nothing is written while commands are loaded, or after they have answered."""
+    with suppress(OSError):
+        os.write(2, f"jounce: {INTERRUPTED}\n".encode())
+    os._exit(128 + number)
+
+
+def signal_of(error: BaseException) -> int:
+    """Give the number of the signal that an interrupt is the answer to."""
+    return next((number for number in error.args if number in _SIGNALS), signal.SIGINT)
+
+
+def handle_interrupts(handler: Callable[[int, FrameType | None], None]) -> None:
+    """Handle Ctrl-C, a closed terminal and a request to end, except those that this process was started to ignore."""
+    for number in _SIGNALS:
+        if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler, interrupt, leave):
+            signal.signal(number, handler)
 
 
 @contextmanager
 def interrupt_after() -> Iterator[None]:
-    """Hold a Ctrl-C back until the block ends; a second one is let through.
+    """Hold an interrupt back until the block ends; a second one is let through.
 
     CasADi turns an interrupt into an error of its own, or loses it. Nothing changes where somebody else handles the
-    signal, and in other threads, which never get it.
+    signals, and in other threads, which never get them.
     """
-    if current_thread() is not main_thread() or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    if current_thread() is not main_thread():
         yield
         return
-    is_wanted = False
+    raising = (signal.default_int_handler, interrupt)
+    before = {number: handler for number in _SIGNALS if (handler := signal.getsignal(number)) in raising}
+    wanted: list[int] = []
 
-    def note(*_: object) -> None:
-        nonlocal is_wanted
-        if is_wanted:
-            raise KeyboardInterrupt
-        is_wanted = True
+    def note(number: int, frame: FrameType | None) -> None:
+        wanted.append(number)
+        if len(wanted) > 1:
+            before[number](number, frame)
 
-    signal.signal(signal.SIGINT, note)
+    for number in before:
+        signal.signal(number, note)
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        if is_wanted:
-            raise KeyboardInterrupt
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if wanted:
+            raise KeyboardInterrupt(wanted[0])
 
 
-def is_interrupt(error: BaseException | None) -> bool:
-    """Whether an error is an interrupt, or what a library made of one.
+@contextmanager
+def uncovering_interrupts() -> Iterator[None]:
+    """Raise the interrupt itself where a library, or what was tidied up after it, made another error of it.
 
-    >>> is_interrupt(KeyboardInterrupt()), is_interrupt(ValueError())
-    (True, False)
+    >>> try:
+    ...     with uncovering_interrupts():
+    ...         raise SystemError from KeyboardInterrupt(2)
+    ... except KeyboardInterrupt as error:
+    ...     error
+    KeyboardInterrupt(2)
     """
-    while error is not None:
-        if isinstance(error, KeyboardInterrupt):
-            return True
-        error = error.__cause__ or error.__context__
-    return False
+    try:
+        yield
+    except Exception as error:
+        cause: BaseException | None = error
+        while cause is not None and not isinstance(cause, KeyboardInterrupt):
+            cause = cause.__cause__ or cause.__context__
+        if cause is None:
+            raise
+        raise KeyboardInterrupt(*cause.args) from error

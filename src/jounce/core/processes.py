@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import ast
+import errno
 import linecache
 import multiprocessing
+import signal
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from types import FrameType
 
 from jounce.core.errors import JounceError
@@ -38,6 +42,44 @@ def check_workers() -> None:
     error = refusal()
     if error is not None:
         raise error
+
+
+class NoWorkersError(JounceError):
+    """Processes that the system does not start."""
+
+
+@contextmanager
+def starting_workers() -> Iterator[None]:
+    """Start worker processes in a block; where the system refuses, the error says what it lacks.
+
+    The workers never hear Ctrl-C, not even while they load: the first process tells them when to stop.
+    """
+    block = getattr(signal, "pthread_sigmask", None)
+    before = block(signal.SIG_BLOCK, {signal.SIGINT}) if block else None
+    try:
+        yield
+    except (OSError, RuntimeError) as error:
+        if isinstance(error, RuntimeError) and str(error) != NO_THREAD:
+            raise
+        refused = getattr(error, "strerror", None) or str(error)
+        raise NoWorkersError(
+            "no worker processes can be started", where=_lacking(error), found=refused, hint="One process needs none."
+        ) from error
+    finally:
+        if block:
+            block(signal.SIG_SETMASK, before)
+
+
+NO_THREAD = "can't start new thread"
+"""What Python says where the system gives no more threads."""
+
+
+def _lacking(error: Exception) -> str:
+    """Where the system keeps what workers need and was refused: their semaphores lie in shared memory."""
+    number = getattr(error, "errno", None)
+    if sys.platform == "linux" and number in (errno.EROFS, errno.ENOSPC, errno.EACCES, errno.ENOENT):
+        return "/dev/shm"
+    return "the limit of open files (ulimit -n)" if number == errno.EMFILE else "the limit of processes (ulimit -u)"
 
 
 def _unguarded_line() -> str:

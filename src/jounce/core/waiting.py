@@ -58,7 +58,8 @@ class _Teller:
             self._waits.append(wait)
             if self._thread is None or not self._thread.is_alive():
                 self._thread = threading.Thread(target=self._tell, name="jounce waits", daemon=True)
-                self._thread.start()
+                with contextlib.suppress(RuntimeError):  # no thread is to be had: nothing is told
+                    self._thread.start()
 
     def end(self, wait: _Wait) -> None:
         """End a wait: nothing is told of it from here on."""

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, SimulationError
-from jounce.core.processes import check_workers
+from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -244,8 +244,12 @@ def _tested(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterat
         yield from map(_column, columns)
         return
     check_workers()
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(_column, columns)
+    with starting_workers():
+        pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
+    with pool:
+        with starting_workers():
+            results = pool.map(_column, columns)
+        yield from results
 
 
 def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:

@@ -82,13 +82,16 @@ def share(
             list(left)
         done.put(error)
 
-    for _ in range(workers - 1):
-        _hand_over(work)
+    others = 0
+    with contextlib.suppress(RuntimeError):  # the system gives no more threads: those that there are do it all
+        while others < workers - 1:
+            _hand_over(work)
+            others += 1
     try:
         if meanwhile is not None:
             meanwhile()
         work()
-        errors = [done.get() for _ in range(workers)]
+        errors = [done.get() for _ in range(others + 1)]
     finally:
         list(left)  # whoever is interrupted while waiting leaves nothing to the others, either
     for error in errors:

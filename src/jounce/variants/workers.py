@@ -23,12 +23,14 @@ from typing import Any
 from jounce.core.errors import JounceError, named
 from jounce.core.optional import require
 from jounce.core.process_settings import PROCESS_SETTINGS
+from jounce.core.processes import NoWorkersError, starting_workers
 from jounce.core.trust import trust_said, trusting
 from jounce.core.types import Array
 from jounce.recordings.writers import netcdf_of
 from jounce.variants.many import Work
 
 Results = Generator[tuple[int, bytes], None, None]
+_LOG = logging.getLogger("jounce")
 _WAITING = 2  # tasks each worker has before it: enough never to stand idle, few enough for memory
 _PATIENCE, _JOINING = 10.0, 30.0  # s: for a scheduler to answer, for a first worker to join
 _MOST_ENDS = 3  # how often workers may be ended from outside before anything more is done
@@ -90,26 +92,33 @@ def on_processes(workers: int, work: Work, tasks: Sequence[Task]) -> Results:
                 del left[number]
                 ends = 0
                 yield number, content
+        except NoWorkersError as error:
+            _LOG.warning("%s This process works alone.", error)
+            yield from here(work, list(left.values()), None)
+            return
         except BrokenProcessPool:
             ends += 1
             if ends >= _MOST_ENDS:
                 raise JounceError(
                     "a worker process was ended from outside, again and again",
                     found=f"{ends} times in a row, {len(left)} shards left",
-                    hint="Is there memory enough? What was done is kept: resume with fewer workers.",
+                    hint="Are there memory and processes (ulimit -u) enough? "
+                    "What was done is kept: resume with fewer workers.",
                 ) from None
 
 
 def _pooled(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
     others = set(multiprocessing.active_children())
-    pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
+    with starting_workers():
+        pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
     waiting: set[Future[tuple[int, bytes]]] = set()
     pending = iter(tasks)
     is_done = False
     try:
         while True:
             for task in pending:
-                waiting.add(pool.submit(work_on, packed, task))
+                with starting_workers():
+                    waiting.add(pool.submit(work_on, packed, task))
                 if len(waiting) >= _WAITING * workers:
                     break
             if not waiting:
@@ -122,7 +131,8 @@ def _pooled(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
         if not is_done:  # nobody waits for what would be thrown away
             for process in set(multiprocessing.active_children()) - others:
                 process.terminate()
-        pool.shutdown(cancel_futures=True)
+        with suppress(RuntimeError):  # of a pool whose own thread could not be started
+            pool.shutdown(cancel_futures=True)
 
 
 def _begin() -> None:

@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from jounce.core.interrupts import interrupt_after, is_interrupt
+from jounce.core.interrupts import interrupt, interrupt_after, signal_of, uncovering_interrupts
 from jounce.core.remembered import Recent
 
 
@@ -88,7 +88,25 @@ def of_a_library():
 
 
 def test_what_a_library_made_of_an_interrupt_is_one():
-    with pytest.raises(SystemError) as caught:
+    with pytest.raises(KeyboardInterrupt), uncovering_interrupts():
         of_a_library()
-    assert is_interrupt(caught.value)
-    assert not is_interrupt(SystemError())
+    with pytest.raises(SystemError), uncovering_interrupts():
+        raise SystemError
+
+
+def test_a_request_to_end_is_held_back_and_keeps_its_number():
+    done, before = [], signal.signal(signal.SIGTERM, interrupt)
+
+    def asked_to_end():
+        with interrupt_after():
+            signal.raise_signal(signal.SIGTERM)
+            done.append(1)
+
+    try:
+        with pytest.raises(KeyboardInterrupt) as caught:
+            asked_to_end()
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert done
+    assert signal_of(caught.value) == signal.SIGTERM
+    assert signal_of(KeyboardInterrupt()) == signal.SIGINT

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import JounceError, RecordingError
-from jounce.core.processes import check_workers
+from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import to_plain
 from jounce.inspection.archive.entries import Grading, RecordEntry, unpack
 from jounce.inspection.archive.lane import grading_of, inspect_record, read_entry, refusal_of, stored_tester
@@ -112,9 +112,12 @@ def _results(task: _Task, batches: list[list[int]], workers: int) -> Iterator[It
 
     context = multiprocessing.get_context("spawn")
     with _one_thread_each():
-        pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(task,))
+        with starting_workers():
+            pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(task,))
         try:
-            yield pool.map(_work, batches)
+            with starting_workers():
+                results = pool.map(_work, batches)
+            yield results
         except BrokenProcessPool:
             raise JounceError(
                 "a process was ended from outside", hint="What was done is stored; start again."
