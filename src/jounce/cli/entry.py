@@ -35,6 +35,7 @@ from jounce.cli import (
 )
 from jounce.cli.everywhere import as_usual, completed, open_pages
 from jounce.cli.options import AsJson
+from jounce.cli.pipes import without_pipes
 from jounce.cli.reply import (
     DONE,
     FAILED,
@@ -212,7 +213,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise JounceError("an argument with a NUL character", found=next(word for word in words if "\0" in word))
         if _COMPLETION in os.environ:
             return _complete(words)
-        with trusting(False), uncovering_interrupts():
+        with trusting(False), uncovering_interrupts(), without_pipes(words) as words:
             exit_code = _answer(words)
         sys.stdout.flush()
     except (KeyboardInterrupt, typer.Abort) as error:

@@ -74,10 +74,10 @@ def _is_put_back(file: Path) -> bool:
 
 def _instead(file: Path) -> str:
     if len(file.name) > _LONGEST_NAME:
-        return "no such file"
+        return _MISSING
     if file.is_dir():
         return "a folder, not a file"
-    return "a pipe or a device, not a file" if file.exists() else "no such file"
+    return "a pipe or a device, not a file" if file.exists() else _MISSING
 
 
 State = tuple[int, int, int, int]
@@ -118,6 +118,7 @@ def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
 
 
 _LARGEST = 1_000_000_000  # bytes
+_MISSING = "no such file"
 _LONGEST_NAME = 1000  # characters; systems take 255 bytes
 
 
@@ -143,8 +144,9 @@ def chosen_file(
     if file.suffix == ".toml" or _is_file(file):
         return file
     if str(name) not in shipped:
+        missing = _instead(file)
         raise DescriptionError(
-            f"no such file and no shipped {what} of that name",
+            f"{missing} and no shipped {what} of that name" if missing == _MISSING else missing,
             where=str(name),
             allowed=f"{others}, or one of {', '.join(shipped)}",
             hint=nearest(str(name), shipped),

@@ -1,0 +1,116 @@
+"""Pipes in the place of files: ``jounce modes <(cat rig.toml)``, ``/dev/stdin``.
+
+A reader may look at a file twice, and knows its format by its suffix. So each pipe is read once, into a file that goes
+when the command has ended, with the suffix that its content calls for.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import stat
+import tomllib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from zipfile import BadZipFile, ZipFile
+
+from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.writing import lasting_folder
+
+_PIPE = re.compile(r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))")
+_LARGEST = 1_000_000_000  # bytes
+_SHARE = 1 << 20
+_BEGINS = {
+    b"\x89HDF": ".nc",
+    b"CDF": ".nc",
+    b"PAR1": ".parquet",
+    b"MDF ": ".mf4",
+    b"MATLAB": ".mat",
+    b"TDSm": ".tdms",
+    b"<": ".xml",
+    b"{": ".json",
+}
+"""What files of a format begin with, and the suffix they are read by."""
+
+
+@contextmanager
+def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
+    """Give a command line with the names of files in the place of pipes that are open for reading."""
+    found = [match if match and _is_readable(_number(match)) else None for match in map(_PIPE.fullmatch, words)]
+    if not any(found):
+        yield list(words)
+        return
+    folder = lasting_folder()
+    try:
+        copies = {number: _copy(number, folder) for number in {_number(match) for match in found if match}}
+        yield [
+            f"{match['before']}{copies[_number(match)]}" if match else word
+            for word, match in zip(words, found, strict=True)
+        ]
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _number(match: re.Match[str]) -> int:
+    return int(match["number"] or 0)
+
+
+def _is_readable(number: int) -> bool:
+    """Whether a pipe or a file is open under a number, to be read: results are written to others."""
+    try:
+        import fcntl
+
+        mode = os.fstat(number).st_mode
+        writes = fcntl.fcntl(number, fcntl.F_GETFL) & os.O_ACCMODE == os.O_WRONLY
+    except (ImportError, OSError):
+        return False
+    return not writes and (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode) or stat.S_ISREG(mode))
+
+
+def _copy(number: int, folder: Path) -> Path:
+    """Read what is open under a number to its end; give the file that holds it."""
+    name = "stdin" if number == 0 else f"pipe-{number}"
+    file, size = folder / name, 0
+    try:
+        with os.fdopen(os.dup(number), "rb") as source, file.open("wb") as target:
+            while share := source.read(_SHARE):
+                size += len(share)
+                if size > _LARGEST:
+                    allowed = f"up to {_LARGEST / 1e9:.3g} GB"
+                    raise DescriptionError("a pipe without an end", where=name, allowed=allowed)
+                target.write(share)
+    except OSError as error:
+        hint = "Check the space there (TMPDIR)."
+        raise OutputError("a pipe cannot be copied", where=str(folder), found=error.strerror, hint=hint) from error
+    return file.rename(file.with_suffix(_suffix(file)))
+
+
+def _suffix(file: Path) -> str:
+    with file.open("rb") as stream:
+        begin = stream.read(8)
+    if begin.startswith(b"PK"):
+        try:
+            with ZipFile(file) as archive:
+                return ".fmu" if "modelDescription.xml" in archive.namelist() else ".xlsx"
+        except BadZipFile:
+            return ".xlsx"
+    for start, suffix in _BEGINS.items():
+        if begin.startswith(start):
+            return suffix
+    first = next((line for line in _lines(file) if line.strip() and not line.lstrip().startswith(b"#")), b"")
+    return ".toml" if _is_toml(first) else ".csv"
+
+
+def _lines(file: Path) -> Iterator[bytes]:
+    with file.open("rb") as stream:
+        yield from iter(lambda: stream.readline(_SHARE), b"")
+
+
+def _is_toml(line: bytes) -> bool:
+    """Whether a line begins a description: a table's name, or a key and its value."""
+    try:
+        return bool(tomllib.loads(line.decode()))
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError):
+        return re.match(rb"\s*[\w.\"-]+\s*=", line) is not None
