@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+import threads_many
 
 from rules import ROOT
 
@@ -45,9 +46,9 @@ def test_all_public_examples(tmp_path):
 
 
 @pytest.mark.slow
-def test_many_processes(tmp_path):
-    for seed in range(PROCESSES):
-        run(tmp_path, seed, 8, seed % 3, *QUICK)
+@pytest.mark.parametrize("cold", [False, True])
+def test_many_processes(cold):
+    assert threads_many.count(PROCESSES // 5 if cold else PROCESSES, cold=cold)["wrong"] == []
 
 
 def page_of_the_documentation() -> str:
