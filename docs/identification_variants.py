@@ -15,12 +15,14 @@ import numpy as np
 from foreign_records import Record
 
 import jounce as jn
+from jounce.campaign.characterise import read_force_deflection
 from jounce.core.errors import JounceError
 from jounce.identify.damper import fit_damper
 from jounce.identify.decay import DecayParameters, decay_response, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.stiffness import fit_stiffness
 from jounce.recordings import read_recording
+from jounce.recordings.formats import TableFormat
 
 Outcome = tuple[bool, bool]
 """Whether the estimate is right, and whether a warning or problem that speaks of its cause is beside it."""
@@ -110,6 +112,12 @@ def _fit_damper(file: Path, **choice: Any) -> tuple[dict[str, Any], list[Any]]:
     return result.parameters, [*notes, *result.findings]
 
 
+def _fit_spring(file: Path, **choice: Any) -> tuple[dict[str, Any], list[Any]]:
+    trials, notes = read_force_deflection([file], TableFormat())
+    result = fit_stiffness(trials, **choice)
+    return {"stiffness": result.stiffness}, [*notes, *result.findings]
+
+
 def judged(record: Record, fit: Callable[..., tuple[dict[str, Any], list[Any]]]) -> str:
     """Whether a fit of the file is right (within its interval or 3 %), told with its cause, refused, or silent.
 
@@ -139,6 +147,10 @@ FILES: dict[str, tuple[Callable[[], Iterator[Record]], Callable[..., Any]]] = {
     "files of dampers: sign, datum, unit, rate, steps, filter, dropouts, drift, exchange": (
         foreign_records.dampers,
         _fit_damper,
+    ),
+    "files of springs: sign, both sides, datum, slip, steps, dropouts, drift, exchange": (
+        foreign_records.springs,
+        _fit_spring,
     ),
 }
 SUBJECTS: dict[str, Callable[[], Iterator[Outcome]]] = {

@@ -11,6 +11,7 @@ RIGHT = {
     "free decays": (48, 48),
     "updates": (15, 30),
     "files of dampers": (199, 280),
+    "files of springs": (189, 230),
 }
 """Golden: how many of how many variants are right. Of the others a finding names the cause, or they are refused."""
 

@@ -23,6 +23,7 @@ Zero = Literal["first-contact", "none"]
 
 _FREE_TRAVEL_SHARE = 0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
 _FORCE_THRESHOLD = 0.002  # of the largest force
+_TENSION = 0.1  # of the compression: what goes farther the other way is pulled on purpose
 _CYCLE = 0.1  # of the stroke: a deflection that comes back so far and grows again begins another load cycle
 
 
@@ -101,6 +102,10 @@ class SeatedTrial:
         part = {"loading": slice(0, self.turn + 1), "unloading": slice(back, None), "both": slice(None)}[which]
         return self.deflection[part], self.force[part]
 
+    def is_two_sided(self) -> bool:
+        """Tell whether the trial goes well into tension and into compression, about its zero."""
+        return all(-_TENSION * column.max() > column.min() for column in (self.deflection, self.force))
+
     def has_unloading(self) -> bool:
         """Tell whether the trial comes back to less than half of its largest deflection."""
         return float(self.deflection[self.turn :].min()) < 0.5 * float(self.deflection[self.turn])
@@ -130,7 +135,11 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     if deflection[seated.turn] > 1.0:
         text = "the deflection exceeds 1 m: check that it was read in the right unit."
         findings.append(Finding(trial.name, "problem", text, float(deflection[seated.turn])))
-    _report_non_monotone(seated, findings)
+    findings += _slip(seated) or _falls(seated)
+    back = float((np.maximum.accumulate(deflection[: seated.turn + 1]) - deflection[: seated.turn + 1]).max())
+    if back > 0.02 * float(np.ptp(deflection)):
+        text = f"the deflection reverses by {1e3 * back:.3g} mm within the loading branch; all its points are used."
+        findings.append(Finding(trial.name, "note", text, back))
     findings += [*_out_of_range(seated), *_drift(seated)]
     return seated, findings
 
@@ -192,6 +201,10 @@ def _first_contact(deflection: Array, force: Array, name: str, findings: list[Fi
         text = f"{1e3 * travel:.3g} mm of free travel before first contact and a load-cell zero of "
         findings.append(Finding(name, "note", text + f"{offset:.3g} N were removed.", travel))
         return contact, offset, last + 1
+    if force[0] < 0.0 and force.min() < -_TENSION * force.max() and deflection.min() < -_TENSION * deflection.max():
+        text = "the trial goes from tension into compression: its zeros are the recorded ones."
+        findings.append(Finding(name, "note", text, float(force[0])))
+        return 0.0, 0.0, 0
     if abs(force[0]) > 0.02 * largest:
         text = (
             f"the trial starts already loaded with {force[0]:.3g} N, so first contact was not "
@@ -215,22 +228,52 @@ def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bo
     return upper < 0.1 * float(np.ptp(force[: turn + 1])) / stroke
 
 
-def _report_non_monotone(trial: SeatedTrial, findings: list[Finding]) -> None:
+def _falls(trial: SeatedTrial) -> list[Finding]:
+    """A force that falls while the deflection grows."""
     deflection, force = trial.branch("loading")
     below = force[deflection < (1.0 - _TOP) * deflection.max()]  # nearer to the top noise mixes both branches
     drop = float((np.maximum.accumulate(below) - below).max(initial=0.0))
-    span = float(np.ptp(force))
-    if span > 0.0 and drop > 0.03 * span:
-        text = f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling or a loose seat?"
-        findings.append(Finding(trial.name, "warning", text, drop))
-    back = float((np.maximum.accumulate(deflection) - deflection).max())
-    if back > 0.02 * float(np.ptp(deflection)):
-        text = f"the deflection reverses by {1e3 * back:.3g} mm within the loading branch; all its points are used."
-        findings.append(Finding(trial.name, "note", text, back))
+    if drop <= 0.03 * float(np.ptp(force)):
+        return []
+    text = f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling or a loose seat?"
+    return [Finding(trial.name, "warning", text, drop)]
 
 
+def _slip(trial: SeatedTrial) -> list[Finding]:
+    """A grip that slipped on the way: the force goes on along the same line, but lower, where no bend explains it."""
+    deflection, force = trial.branch("loading")
+    if len(deflection) < _FEWEST_SLIP:
+        return []
+    thin = max(1, len(deflection) // 400)
+    x = (deflection[::thin] - deflection[0]) / float(np.ptp(deflection))
+    f = force[::thin]
+
+    def left(*columns: Array) -> tuple[float, Array]:
+        matrix = np.column_stack([np.ones_like(x), x, *columns])
+        found = np.linalg.lstsq(matrix, f, rcond=None)[0]
+        return float(np.sum((f - matrix @ found) ** 2)), found
+
+    places = np.linspace(0.1, 0.9, 81)
+    bent = min([left(x**2, x**3)[0], *(left(np.maximum(x - place, 0.0))[0] for place in places)])
+    tried = [(*left(np.clip((x - place) / width, 0.0, 1.0)), place) for place in places for width in _SLIDES]
+    slid, (_, slope, step), place = min(tried, key=lambda one: one[0])
+    lost, noise = -float(step), math.sqrt(slid / len(x))
+    if slid > _SLIPPED * bent or lost < max(_LEAST_SLIP * float(np.ptp(f)), 3.0 * noise) or slope <= 0.0:
+        return []
+    stroke = float(np.ptp(deflection))
+    rate, begin = float(slope) / stroke, 1e3 * (float(deflection[0]) + place * stroke)
+    text = (
+        f"the force is {lost:.3g} N lower from {begin:.3g} mm on, as after a slip of {1e3 * lost / rate:.2g} mm in the "
+        f"grip: the slope without it is {rate:.4g} N/m, which the fit does not give. Measure again."
+    )
+    return [Finding(trial.name, "warning", text, lost)]
+
+
+_FEWEST_SLIP, _SLIDES = 15, (0.01, 0.03, 0.08)  # points; shares of the stroke over which a grip slides
+_SLIPPED, _LEAST_SLIP = 0.4, 0.01  # of what a cubic or a kink leaves, and of the range of the force
 _TOP = 0.02  # of the largest deflection
 _FLAT = 0.05  # of the stroke over which the force may stay at its largest value
+_ON_THE_WAY = 0.75  # of the force that is missing at the end: what hysteresis would have taken in mid-stroke
 _NO_DRIFT = 0.02  # of the largest force by which it may differ where a trial ends as it began
 
 
@@ -262,8 +305,19 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     slope = float(np.ptp(force)) / stroke
     less = force - slope * (deflection - deflection[0])
     gained = float(np.median(less[max(back - 2, trial.turn + 1) : back + 3]) - np.median(less[:5]))
-    if gained < _NO_DRIFT * float(force.max()):
+    if abs(gained) < _NO_DRIFT * float(force.max()):
         return []
+    if gained < 0.0:  # hysteresis is widest on the way, a drift at the end
+        up, down = _sorted(*trial.branch("loading")), _sorted(*trial.branch("unloading"))
+        middle = 0.5 * float(deflection.min() + deflection.max())
+        if float(np.interp(middle, *up) - np.interp(middle, *down)) > -_ON_THE_WAY * gained:
+            return []
+        text = (
+            f"the trial ends with {-gained:.3g} N less than it began with at the same deflection, more than hysteresis "
+            "takes on the way: the zero of the load cell drifts. If evenly, the slope of the loading branch is off by "
+            f"about {0.5 * gained / stroke:.3g} N/m, and that of both branches together is not."
+        )
+        return [Finding(trial.name, "warning", text, gained)]
     text = (
         f"the trial ends with {gained:.3g} N more than it began with at the same deflection, where hysteresis would "
         "take some: the zero of the load cell drifts. If evenly, the slope of the loading branch is off by about "
@@ -284,8 +338,8 @@ def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
     low, high = max(up[0][0], down[0][0]), min(up[0][-1], down[0][-1])
     grid = np.union1d(np.union1d(up[0], down[0]), [low, high])
     grid = grid[(grid >= low) & (grid <= high)]
-    work = float(np.trapezoid(np.interp(grid, *up), grid))
-    energy = work - float(np.trapezoid(np.interp(grid, *down), grid))
+    energy = float(np.trapezoid(np.interp(grid, *up) - np.interp(grid, *down), grid))
+    work = float(np.trapezoid(np.abs(np.interp(grid, *up)), grid))
     return energy, energy / (2.0 * math.pi * work) if work > 0.0 else None
 
 

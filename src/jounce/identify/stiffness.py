@@ -394,7 +394,7 @@ def fit_stiffness(
         seated.append(one)
         findings += notes
     findings += _copies(seated)
-    points = [_used(one, branch, discard_below) for one in seated]
+    points = [_used(one, branch, discard_below, law, findings) for one in seated]
     x, force = (np.concatenate(column) for column in zip(*points, strict=True))
     pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
     alone = [
@@ -414,6 +414,7 @@ def fit_stiffness(
             TrialStiffness(one.name, _stiffness(fit, at), _intercept(fit), loss, energy, rms, len(fit.residual))
         )
     line = _intercept(pooled)
+    findings += _no_spring(_stiffness(pooled, at).value)
     findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows)
     several = len(rows) > 1
     values = [row.stiffness.value for row in rows]
@@ -491,9 +492,20 @@ def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
     return findings
 
 
-def _used(trial: SeatedTrial, branch: Branch, discard_below: float) -> tuple[Array, Array]:
+def _used(
+    trial: SeatedTrial, branch: Branch, discard_below: float, law: Law, findings: list[Finding]
+) -> tuple[Array, Array]:
+    """Points to fit: both sides of a trial that goes into tension, where the law has two."""
     deflection, force = trial.branch(branch)
-    use = deflection >= discard_below
+    has_both = trial.is_two_sided() and law in ("linear", "polynomial")
+    use = (np.abs(deflection) if has_both else deflection) >= discard_below
+    beyond = np.count_nonzero(deflection < -_AT_ZERO * float(np.ptp(trial.deflection)))
+    if beyond and not has_both:
+        text = (
+            f"{beyond} of {len(use)} points lie below the zero of the deflection and were left out: fit a linear or "
+            "polynomial law to a trial in tension and compression, or set the zero of the deflection."
+        )
+        findings.append(Finding(trial.name, "warning", text, float(beyond)))
     if float(trial.deflection.max()) <= _AT_ZERO * float(np.ptp(trial.deflection)):
         raise FitError(
             "the trial ends at its zero instead of beginning there",
@@ -655,6 +667,15 @@ def _advice(
                 "law is not linear; try 'polynomial', 'power' or 'monotone-spline'."
             )
             add("linear law", "warning", text, float(share))
+        sides = [x < 0.0, x > 0.0]
+        if all(len(np.unique(x[side])) > 4 for side in sides):
+            pulled, pushed = (float(np.polyfit(x[side], force[side], 1)[0]) for side in sides)
+            if abs(pushed - pulled) > _ODD * abs(pushed):
+                text = (
+                    f"the slope is {pulled:.4g} N/m in tension and {pushed:.4g} N/m in compression: the law is a mean "
+                    "of both; fit each side by itself, or a polynomial."
+                )
+                add("linear law", "warning", text, pushed - pulled)
     if preload is not None and preload.value < 0.0:
         text = (
             f"the kept intercept is {preload.value:.4g} N: a negative preload is free "
@@ -665,6 +686,19 @@ def _advice(
     if law != "monotone-spline" and float(slopes.min()) <= 0.0:
         add("curve", "problem", "the fitted curve does not rise everywhere; lower the degree.")
     return findings
+
+
+_SPRINGS = (100.0, 5e6)  # N/m: softer and stiffer is no spring, tyre or bush of a vehicle
+
+
+def _no_spring(rate: float) -> list[Finding]:
+    if _SPRINGS[0] <= rate <= _SPRINGS[1]:
+        return []
+    text = (
+        f"{rate:.3g} N/m is no spring, tyre or bush of a vehicle ({_SPRINGS[0]:g} to "
+        f"{_SPRINGS[1]:g} N/m): check the units of deflection and force, and whether the columns are exchanged."
+    )
+    return [Finding("stiffness", "warning", text, rate)]
 
 
 def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ...]:

@@ -541,3 +541,69 @@ def test_a_trial_unlike_the_others_is_told():
 
 def test_noise_at_the_top_of_a_cycle_is_no_slip():
     assert "slip" not in told_of(*(cycled(f"t{i}", loss=8.0, seed=i) for i in range(5)))
+
+
+@pytest.mark.parametrize("branch", ["loading", "both"])
+@pytest.mark.parametrize("law", ["linear", "polynomial"])
+def test_a_trial_in_tension_and_compression_is_fitted_on_both_sides(law, branch):
+    way = np.linspace(-0.02, 0.02, 41)
+    way = np.concatenate([way, way[-2::-1]])
+    force = 22.7e3 * way + np.random.default_rng(1).normal(0.0, 1.0, len(way))
+    result = fit_stiffness([ForceDeflectionTrial(way, force)], law=law, branch=branch)
+    assert result.fitted_range == pytest.approx((-0.02, 0.02))
+    assert result.trials[0].points == (41 if branch == "loading" else 81)
+    assert result.stiffness.value == pytest.approx(22.7e3, rel=2e-3)
+    assert result.loss_factor == pytest.approx(0.0, abs=2e-3)
+    assert [
+        one.message for one in result.findings if one.severity != "note" and "only one trial" not in one.message
+    ] == []
+
+
+def test_sides_that_differ_and_points_that_a_law_leaves_out_are_named():
+    way = np.linspace(-0.02, 0.02, 41)
+    force = np.where(way < 0.0, 0.6, 1.0) * 22.7e3 * way + np.random.default_rng(1).normal(0.0, 1.0, 41)
+    sides = " ".join(one.message for one in fit_stiffness([ForceDeflectionTrial(way, force)]).findings)
+    assert "N/m in tension and 2.2" in sides
+    one_side = fit_stiffness([ForceDeflectionTrial(way, force)], law="monotone-spline")
+    assert any("20 of 41 points lie below the zero" in one.message for one in one_side.findings)
+
+
+@pytest.mark.parametrize("width", [1e-4, 2e-3])
+def test_a_slip_of_the_grip_is_named_with_the_slope_without_it(width):
+    way = np.linspace(0.0, 0.03, 61)
+    force = 22.7e3 * (way - 2e-3 * np.clip((way - 0.015) / width, 0.0, 1.0))
+    result = fit_stiffness([ForceDeflectionTrial(way, force + np.random.default_rng(1).normal(0.0, 1.0, 61))])
+    (slip,) = [one for one in result.findings if "slip of" in one.message]
+    assert slip.value == pytest.approx(45.4, rel=0.1)
+    assert "the slope without it is 2.2" in slip.message or "the slope without it is 2.3" in slip.message
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
+@pytest.mark.parametrize("kind", ["progressive", "knee", "soft start"])
+def test_a_spring_that_is_no_line_did_not_slip(share, kind):
+    way = np.linspace(0.0, 0.03, 61)
+    bend = {
+        "progressive": way**2 / 0.03,
+        "knee": np.maximum(way - 0.015, 0.0),
+        "soft start": -0.004 * (1.0 - np.exp(-way / 0.004)),
+    }[kind]
+    force = 22.7e3 * (way + share * bend) + np.random.default_rng(1).normal(0.0, 1.0, 61)
+    assert not any("slip" in one.message for one in fit_stiffness([ForceDeflectionTrial(way, force)]).findings)
+
+
+@pytest.mark.parametrize(("rate", "told"), [(22.7e6, True), (4.9e6, False), (101.0, False), (44.0, True)])
+def test_a_rate_of_no_spring_is_questioned(rate, told):
+    way = np.linspace(0.0, 0.01, 30)
+    result = fit_stiffness([ForceDeflectionTrial(way, rate * way)])
+    assert told == any("is no spring, tyre or bush" in one.message for one in result.findings)
+
+
+def test_a_zero_that_falls_is_no_hysteresis():
+    way = np.linspace(0.0, 0.03, 61)
+    way = np.concatenate([way, way[-2::-1]])
+    noise = np.random.default_rng(1).normal(0.0, 1.0, len(way))
+    drift = fit_stiffness([ForceDeflectionTrial(way, 22.7e3 * way + noise - np.linspace(0.0, 80.0, len(way)))])
+    assert any("the zero of the load cell drifts" in one.message for one in drift.findings)
+    up = np.arange(len(way)) < 61
+    friction = 22.7e3 * way + noise + np.where(up, 30.0, -30.0) * np.clip(way / 0.001, 0.0, 1.0)
+    assert not any("drifts" in one.message for one in fit_stiffness([ForceDeflectionTrial(way, friction)]).findings)
