@@ -144,7 +144,7 @@ def chosen_file(
     if file.suffix == ".toml" or _is_file(file):
         return file
     if str(name) not in shipped:
-        missing = _instead(file)
+        missing = _instead(file) if str(name) else _MISSING
         raise DescriptionError(
             f"{missing} and no shipped {what} of that name" if missing == _MISSING else missing,
             where=str(name),
