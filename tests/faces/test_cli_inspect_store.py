@@ -284,3 +284,10 @@ def test_a_time_to_settle_below_zero_is_refused(cli, lane, tmp_path: Path) -> No
     assert outcome.exit_code == 2
     assert "--settle: out of range; found '-1 s'; allowed: 0 s or more" in outcome.err
     assert not (tmp_path / "s.sqlite").exists()
+
+
+@pytest.mark.parametrize(("what", "said"), [("lane/a.csv", "a file, not a folder"), ("nowhere", "no such folder")])
+def test_watching_no_folder_leaves_no_store_behind(cli, lane, what: str, said: str) -> None:
+    found = cli("inspect", "watch", what, "--store", "lane.sqlite", "--once")
+    assert (found.exit_code, said in found.err) == (2, True)
+    assert not [*Path().glob("lane.sqlite*")]

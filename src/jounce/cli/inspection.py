@@ -571,7 +571,7 @@ def watch(
     Example: jounce inspect watch /srv/lane --store lane.sqlite --tester theta-msd3000
     """
     from jounce.inspection.archive.store import Store
-    from jounce.inspection.archive.watching import FolderWatch
+    from jounce.inspection.archive.watching import FolderWatch, check_folder
     from jounce.inspection.limits import load_limits
 
     pause, settled = positive_quantity(interval, "s", "--interval"), quantity(settle, "s", "--settle")
@@ -580,6 +580,7 @@ def watch(
     kept: list[ImportedRecord] = []
     failed: dict[str, str] = {}
     chosen, graded_by = _given_tester(tester), load_limits(limits)
+    check_folder(folder)
     with closing(Store(store)) as opened:
         watching = FolderWatch(folder, opened, chosen, graded_by, settle=settled)
         end = time.monotonic() + 3.0 * settled + 1.0

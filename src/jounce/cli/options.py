@@ -264,15 +264,16 @@ def write_numbers(
     import io
 
     from jounce.core.serialise import to_json
+    from jounce.core.text import guarded_row
     from jounce.core.writing import write_atomically
 
     if out.suffix.lower() == ".json":
         text = f"{to_json(plain)}\n"
     else:
         stream = io.StringIO()
-        writer = csv.DictWriter(stream, list(rows[0]) if rows else [], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(guarded_row(rows[0] if rows else []))
+        writer.writerows(guarded_row(row.values()) for row in rows)
         text = stream.getvalue()
     write_atomically(out, text, force=force)
     return str(out)

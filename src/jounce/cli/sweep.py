@@ -15,6 +15,7 @@ from jounce.cli.options import AsJson, Force, Trust
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table, tell
 from jounce.core.commands import command_line
 from jounce.core.interrupts import uncovering_interrupts
+from jounce.core.text import guarded
 from jounce.core.trust import trusting
 
 if TYPE_CHECKING:
@@ -129,7 +130,8 @@ def _variants(found: SweepResult) -> str:
     data = found.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
     names = [str(name) for name in (*data.coords, *data.data_vars) if name not in ("variant", "reason")]
     frame = data.reset_coords()[[*names, "reason"]].to_dataframe().reset_index()
-    header = {name: f"{name} [{data[name].attrs.get('units', '1')}]" for name in names}
+    header = {name: guarded(f"{name} [{data[name].attrs.get('units', '1')}]") for name in names}
+    frame = frame.map(lambda cell: guarded(cell) if isinstance(cell, str) else cell)
     return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
 
 

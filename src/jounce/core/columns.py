@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.files import existing_file, reading
+from jounce.core.text import unguarded
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit
 
@@ -214,7 +215,7 @@ def columns_in(text: str, file: Path) -> ColumnTable:
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
     separator = _separator_of(lines[start], rows[0] if rows else "")
     try:
-        header = _header_cells(lines[start], separator)
+        header = [unguarded(cell) for cell in _header_cells(lines[start], separator)]
         _check_header(header, file, start + 1, separator)
         if rows and all(row.startswith('"') for row in rows) and len(_cells(rows[0], separator)) == len(header) + 1:
             header = ["", *header]  # a table of R, whose rows have names

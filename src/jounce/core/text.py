@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from json import dumps as json_text
+from typing import Any
 
 # Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
 _UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
@@ -47,6 +48,28 @@ def shortened(text: str, most: int) -> str:
     ('xxxxxxxxx', 'xxx... (5000 characters)')
     """
     return text if len(text) <= most else f"{text[:most]}... ({len(text)} characters)"
+
+
+_FORMULA = re.compile(r"'*[=+\-@\t\r\n]")
+
+
+def guarded(text: str) -> str:
+    """A text as a cell of CSV: with a ``'`` in front where a spreadsheet would take it for a formula, and run it.
+
+    >>> guarded("=1+1"), guarded("-5 kg"), guarded("'=1+1"), guarded("front"), unguarded(guarded("'=1+1"))
+    ("'=1+1", "'-5 kg", "''=1+1", 'front', "'=1+1")
+    """
+    return f"'{text}" if _FORMULA.match(text) else text
+
+
+def unguarded(text: str) -> str:
+    """The text that was guarded (see `guarded`); others as they are."""
+    return text[1:] if text.startswith("'") and _FORMULA.match(text) else text
+
+
+def guarded_row(row: Iterable[Any]) -> list[Any]:
+    r"""Cells of a row of CSV, those that are texts guarded; ``\r``, which is not quoted, would end the row."""
+    return [guarded(cell).replace("\r", "\n") if isinstance(cell, str) else cell for cell in row]
 
 
 def aligned(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:

@@ -13,6 +13,7 @@ from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding
+from jounce.core.text import guarded
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
 from jounce.kinematics.axle import Axle
@@ -419,6 +420,6 @@ def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) 
     for case in found["case"].to_numpy():
         for wheel in found["wheel"].to_numpy():
             one: Any = found.sel(case=case, wheel=wheel)
-            label = str(case).replace('"', "'")
+            label = guarded(str(case).replace('"', "'"))
             rows.append(",".join([f'"{label}"', str(wheel), *(repr(float(one[name])) for name in names)]))
     return "\n".join([*rows, ""])

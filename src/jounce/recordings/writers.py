@@ -14,6 +14,7 @@ import numpy as np
 from jounce.core.errors import OutputError
 from jounce.core.optional import require
 from jounce.core.serialise import to_plain
+from jounce.core.text import guarded
 from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, workbook_of, wrapped
 from jounce.core.writing import Formats
 
@@ -106,7 +107,7 @@ def _csv_of(dataset: xr.Dataset) -> bytes:
     signals = _signals(dataset)
     for name in signals:
         _check_name(name, ",;\t", ".nc")
-    header = ",".join(f"{name} [{_unit(signal)}]" for name, signal in signals.items())
+    header = ",".join(guarded(f"{name} [{_unit(signal)}]") for name, signal in signals.items())
     table = np.column_stack([signal.values for signal in signals.values()])
     rows = (",".join(map(repr, row)) for row in table.tolist())
     return ("\n".join([header, *rows]) + "\n").encode()

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
+from jounce.core.text import guarded
 from jounce.core.workbooks import CONTROL, undated
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
@@ -189,7 +190,7 @@ def table_csv(table: Table) -> str:
     """
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow([_harmless(title) for title in table.header])
+    writer.writerow([guarded(title) for title in table.header])
     for row in table.rows:
         writer.writerow([_csv_text(cell) for cell in row])
     return stream.getvalue()
@@ -198,12 +199,8 @@ def table_csv(table: Table) -> str:
 def _csv_text(cell: Cell | str) -> str:
     value = value_of(cell)
     if isinstance(value, str):
-        return _harmless(value)
+        return guarded(value)
     return (cell if isinstance(cell, str) else cell.text).replace("−", "-")
-
-
-def _harmless(text: str) -> str:
-    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text
 
 
 def tables_xlsx(page: Page) -> bytes:

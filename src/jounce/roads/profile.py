@@ -117,7 +117,7 @@ def laid_out(one: Profile, places: Iterable[tuple[float, float]], low: float, hi
     cursor, level = low, one.before
 
     def fill(until: float) -> None:
-        if until - cursor > _rounding(until):
+        if until - cursor > _rounding(until) or (until == high and not starts):  # a course may be shorter than that
             starts.append(np.array([cursor]))
             kinds.append(np.array([POLYNOMIAL]))
             coefficients.append(np.array([[level, 0.0, 0.0, 0.0]]))

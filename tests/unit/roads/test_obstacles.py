@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE
 from jounce.roads import (
@@ -195,3 +196,12 @@ def test_shapes_of_arguments_are_kept() -> None:
     assert np.shape(road.height_at(0.03)) == ()
     assert road.height_at(np.zeros((2, 3))).shape == (2, 3)
     assert road.slope_at([]).shape == (0,)
+
+
+@pytest.mark.parametrize("change", [{"speed": 1e-12}, {"speed": 1e-300}, {"duration": 1e-300}, {"duration": 5e-324}])
+def test_a_course_shorter_than_rounding_is_level(change: dict[str, float]) -> None:
+    """It was an internal error."""
+    trial = jn.Trial(**{"road": jn.HalfSine(height="5 mm", length="0.1 m"), "speed": 1.0, "duration": 0.3} | change)
+    found = trial.segments(0.0, "left")
+    assert found.edges.tolist() == [0.0, trial.duration]
+    assert not np.any(found.coefficients)

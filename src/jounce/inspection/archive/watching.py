@@ -42,6 +42,13 @@ class Seen:
     problem: str = ""  # why it could not be read, or not be graded; empty where all is well
 
 
+def check_folder(folder: Path) -> None:
+    """Refuse what is no folder: before a store is made that nobody asked for."""
+    if not folder.is_dir():
+        what = "a file, not a folder" if folder.exists() else "no such folder"
+        raise JounceError(what, where=str(folder), hint="Check the path and the name.")
+
+
 class FolderWatch:
     """Looks into a folder again and again, and puts finished records into a store.
 
@@ -72,8 +79,7 @@ class FolderWatch:
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.folder, self.store, self.tester, self.limits = Path(folder), store, tester, limits
-        if not self.folder.is_dir():
-            raise JounceError("no such folder", where=str(folder), hint="Check the path and the name.")
+        check_folder(self.folder)
         self._settle, self._clock = settle, clock
         self._suffixes = record_suffixes()
         self._done: dict[str, _Stamp] = store.watched()
