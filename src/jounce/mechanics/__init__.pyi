@@ -40,6 +40,8 @@ from .mass import mesh as mesh
 from .mass import sphere as sphere
 from .mass import tube as tube
 from .mechanism import Mechanism as Mechanism
+from .mobility import FreeMotion as FreeMotion
+from .mobility import Mobility as Mobility
 from .model import Model as Model
 from .motions import constant as constant
 from .motions import constant_rate as constant_rate

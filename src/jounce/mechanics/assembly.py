@@ -21,6 +21,7 @@ _ITERATIONS = 100
 _CLOSED = 1e-12  # m or rad
 _HELD = (0.0, 1e-3)  # how much a given coordinate gives way against the others: not at all, else little
 _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one repeats others
+_NO_SLOPE = 1e-12  # m, 1: of an equation that says nothing here
 _FIRM = 1e-2  # singular value above which equations without those that repeat them are as good as others
 _PART = 1e-6  # share of an equation in a dependence that is worth naming
 _NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
@@ -70,11 +71,11 @@ class Assembly:
     freedom: int
 
 
-class _Evaluator:
+class Evaluator:
     """Numbers of a model at one set of parameters and inputs."""
 
     def __init__(self, model: Model, p: Array, u: Array) -> None:
-        self.model, self._p, self._u = model, p, u
+        self.model, self.p, self.u = model, p, u
         n_q, n_v = model.facts.counts
         self.n_q, self.n_v = n_q, n_v
         q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
@@ -88,7 +89,7 @@ class _Evaluator:
 
     def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
         """Residual, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""
-        value, slope, kinematics, drift = (part.full() for part in self._functions(x, self._u, self._p))
+        value, slope, kinematics, drift = (part.full() for part in self._functions(x, self.u, self.p))
         return value[:, 0], slope, kinematics, drift[:, 0]
 
     def moved(self, x: Array, displacement: Array) -> Array:
@@ -140,7 +141,7 @@ def assemble(
     _normalise(model, first)
     if not model.constraints:
         return Assembly(first, (), (), len(model.speeds))
-    evaluator = _Evaluator(model, p, u)
+    evaluator = Evaluator(model, p, u)
     pose, weights = _closed_near(evaluator, first, given)
     _, slope, _, drift = evaluator.at(pose)
     groups = _dependences(slope, model.equations)
@@ -148,7 +149,7 @@ def assemble(
         _explain(evaluator, pose, groups)
     pose = _with_speeds(evaluator, pose, slope, drift, weights)
     named = tuple(tuple(equation.name for equation in group) for group in groups)
-    freedom = slope.shape[1] - int(np.linalg.matrix_rank(slope))
+    freedom = slope.shape[1] - slope.shape[0] + len(groups)
     return Assembly(pose, _displacements(model, first, pose, given), named, freedom)
 
 
@@ -221,7 +222,7 @@ def removable(
     from scipy.linalg import qr
 
     x = assemble(model, p, u, start, redundant="keep").x
-    evaluator = _Evaluator(model, p, u)
+    evaluator = Evaluator(model, p, u)
     slope = evaluator.at(x)[1]
     groups = _dependences(slope, model.equations)
     if not groups:
@@ -238,13 +239,21 @@ def removable(
     return frozenset(model.constraints[i] for i in order[rank:])
 
 
-def _closed_near(evaluator: _Evaluator, first: Array, given: Mapping[str, float]) -> tuple[Array, tuple[Array, ...]]:
+def refuse_singular(model: Model, x: Array, u: Array, p: Array) -> None:
+    """Refuse a closed pose in which loop equations repeat each other that do not a little beside it."""
+    evaluator = Evaluator(model, p, u)
+    groups = _dependences(evaluator.at(x)[1], model.equations) if model.constraints else ()
+    if groups and _is_singular_here_only(evaluator, x, len(groups)):
+        raise _singular(groups)
+
+
+def _closed_near(evaluator: Evaluator, first: Array, given: Mapping[str, float]) -> tuple[Array, tuple[Array, ...]]:
     """Close the loops with the given coordinates kept, or if that cannot be, changed little; how each gives way."""
     weights = tuple(_weights(evaluator.model, given, held) for held in _HELD)
     try:
-        return _close(evaluator, first, weights[0]), weights
+        return close_loops(evaluator, first, weights[0]), weights
     except AssemblyError:
-        return _close(evaluator, first, weights[1]), weights
+        return close_loops(evaluator, first, weights[1]), weights
 
 
 def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
@@ -261,13 +270,12 @@ def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
     return weights
 
 
-def _close(evaluator: _Evaluator, x: Array, weights: Array) -> Array:
+def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
     """Damped Newton on the loop equations, the shortest step in the weighted sense."""
     value, slope, _, _ = evaluator.at(x)
     _refuse_undefined(evaluator.model, value, slope)
     for _ in range(_ITERATIONS):
-        size = float(np.max(np.abs(value)))
-        if size < _CLOSED:
+        if np.max(np.abs(value), initial=0.0) < _CLOSED:
             return x
         step = -weights * np.linalg.lstsq(slope * weights, value, rcond=1e-12)[0]
         share, better = 1.0, None
@@ -326,8 +334,8 @@ def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
 def _dependences(slope: Array, equations: tuple[Equation, ...]) -> _Groups:
     """Groups of equations of which one follows from the others."""
     scale = np.linalg.norm(slope, axis=1)
-    groups = [(equations[i],) for i in np.flatnonzero(scale <= 1e-12)]
-    rows = np.flatnonzero(scale > 1e-12)
+    groups = [(equations[i],) for i in np.flatnonzero(scale <= _NO_SLOPE)]
+    rows = np.flatnonzero(scale > _NO_SLOPE)
     if not len(rows):
         return tuple(groups)
     left, values, _ = np.linalg.svd(slope[rows] / scale[rows, None])
@@ -344,7 +352,16 @@ def _dependences(slope: Array, equations: tuple[Equation, ...]) -> _Groups:
     return tuple(groups)
 
 
-def _explain(evaluator: _Evaluator, pose: Array, groups: _Groups) -> None:
+def motions_left(slope: Array) -> Array:
+    """Orthonormal motions of the speeds that open no loop, shape (n, f)."""
+    if not slope.shape[0]:
+        return np.eye(slope.shape[1])
+    sizes = np.linalg.norm(slope, axis=1)
+    _, values, rows = np.linalg.svd(slope / np.where(sizes > _NO_SLOPE, sizes, 1.0)[:, None])
+    return np.asarray(rows[int(np.sum(values > _DEPENDENT * max(values[0], _NO_SLOPE))) :].T)
+
+
+def _explain(evaluator: Evaluator, pose: Array, groups: _Groups) -> None:
     """Refuse a singular pose and equations that repeat each other."""
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise _singular(groups)
@@ -378,26 +395,24 @@ def _count(groups: _Groups, what: str) -> str:
     return f"{len(groups)} {what}{'s' if len(groups) > 1 else ''}"
 
 
-def _is_singular_here_only(evaluator: _Evaluator, pose: Array, count: int) -> bool:
+def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> bool:
     """Whether the equations are independent a little farther along each way the mechanism may move."""
     _, slope, _, _ = evaluator.at(pose)
-    _, values, rows = np.linalg.svd(slope)
-    rank = int(np.sum(values > _DEPENDENT * values[0]))
-    for motion in rows[rank:]:
+    for motion in motions_left(slope).T:
         for way in (_NUDGE, -_NUDGE):
             try:
-                near = _close(evaluator, evaluator.moved(pose, way * motion), np.ones(len(motion)))
+                near = close_loops(evaluator, evaluator.moved(pose, way * motion), np.ones(len(motion)))
             except AssemblyError:
                 return True
             if np.linalg.norm(near - pose) < 0.1 * _NUDGE:
-                continue
+                return True  # the loops pull it back: this motion ends where it begins
             fewer = len(_dependences(evaluator.at(near)[1], evaluator.model.equations))
             if fewer < count:
                 return True
     return False
 
 
-def _with_speeds(evaluator: _Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]) -> Array:
+def _with_speeds(evaluator: Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]) -> Array:
     """Speeds that keep the loops closed, those given kept where that can be."""
     n_q, n_v = evaluator.n_q, evaluator.n_v
     found = pose.copy()

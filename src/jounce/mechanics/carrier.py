@@ -43,6 +43,10 @@ class MovingCarrier(Carrier):
         """A place as seen from the origin of the axes, m."""
         return place - self._design
 
+    def place(self, place: ca.SX) -> ca.SX:
+        """Where a place is in the ground's axes, m."""
+        return self._origin.value + self.outward(self.arm(place))
+
     def height(self, place: ca.SX) -> ca.SX:
         """Height of a place over z = 0 of the ground, m."""
         return self._origin.value[2] + ca.dot(self.up, self.arm(place))

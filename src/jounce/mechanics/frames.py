@@ -180,6 +180,10 @@ class Carrier:
     up = ca.SX([0.0, 0.0, 1.0])
     moves = False
 
+    def place(self, place: ca.SX) -> ca.SX:
+        """Where a place is in the ground's axes, m."""
+        return place
+
     def height(self, place: ca.SX) -> ca.SX:
         """Height of a place over z = 0 of the ground, m."""
         return place[2]

@@ -22,7 +22,7 @@ from jounce.core.turns import turn
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics import joints, listing, loads, outputs
-from jounce.mechanics.assembly import removable
+from jounce.mechanics.assembly import assemble, refuse_singular, removable
 from jounce.mechanics.bodies import Body, BodyPoint, MassProperties, Poses, RigidMass, tensor_elements
 from jounce.mechanics.carrier import Carried, CarriedMasses, MovingCarrier
 from jounce.mechanics.descriptions import Description, Number, Vector
@@ -33,6 +33,7 @@ from jounce.mechanics.frames import GROUND, Moving
 from jounce.mechanics.joints import Joint, Motion
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.mass import check_inertia
+from jounce.mechanics.mobility import Mobility, free_motions_of
 from jounce.mechanics.model import Model
 from jounce.mechanics.outputs import Watch
 from jounce.mechanics.reactions import Reaction, reaction_of
@@ -954,6 +955,86 @@ class Mechanism(Structure):
         whole, v = self.complete(), self.collection.v
         matrix = sum((inertia.matrix(v) for inertia in whole.collection.inertias), ca.SX(v.shape[0], v.shape[0]))
         return ca.Function("mass", [model.x, model.u, model.p], [matrix])
+
+    def generalised_force(self, model: Model) -> ca.Function:
+        """Give the force of all loads on the speeds (N, N m) as a function of the model's x, u, p and m."""
+        loads = _resolved(self.complete().collection, self.poses)
+        return ca.Function("force", [model.x, model.u, model.p, model.m], [loads.force_on(loads.v)])
+
+    def mobility(
+        self,
+        start: Mapping[str, float | str] | None = None,
+        *,
+        values: Mapping[str, float | str] | None = None,
+        inputs: Mapping[str, float] | None = None,
+    ) -> Mobility:
+        """Count the degrees of freedom, and name what moves in each and what is over-constrained.
+
+        Parameters
+        ----------
+        start : mapping, optional
+            Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`: where to count.
+        values : mapping, optional
+            Parameter path to another value (SI, or text with a unit) than it was built with.
+        inputs : mapping, optional
+            Track to its value (m, rad) at that pose; 0 where it is not given.
+
+        Returns
+        -------
+        Mobility
+            Degrees of freedom, Grübler's count, redundant equations and the free motions; its ``str`` lists them.
+
+        Raises
+        ------
+        AssemblyError
+            When the loops cannot be closed, or the pose is singular: a count there would not hold beside it.
+
+        Examples
+        --------
+        A rigid axle on four rods that are not parallel, and a Panhard rod: it cannot roll and rise independently.
+
+        >>> import jounce as jn
+        >>> linkage = jn.mechanics.Mechanism()
+        >>> axle = linkage.body("axle", mass=80.0, centre_of_mass=(0.0, 0.0, 0.3), inertia=(10.0, 2.0, 10.0))
+        >>> _ = linkage.free("axle", axle)
+        >>> for side in (-1.0, 1.0):
+        ...     low = {"at": (0.5, 0.5 * side, 0.25), "second_at": (0.0, 0.55 * side, 0.2)}
+        ...     high = {"at": (0.4, 0.5 * side, 0.45), "second_at": (0.0, 0.2 * side, 0.42)}
+        ...     _ = linkage.rod(f"lower {side:+g}", linkage.ground, axle, **low)
+        ...     _ = linkage.rod(f"upper {side:+g}", linkage.ground, axle, **high)
+        >>> _ = linkage.rod("Panhard", linkage.ground, axle, at=(-0.1, 0.5, 0.3), second_at=(-0.1, -0.5, 0.3))
+        >>> linkage.mobility().degrees_of_freedom
+        1
+        """
+        model = self._kept(frozenset())
+        p, u = self._numbers(model, self.with_values(values or {}), inputs or {})
+        pose = assemble(model, p, u, start, redundant="keep")
+        refuse_singular(model, pose.x, u, p)
+        return self.mobility_at(model, pose.x, u, p, pose.redundant)
+
+    def mobility_at(
+        self, model: Model, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()
+    ) -> Mobility:
+        """Degrees of freedom of a model of this mechanism at a state with closed loops that is not singular."""
+        every = [equation.name for constraint in self.collection.constraints for equation in constraint.equations]
+        left_out = tuple((name,) for name in every if name not in model.constraints)
+        motions = free_motions_of(self, model, x, u, p)
+        return Mobility(len(motions), len(model.speeds) - len(every), redundant + left_out, motions)
+
+    def places(self, values: Mapping[str, float]) -> dict[str, Array]:
+        """Places (m, design pose) of all bodies, joints, loads and what is watched, by the paths of their numbers."""
+        reading = listing.Reading(self, values)
+        every: list[Description] = [hung.joint for hung in self.hanging.values()]
+        every += [closed.joint for closed in self.closing.values()]
+        every += [*(load for load, _ in self.loads), *self.watched.values()]
+        given = [
+            (f"{each.name}.{one.name}", getattr(each, one.name), one.metadata) for each in every for one in fields(each)
+        ]
+        found = {path: value for path, value, about in given if about.get("read") == "vector" and about["unit"] == "m"}
+        masses = {name: body.mass_properties for name, body in self.bodies.items() if body.mass_properties is not None}
+        found |= {f"{name}.centre_of_mass": mass.centre for name, mass in masses.items()}
+        read = {path: reading.numbers(value) for path, value in found.items() if isinstance(value, ca.SX)}
+        return {path: value for path, value in read.items() if value is not None}
 
     def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
         """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from jounce.core.findings import Finding, Severity
 from jounce.parts.corners import LARGE, Corner
@@ -40,6 +41,7 @@ INDICES = (0.4, 2.0)
 """Dynamic indices (pitch inertia over mass and both distances, 1) that road vehicles have."""
 FREQUENCIES = (0.6, 6.0)
 """Hz, of the body on one axle: from the softest coach to a race car."""
+_SMALL = 5e-3  # m
 _LEVER = 0.02
 """Lever of a T-bar's link over the length of the arm, below which it holds nothing."""
 RATIOS = (0.05, 1.5)
@@ -105,16 +107,21 @@ def _estimated(rig: Rig) -> Iterator[Finding]:
             yield _warn("estimated", f"{entry!r} names no parameter and no part of this rig.", severity="note")
 
 
-def _size(rig: Corner) -> Iterator[Finding]:
-    points = rig.hardpoints.given()
-    name = max(points, key=lambda key: float(np.abs(points[key]).max()))
-    largest = float(np.abs(points[name]).max())
+def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Finding]:
+    """Ask about points (m) that no car has: millimetres taken for metres, or metres for millimetres."""
+    sizes = {name: float(np.max(np.abs(point))) for name, point in points.items()}
+    largest = max(sizes.values(), default=0.0)
     if largest > LARGE:
+        name = max(sizes, key=sizes.__getitem__)
         text = f"{name} lies {largest:g} m from the origin: millimetres given as metres? A bare number is in m; "
-        yield _warn("hardpoints", text + 'write "150 mm".', largest)
-    if largest < 5e-3:
+        yield _warn(place, text + 'write "150 mm".', largest)
+    if 0.0 < largest < _SMALL:
         text = f"all points lie within {1e3 * largest:g} mm of the origin: metres given as millimetres?"
-        yield _warn("hardpoints", text, largest)
+        yield _warn(place, text, largest)
+
+
+def _size(rig: Corner) -> Iterator[Finding]:
+    yield from size_findings(rig.hardpoints.given(), "hardpoints")
     radius = rig.wheel.radius
     if radius > 2.0 or radius < 0.02:
         yield _warn("wheel.radius", f"{radius:g} m is no wheel of a car or kart; is the unit right?", radius)

@@ -19,6 +19,7 @@ from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.facts import moved_by
 from jounce.mechanics.mechanism import BALANCE
+from jounce.parts.advice import size_findings
 from jounce.recordings.schema import recording_of
 from jounce.simulation.compiled import Compiled, compile_model
 from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_implicit_step, room
@@ -97,9 +98,11 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["findings"]`` says what assembly moved or which given
-        speeds it changed, what no equilibrium decides, where a singular configuration was passed only with other steps,
-        and whether rounding forbids the tolerance.
+        The outputs on ``time`` (s), SI. ``attrs["degrees_of_freedom"]`` counts the motions that the joints leave at the
+        start. ``attrs["findings"]`` says what assembly moved or which given speeds it changed, what no equilibrium
+        decides, where a singular configuration was passed only with other steps, and whether rounding forbids the
+        tolerance; where loops close, also which motions they leave, which of them feel no force, and which equations
+        were left out as redundant.
 
     Raises
     ------
@@ -133,7 +136,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
     _check_masses(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
-    first, notes = pose.x, [_moved(pose)]
+    first, notes = pose.x, [_moved(pose), [*size_findings(mechanism.places(every), "points")]]
     if at_rest:
         running = {name for name in start or {} if name in model.speeds and pose.x[model.states.index(name)] != 0.0}
         first, neutral = _at_rest(compiled, p, u, pose.x, running, model.quaternions.values())
@@ -149,6 +152,8 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         if not is_moving and (names := falling(compiled, first, u, p)):  # what turns may be held by that
             text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
             notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
+
+    mobility = mechanism.mobility_at(model, first, u, p)
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
@@ -170,6 +175,8 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
                 "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=text
             )
         notes.append([Finding("tolerance", "warning", text)])
+    if mechanism.collection.constraints:  # where none closes a loop, every freedom is that of a joint by its name
+        notes.append([*mobility.findings(is_driven=bool(tracks))])
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
@@ -179,6 +186,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     run = recording_of(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
+    run.attrs["degrees_of_freedom"] = mobility.degrees_of_freedom
     run.attrs["findings"] = [str(finding) for group in notes for finding in group]
     return run
 

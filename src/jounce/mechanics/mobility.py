@@ -1,0 +1,192 @@
+"""Degrees of freedom of a mechanism: how many motions its joints leave, what moves in each, and which feel no force.
+
+The rank of the loop equations' slope counts them. It is taken at a pose that is closed and not singular (assembly
+looks beside the pose, too), so a motion that the next millimetre would stop is not called free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import casadi as ca
+import numpy as np
+
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.mechanics.assembly import Evaluator, close_loops, motions_left
+from jounce.mechanics.model import Model
+
+if TYPE_CHECKING:
+    from jounce.mechanics.mechanism import Mechanism
+
+_NUDGE = 1e-4  # m or rad: a motion along which the forces are looked at
+_NOTHING = 1e-6  # force that is rounding beside the largest
+_STILL = 1e-6  # share of a motion, and slide (m) of a screw by a turn of 1 rad, that is not worth a word
+_LISTED = 6
+
+
+@dataclass(frozen=True)
+class FreeMotion:
+    """A motion that the joints leave, in the pose it was asked for.
+
+    Attributes
+    ----------
+    body : str
+        The body that takes most of the kinetic energy.
+    axis : tuple of float
+        Direction of its turn, or of its way where it does not turn (1), ground axes.
+    point : tuple of float or None
+        Point of the axis that is nearest to the centre of mass, m; None where the body does not turn.
+    pitch : float
+        How far the body slides along the axis in a turn by 1 rad, m/rad; 0 where it only slides.
+    moving : tuple of str
+        All bodies that move.
+    is_loaded : bool
+        Whether a weight, spring, damper or other force acts along it, or would after a small step.
+    """
+
+    body: str
+    axis: tuple[float, ...]
+    point: tuple[float, ...] | None
+    pitch: float
+    moving: tuple[str, ...]
+    is_loaded: bool
+
+    def __str__(self) -> str:
+        if self.point is None:
+            return f"{self.body} slides along {_shown(self.axis)}"
+        slide = f" and slides {self.pitch:.3g} m/rad along it" if abs(self.pitch) > _STILL else ""
+        return f"{self.body} turns about the line through {_shown(self.point)} m along {_shown(self.axis)}{slide}"
+
+
+@dataclass(frozen=True)
+class Mobility:
+    """Degrees of freedom of a mechanism in a pose.
+
+    Attributes
+    ----------
+    degrees_of_freedom : int
+        Number of independent motions that the joints and prescribed motions leave.
+    count : int
+        What Grübler's formula counts: 6 for each body, less all equations. It lacks one for each redundant equation.
+    redundant : tuple of tuple of str
+        Groups of loop equations of which one follows from the others: there the joints are over-constrained.
+    motions : tuple of FreeMotion
+        The free motions, one for each degree of freedom.
+    """
+
+    degrees_of_freedom: int
+    count: int
+    redundant: tuple[tuple[str, ...], ...]
+    motions: tuple[FreeMotion, ...]
+
+    def __str__(self) -> str:
+        lines = [f"degrees of freedom: {self.degrees_of_freedom} (Grübler: {self.count})"]
+        lines += [f"  {motion}{'' if motion.is_loaded else '; no force acts along it'}" for motion in self.motions]
+        lines += [f"redundant: one of {', '.join(group)}" for group in self.redundant]
+        return "\n".join(lines)
+
+    def findings(self, *, is_driven: bool) -> Iterator[Finding]:
+        """Say what loops leave, what no force acts on, what repeats, and that nothing can move."""
+        if self.motions:
+            yield Finding("degrees of freedom", "note", f"the joints leave {_listed(self.motions)}")
+        elif not is_driven:
+            text = "the joints leave none, and no motion is prescribed: nothing can move"
+            yield Finding("degrees of freedom", "warning", text)
+        if self.redundant:
+            names = ", ".join(name for group in self.redundant for name in group)
+            yield Finding("degrees of freedom", "note", f"redundant equations, left out: {names}")
+        if idle := [motion for motion in self.motions if not motion.is_loaded]:
+            yield Finding("degrees of freedom", "note", f"no force acts along {_listed(idle, len(self.motions))}")
+
+
+def _listed(motions: Sequence[FreeMotion], of: int = 0) -> str:
+    more = [f"and {len(motions) - _LISTED} more"] if len(motions) > _LISTED else []
+    return f"{len(motions)}{f' of {of}' if of else ''}: {'; '.join([*map(str, motions[:_LISTED]), *more])}"
+
+
+def _shown(vector: tuple[float, ...]) -> str:
+    return f"({', '.join(f'{round(part, 4) + 0.0:.4g}' for part in vector)})"
+
+
+def free_motions_of(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> tuple[FreeMotion, ...]:
+    """Motions that the joints leave at a state with closed loops, those that feel a force first."""
+    evaluator = Evaluator(model, p, u)
+    ways = motions_left(evaluator.at(x)[1])
+    if not ways.shape[1]:
+        return ()
+    felt, unfelt = _by_force(mechanism, evaluator, x, ways)
+    bodies = [body for body in mechanism.bodies.values() if body.is_placed and body is not mechanism.ground]
+    values = dict(zip(model.parameters, p, strict=True))
+    masses = mechanism.mass_values(values)
+    places, v = [], model.x[evaluator.n_q : evaluator.n_q + evaluator.n_v]
+    for body in bodies:
+        frame, mass = body.frame, body.mass_properties
+        point, carrier = frame.point(frame.design if mass is None else mass.centre), body.carrier
+        rate, spin = carrier.outward(carrier.velocity(point)), carrier.outward(body.spin)
+        places.append(ca.horzcat(carrier.place(point.value), ca.jacobian(rate, v), ca.jacobian(spin, v)))
+    whole = ca.Function("bodies", [model.x, model.u, model.p], [ca.vertcat(*places)])(x, u, p).full()
+    each = np.split(whole, len(bodies))
+
+    def describe(way: Array, *, is_loaded: bool) -> FreeMotion:
+        moves, energies = [], []
+        for body, part in zip(bodies, each, strict=True):
+            centre, rate, spin = part[:, 0], part[:, 1 : 1 + len(way)] @ way, part[:, 1 + len(way) :] @ way
+            mass, inertia = masses.get(body.name, (0.0, np.zeros((3, 3))))
+            moves.append((centre, rate, spin))
+            energies.append((mass * rate @ rate + np.trace(inertia) * spin @ spin, rate @ rate + spin @ spin))
+        most = max(range(len(bodies)), key=energies.__getitem__)
+        centre, rate, spin = moves[most]
+        largest = max(size for _, size in energies)
+        moving = tuple(
+            body.name for body, (_, size) in zip(bodies, energies, strict=True) if size > _STILL**2 * largest
+        )
+        turn, speed = float(np.linalg.norm(spin)), float(np.linalg.norm(rate))
+        slides = turn <= _STILL * speed
+        axis = rate / (speed or 1.0) if slides else spin / turn
+        point = None if slides else tuple(map(float, centre + np.cross(spin, rate) / turn**2))
+        pitch = 0.0 if slides else float(spin @ rate) / turn**2
+        return FreeMotion(bodies[most].name, tuple(map(float, axis)), point, pitch, moving, is_loaded)
+
+    both = ((felt, True), (unfelt, False))
+    return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
+
+
+def _by_force(mechanism: Mechanism, evaluator: Evaluator, x: Array, ways: Array) -> tuple[Array, Array]:
+    """Motions along which forces act, and those along which none does: now, after a small step, or at a small speed."""
+    if any(body.is_placed and body.carrier.moves for body in mechanism.bodies.values()):
+        return ways, ways[:, :0]  # weights of what hangs in moving axes are among the inertial forces
+    model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
+    load, active = (
+        mechanism.generalised_force(model),
+        np.ones(len(model.switches)),
+    )  # stops count where they are not touched, too
+
+    def felt(x: Array) -> Array:
+        """Force along the motions that are left at a state."""
+        left = motions_left(evaluator.at(x)[1])
+        return np.asarray(left @ (left.T @ load(x, evaluator.u, evaluator.p, active).full()[:, 0]))
+
+    rows = [felt(x)]
+    for way in ways.T:
+        for sign in (_NUDGE, -_NUDGE):
+            near = close_loops(evaluator, evaluator.moved(x, sign * way), np.ones(n_v))
+            moving = x.copy()
+            moving[n_q : n_q + n_v] += sign * way
+            rows += [(felt(near) - rows[0]) / _NUDGE, (felt(moving) - rows[0]) / _NUDGE]
+    forces = np.array(rows) @ ways
+    _, values, right = np.linalg.svd(forces)
+    rank = int(np.sum(values > _NOTHING * max(1.0, np.max(values, initial=0.0))))
+    return ways @ right[:rank].T, ways @ right[rank:].T
+
+
+def _readable(ways: Array) -> Array:
+    """The same motions, each with one coordinate of its own that moves in no other."""
+    from scipy.linalg import qr
+
+    if not ways.shape[1]:
+        return ways
+    own = np.sort(qr(ways.T, pivoting=True, mode="r")[1][: ways.shape[1]])
+    return np.asarray(ways @ np.linalg.inv(ways[own]))
