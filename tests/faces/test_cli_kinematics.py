@@ -110,9 +110,9 @@ def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (("--travel", "80 mm:-80 mm:4 mm"), "runs backwards"),
+        (("--travel", "80 mm:-80 mm:4 mm"), "leads away from the last value"),
         (("--travel", "10 mm:10 mm:4 mm"), "range is empty"),
-        (("--travel", "-80 mm:80 mm:-4 mm"), "not a step"),
+        (("--travel", "-80 mm:80 mm:-4 mm"), "leads away from the last value"),
         (("--travel", "-80 mm:80 mm:0 mm"), "not a step"),
         (("--travel", "-80 mm:80 mm"), "not a range"),
         (("--travel", "-80 mm:80 mm:1 nm"), "too many"),

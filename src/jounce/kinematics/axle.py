@@ -339,7 +339,7 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     rig : Rig
         A corner with hardpoints; the other side is its mirror image.
     roll : float, str or array_like, shape (n,)
-        Roll angle of the body, rad, positive about +x (left side up), ascending; or text, ``"-4 deg:4 deg:1 deg"``.
+        Roll angle of the body, rad, positive about +x (left side up), monotonic; or text, ``"-4 deg:4 deg:1 deg"``.
     rack : float or str
         Travel of the rack, m, positive to the left.
 
@@ -355,7 +355,7 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, angles that do not ascend or are steeper than 1.2 rad.
+        For a rig without hardpoints, angles that go to and fro or are steeper than 1.2 rad.
     SimulationError
         When no pose at all can be reached.
 
@@ -541,7 +541,7 @@ def sweep_steering(
     rig : Rig
         A corner with a tie rod (or toe link); the other side is its mirror image.
     rack : float, str or array_like, shape (n,)
-        Travel of the rack, m, positive to the left, ascending; or text, ``"-20 mm:20 mm:5 mm"``.
+        Travel of the rack, m, positive to the left, monotonic; or text, ``"-20 mm:20 mm:5 mm"``.
     travel : float or str
         Vertical travel of both wheel centres from design, m, bump positive.
     vehicle : AxleLayout, optional
@@ -561,7 +561,7 @@ def sweep_steering(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or rack, or values that do not ascend.
+        For a rig without hardpoints or rack, or values that go to and fro.
     SimulationError
         When no pose at all can be reached.
 

@@ -88,7 +88,7 @@ def clearances(
     pairs : mapping of str to sequence of Solid or Rim, shape (2,)
         What is near what, by a name of one's own; at most one of two is a rim.
     travel : float, str or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, ascending.
+        Vertical travel of the wheel centre from design, m, bump positive, monotonic.
     rack : float, str or array_like, shape (m,), optional
         Travel of the rack, m, positive to the left; the description's own by default.
 
@@ -101,7 +101,7 @@ def clearances(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, a hardpoint that it does not have, two rims, or values that do not ascend.
+        For a rig without hardpoints, a hardpoint that it does not have, two rims, or values that go to and fro.
     SimulationError
         When no pose at all can be reached.
 

@@ -85,7 +85,7 @@ def compliance(
     rig : Rig
         A corner with hardpoints and bushings.
     travel : float, str or array_like, shape (n,)
-        Travel of the wheel centre (m, bump positive, ascending) that the corner with ideal joints would have at the
+        Travel of the wheel centre (m, bump positive, monotonic) that the corner with ideal joints would have at the
         height of the ground.
     rack : float, optional
         Travel of the rack, m, positive to the left; the description's own by default.
@@ -104,7 +104,7 @@ def compliance(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or without bushings, or values that do not ascend.
+        For a rig without hardpoints or without bushings, or values that go to and fro.
     SimulationError
         When no equilibrium is found, or when the bushings leave a motion free.
 

@@ -34,7 +34,7 @@ def steering_effort(
     left, right : ContactLoad
         Loads of the road on each wheel, N and N m, ground axes.
     rack : float, str or array_like, shape (n,)
-        Travel of the rack, m, positive to the left, ascending.
+        Travel of the rack, m, positive to the left, monotonic.
     travel : float or str
         Vertical travel of both wheel centres from design, m, bump positive.
 
@@ -48,7 +48,7 @@ def steering_effort(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or rack, or values that do not ascend.
+        For a rig without hardpoints or rack, or values that go to and fro.
     SimulationError
         When no pose at all can be reached.
 
@@ -89,5 +89,6 @@ def _rack_force(axle: Axle, rig: Corner, load: ContactLoad, racks: Array, travel
     forces = vector_forces(joints, joints.balance.solve())
     inner = "tie_rod_inner" if "tie_rod_inner" in forces else "link_5_inner"
     found = np.full(len(racks), np.nan)
-    found[np.searchsorted(racks, rows["rack_travel"] - 1e-12)] = forces[inner][:, 1]
+    reached = np.argmin(np.abs(racks - rows["rack_travel"][:, None]), axis=1)
+    found[reached] = forces[inner][:, 1]
     return found

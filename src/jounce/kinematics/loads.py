@@ -231,7 +231,7 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     load : ContactLoad
         Forces (N) and aligning torque (N m) of the road on the wheel, ground axes.
     travel : float, str or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, ascending.
+        Vertical travel of the wheel centre from design, m, bump positive, monotonic.
     rack : float, optional
         Travel of the rack, m, positive to the left; the description's own by default.
 
@@ -247,7 +247,7 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, or values that do not ascend.
+        For a rig without hardpoints, or values that go to and fro.
     SimulationError
         When no pose can be reached.
 

@@ -63,15 +63,16 @@ def text_range(text: str, unit: str, where: str) -> Array:
         refuse_metres(np.array(numbers), where, unit, text)
         return np.array(numbers)
     first, last, step = numbers
-    if step <= 0.0:
-        raise DescriptionError("not a step", where=where, found=text, allowed="a step above 0, the third part")
-    if last <= first:
+    if step == 0.0 or last == first:
+        wrong = "not a step" if step == 0.0 else "the range is empty"
+        raise DescriptionError(wrong, where=where, found=text, allowed="first:last:step, or one value")
+    if (last - first) * step < 0.0:
         raise DescriptionError(
-            "the range is empty" if last == first else "the range runs backwards",
+            "the step leads away from the last value",
             where=where,
             found=text,
-            allowed="a first value below the last one",
-            hint="Exchange them, or give one value.",
+            allowed="a step above 0 where the values ascend, below 0 where they descend",
+            hint="Change its sign, or exchange the ends of the range.",
         )
     refuse_metres(np.array([first, last]), where, unit, text)
     count = (last - first) / step + _WHOLE
@@ -102,7 +103,7 @@ def _quantity(text: str, unit: str, where: str) -> float:
 
 
 def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
-    """Check values to sweep over: finite, ascending, at least one; text is read as a range."""
+    """Check values to sweep over: finite, ascending or descending, at least one; text is read as a range."""
     if isinstance(values, str):
         return text_range(values, unit, name)
     checked = as_values(values, unit, where=name)
@@ -111,15 +112,16 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
     if not np.all(np.isfinite(checked)):
         raise DescriptionError("not a finite number", where=name, found=checked[~np.isfinite(checked)][0])
     refuse_metres(checked, name, unit)
-    falls = np.flatnonzero(np.diff(checked) <= 0.0)
-    if len(falls):
-        i = int(falls[0])
+    steps = np.diff(checked)
+    turns = np.flatnonzero((steps == 0.0) | (steps * steps[:1] < 0.0))
+    if len(turns):
+        i = int(turns[0])
         raise DescriptionError(
-            "the values do not ascend",
+            "the values neither ascend nor descend",
             where=f"{name}[{i + 1}]",
             found=f"{checked[i + 1]:g} after {checked[i]:g}",
-            allowed="ascending values, each once",
-            hint="Sort them, or exchange the ends of the range.",
+            allowed="ascending or descending values, each once",
+            hint="Sort them.",
         )
     if len(checked) > _MOST_POSES:
         raise DescriptionError("too many values", where=name, found=len(checked), allowed=f"at most {_MOST_POSES}")
@@ -153,15 +155,20 @@ def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
     return Grid((count, 1), np.arange(count, dtype=np.intp), pairs, before)
 
 
+def _middle(values: Array) -> int:
+    """Index of the value nearest to zero; of two the lower, so that a sweep and its reverse walk alike."""
+    return min(range(len(values)), key=lambda i: (abs(values[i]), values[i]))
+
+
 def _chain(values: Array) -> list[int]:
-    """Indices from the value nearest to zero upwards, then downwards."""
-    middle = int(np.argmin(np.abs(values)))
+    """Indices from the value nearest to zero to the end, then to the beginning."""
+    middle = _middle(values)
     return [middle, *range(middle + 1, len(values)), *range(middle - 1, -1, -1)]
 
 
 def _parents(values: Array) -> list[int]:
     """Place in the chain that each place continues from."""
-    middle = int(np.argmin(np.abs(values)))
+    middle = _middle(values)
     up, down = len(values) - 1 - middle, middle
     return [-1, *range(up), *([0, *range(up + 1, up + down)] if down else [])]
 
@@ -430,7 +437,7 @@ class PreparedSweep:
 
 
 def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> PreparedSweep:
-    """Lay out a sweep of a corner over travel (m, bump positive) and rack travel (m, positive to the left), ascending.
+    """Lay out a sweep of a corner over travel (m, bump positive) and rack travel (m, positive to the left), in order.
 
     The rack stands where the description says by default.
 
@@ -486,7 +493,7 @@ def sweep_travel(
     rig : Rig
         A corner with hardpoints.
     bump : float, str or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, ascending; or text, ``"-80 mm:80 mm:4 mm"``.
+        Vertical travel of the wheel centre from design, m, bump positive, monotonic; or text, ``"-80 mm:80 mm:4 mm"``.
     rack : float, str or array_like, shape (m,), optional
         Travel of the rack, m, positive to the left, or text; the description's own (or 0) by default. Several values
         give every pair of travel and rack.
@@ -508,7 +515,7 @@ def sweep_travel(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, a rack that moves nothing, or values that do not ascend.
+        For a rig without hardpoints, a rack that moves nothing, or values that go to and fro.
     SimulationError
         When no pose at all can be reached.
 
@@ -539,7 +546,7 @@ def sweep_rack(
     rig : Rig
         A corner with a tie rod (or toe link) and hardpoints.
     rack : float, str or array_like, shape (m,)
-        Travel of the rack, m, positive to the left, ascending; or text, ``"-20 mm:20 mm:5 mm"``.
+        Travel of the rack, m, positive to the left, monotonic; or text, ``"-20 mm:20 mm:5 mm"``.
     travel : float or str
         Vertical travel of the wheel centre from design, m, bump positive.
     vehicle : AxleLayout, optional
@@ -555,7 +562,7 @@ def sweep_rack(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or rack, or values that do not ascend.
+        For a rig without hardpoints or rack, or values that go to and fro.
     SimulationError
         When no pose at all can be reached.
 

@@ -53,7 +53,7 @@ def sweep_variants(
         Path of a number of the description to its value in each variant, or of a point (``"hardpoints.tie_rod_inner"``)
         to its places; SI or texts with units; all of one length.
     travel : float, str or array_like, shape (n,), optional
-        Vertical travel of the wheel centre from design, m, bump positive, ascending; 0 where it is not given.
+        Vertical travel of the wheel centre from design, m, bump positive, monotonic; 0 where it is not given.
     rack : float, str or array_like, shape (m,), optional
         Travel of the rack, m, positive to the left; the description's own by default. Several values give every pair
         of travel and rack.

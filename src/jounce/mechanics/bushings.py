@@ -9,7 +9,7 @@ import casadi as ca
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.descriptions import Given, Vector, place
 from jounce.mechanics.frames import Frame
-from jounce.mechanics.loads import Action, Between
+from jounce.mechanics.loads import Action, Between, BetweenPoints
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.rotations import rotation_vector, unit
 from jounce.mechanics.system import System
@@ -76,11 +76,9 @@ class Bushing(Between):
 
 
 @dataclass(frozen=True, eq=False)
-class ElasticRod(Between):
+class ElasticRod(BetweenPoints):
     """A massless rod with a bushing at its first end."""
 
-    at: Given = place()
-    second_at: Given = place()
     stiffness: Given = place(unit="N/m", at_least=0.0)
     damping: Given = place(unit="N*s/m", at_least=0.0)
     kind = "elastic rod"

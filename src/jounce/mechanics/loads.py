@@ -10,8 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import casadi as ca
+import numpy as np
 
 from jounce.core.errors import AssemblyError
+from jounce.core.types import Array
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.descriptions import Description, Given, Known, law, place, quantity
 from jounce.mechanics.frames import Moving
@@ -20,6 +22,7 @@ from jounce.mechanics.system import System
 _NONE = ca.SX(3, 1)
 _SLIDING = 3.0  # regularisation rates; tanh(3) = 0.995
 _POINT = 1e-12  # m: a line shorter than that has no direction
+SAME_POINT = 1e-9  # m: ends that near to each other are one point as designed
 
 
 @dataclass(frozen=True)
@@ -138,6 +141,19 @@ class Between(Load):
 
 
 @dataclass(frozen=True, eq=False)
+class BetweenPoints(Between):
+    """What acts along the line between two points, its ends in the design pose."""
+
+    at: Given = place()
+    second_at: Given = place()
+
+    def check(self, known: Known) -> None:
+        """Refuse ends in one point: they have no line between them."""
+        super().check(known)
+        refuse_one_point(self.name, known("second_at") - known("at"))
+
+
+@dataclass(frozen=True, eq=False)
 class PushApart(Between):
     """A force (N) that pushes two points apart."""
 
@@ -153,11 +169,9 @@ class PushApart(Between):
 
 
 @dataclass(frozen=True, eq=False)
-class SpringDamper(Between):
+class SpringDamper(BetweenPoints):
     """A spring and damper between two points, or a law of one's own; compression positive."""
 
-    at: Given = place()
-    second_at: Given = place()
     free_length: Given = quantity("m", None, at_least=0.0)
     stiffness: Given = quantity("N/m", None, at_least=0.0)
     damping: Given = quantity("N*s/m", None, at_least=0.0)
@@ -277,6 +291,18 @@ class Friction(OnCoordinate):
 
 def _units_along(length: str) -> dict[str, str]:
     return {"length": length, "force": "N" if length == "m" else "N*m"}
+
+
+def refuse_one_point(name: str, reach: Array) -> None:
+    """Refuse two ends (m apart by ``reach`` in the design pose) that have no direction between them."""
+    if (length := float(np.linalg.norm(reach))) < SAME_POINT:
+        raise AssemblyError(
+            "both ends lie in one point, so its force has no direction",
+            where=name,
+            found=f"{length:g} m in the design pose",
+            allowed="two points that differ",
+            hint="Was a point copied? What holds two bodies in one point is a bushing, or coincident().",
+        )
 
 
 def length_of(vector: ca.SX) -> ca.SX:

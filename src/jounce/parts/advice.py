@@ -8,12 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.findings import Finding, Severity
+from jounce.core.remembered import remembered
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.elements import MapDamper, VelocityTable
 from jounce.parts.leverage import (
     carried_beside_spring,
     motion_ratio,
     spring_force,
+    static_deflection,
     static_spring_force,
     static_tyre_deflection,
 )
@@ -42,6 +44,8 @@ INDICES = (0.4, 2.0)
 FREQUENCIES = (0.6, 6.0)
 """Hz, of the body on one axle: from the softest coach to a race car."""
 _SMALL = 5e-3  # m
+MOST_PRESSED = 0.15
+"""m; no tyre of a lumped model, whose radius is not known, gives way by more at rest."""
 _LEVER = 0.02
 """Lever of a T-bar's link over the length of the arm, below which it holds nothing."""
 RATIOS = (0.05, 1.5)
@@ -73,6 +77,13 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     >>> found[0].place, round(found[0].value, 3)   # rad
     ('hardpoints.strut_top', 0.575)
     """
+    start = f"{where}: " if where else ""
+    return [Finding(start + item.place, item.severity, item.message, item.value) for item in _found(rig)]
+
+
+@remembered
+def _found(rig: Rig) -> tuple[Finding, ...]:
+    """All findings; every run asks for them."""
     if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
         checks = (_estimated, _order, _wheel, _bars, _strut, _bodies, _sprung, _statics)
@@ -83,8 +94,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
         found = [*_estimated(rig), *lumped]
     asked_of = rig.parameters().keys() - {item.place for item in found}  # not of what stands in for what is left out
     found += [_warn(path, asked, value) for path, asked, value in questions(rig) if path in asked_of]
-    start = f"{where}: " if where else ""
-    return [Finding(start + item.place, item.severity, item.message, item.value) for item in found]
+    return tuple(found)
 
 
 def _warn(place: str, message: str, value: float | None = None, severity: Severity = "warning") -> Finding:
@@ -298,10 +308,14 @@ def _statics(rig: Corner) -> Iterator[Finding]:
             f"{where}."
         )
         yield _warn(place, text, travel)
-    pressed = static_tyre_deflection(rig)
-    if pressed > 0.3 * rig.wheel.radius:
-        text = f"is pressed in by {1e3 * pressed:.4g} mm under the weight; is the stiffness right?"
-        yield _warn("tyre", text, pressed)
+    yield from _pressed("tyre", static_tyre_deflection(rig), 0.3 * rig.wheel.radius)
+
+
+def _pressed(place: str, deflection: float, most: float) -> Iterator[Finding]:
+    """A tyre that its load would press flat (m)."""
+    if deflection > most:
+        text = f"is pressed in by {1e3 * deflection:.4g} mm under the weight; is the stiffness right?"
+        yield _warn(place, text, deflection)
 
 
 def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
@@ -324,9 +338,14 @@ def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
         yield _warn("body.pitch_inertia", text, index)
     for name, other in (("front", car.rear), ("rear", car.front)):
         axle = getattr(car, name)
-        if not isinstance(axle, Axle | WheeledAxle):
-            continue  # axles of 3-D corners have no springs of their own
         mass = 0.5 * body.mass * other.distance / car.wheelbase  # of the body on one wheel, kg
+        if not isinstance(axle, Axle | WheeledAxle):  # axles of 3-D corners have no springs of their own
+            corner = axle.corner
+            weight = car.gravity * (mass + sum(one.mass for one in corner.body_masses().values()))
+            yield from _pressed(
+                f"{name}.corner.tyre", static_deflection(corner.tyre, weight), 0.3 * corner.wheel.radius
+            )
+            continue
         if axle.spring_rate is not None:
             yield from _frequency(name, axle, mass, axle.spring_rate)
         if isinstance(axle, WheeledAxle):
@@ -359,7 +378,9 @@ def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) ->
 
 
 def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
-    """A gap that was measured from the standing car: here it counts from the undeformed spring."""
+    """A tyre too soft; a gap that was measured from the standing car: here it counts from the undeformed spring."""
+    weight = rig.gravity * (rig.sprung.mass + rig.unsprung.mass)
+    yield from _pressed("tyre", static_deflection(rig.tyre, weight), MOST_PRESSED)
     spring, stop = rig.strut.spring, rig.strut.bump_stop
     if stop is None or spring.rate is None:
         return
@@ -370,6 +391,8 @@ def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
 
 
 def _axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
+    weight = gravity * (mass + axle.unsprung_mass)
+    yield from _pressed(f"{name}.tyre", static_deflection(axle.tyre, weight), MOST_PRESSED)
     if axle.unsprung_mass > 0.5 * mass:
         text = (
             f"{axle.unsprung_mass:g} kg is more than half of the {mass:.4g} kg that the wheel carries; "

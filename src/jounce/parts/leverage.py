@@ -25,6 +25,7 @@ from jounce.parts.elements import (
     PolynomialCurve,
     PowerCurve,
     TanhDamper,
+    Tyre,
     VelocityTable,
 )
 
@@ -151,9 +152,13 @@ def static_spring_force(rig: Corner) -> float:
 def static_tyre_deflection(rig: Corner) -> float:
     """Tyre deflection (m) under the whole weight of the corner, with the tyre's slope at no deflection for curves."""
     mass = (0.0 if rig.sprung is None else rig.sprung.mass) + sum(body.mass for body in rig.body_masses().values())
-    tyre = rig.tyre
+    return static_deflection(rig.tyre, rig.gravity * mass)
+
+
+def static_deflection(tyre: Tyre, weight: float) -> float:
+    """Deflection (m) of a tyre under a weight (N), with its slope at no deflection for curves."""
     stiffness = tyre.stiffness if tyre.curve is None else force_at(tyre.curve, 1e-3) / 1e-3
-    return rig.gravity * mass / cast(float, stiffness)
+    return weight / cast(float, stiffness)
 
 
 def spring_force(rig: Corner, deflection: float = 0.0) -> float:

@@ -13,7 +13,7 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import as_number
 from jounce.mechanics.facts import Facts
-from jounce.parts import Rig, as_rig
+from jounce.parts import Rig, as_rig, rig_findings
 from jounce.recordings.schema import channel_unit, quantity_of, recording_of
 from jounce.roads import HoldsTrial, Trial, as_trial
 from jounce.simulation.compiled import Compiled, compile_rig
@@ -66,6 +66,7 @@ def simulate(
     xarray.Dataset
         One variable a channel on ``time`` (s), each with ``units`` (SI), ``long_name`` and ``place``. z is up,
         deflections and forces are positive in compression, accelerations are kinematic (zero at rest).
+        ``attrs["findings"]``, where there is one, has the warnings of :func:`jounce.parts.rig_findings`.
 
     Raises
     ------
@@ -80,9 +81,11 @@ def simulate(
     >>> bool(run["tyre.force"].min() == 0.0)   # the tyre lifts off
     True
     """
-    settings = RunSettings(output_step, tolerance, method)
-    run = solved(as_rig(rig), as_trial(trial), settings, offset=offset, detail=detail, check=check, control=control)
-    return run.recording()
+    settings, rig = RunSettings(output_step, tolerance, method), as_rig(rig)
+    run = solved(rig, as_trial(trial), settings, offset=offset, detail=detail, check=check, control=control)
+    asked = [str(finding) for finding in rig_findings(rig) if finding.severity != "note"]
+    found = run.recording()
+    return found.assign_attrs(findings=[*asked, *found.attrs.get("findings", [])]) if asked else found
 
 
 @dataclass(frozen=True)

@@ -43,8 +43,10 @@ def test_the_walk_starts_nearest_to_design() -> None:
         (np.zeros((1, 2)), "not a list of values"),
         ([0.0, np.nan], "not a finite number"),
         ([0.0, np.inf], "not a finite number"),
-        ([0.02, 0.0], "do not ascend"),
-        ([0.0, 0.0], "do not ascend"),
+        ([0.0, 0.02, 0.01], "neither ascend nor descend"),
+        ([0.0, 0.0], "neither ascend nor descend"),
+        ([0.02, 0.0, 0.01], "neither ascend nor descend"),
+        ([0.02, 0.0, 0.0], "neither ascend nor descend"),
         (["x"], "not a number with a unit"),
     ],
 )
@@ -70,7 +72,8 @@ def test_text_is_read_as_a_range() -> None:
     assert np.array_equal(sweep_values("20 mm", "wheel travel"), [0.02])
     assert np.array_equal(sweep_values("-0.01:0.015:0.01", "wheel travel"), [-0.01, 0.0, 0.01])  # 15 mm is not met
     assert sweep_values("-2 deg:2 deg:2 deg", "roll", "rad") == pytest.approx(np.radians([-2.0, 0.0, 2.0]), abs=1e-12)
-    with pytest.raises(DescriptionError, match="runs backwards"):
+    assert np.array_equal(sweep_values("80 mm:-80 mm:-4 mm", "wheel travel"), found[::-1])
+    with pytest.raises(DescriptionError, match="leads away"):
         sweep_values("80 mm:-80 mm:4 mm", "wheel travel")
 
 
