@@ -14,8 +14,9 @@ import jounce as jn
 from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.everywhere import VIEW, open_pages, word_of
-from jounce.cli.reply import Elapsed, _in_chosen_units, console, table
+from jounce.cli.reply import Elapsed, _in_chosen_units, console, show_findings, table
 from jounce.core.display import chosen_units, shown_in
+from jounce.core.findings import Finding
 
 RIG = "kart-quarter-car"
 
@@ -315,3 +316,12 @@ def test_speeds_that_cannot_be_meant_are_questioned() -> None:
     assert trial_findings(jn.Trial(road=road, speed=19.5, duration=1.0)) == []
     lifted = jn.Trial(road=jn.Sine(amplitude=20.0, wavelength=1.0, length=5.0), speed=1.0, duration=1.0)
     assert [one.place for one in trial_findings(lifted)] == ["trial: road: amplitude"]
+
+
+def test_what_is_said_of_several_places_in_the_same_words_is_one_line(capsys):
+    said = [Finding(f"{name}.csv", "note", "decimal commas were read") for name in "abca"]
+    show_findings(console(), [*said, Finding("b.csv", "warning", "decimal commas were read")])
+    assert capsys.readouterr().out.splitlines() == [
+        "note: a.csv, b.csv, c.csv: decimal commas were read",
+        "warning: b.csv: decimal commas were read",
+    ]

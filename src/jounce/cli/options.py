@@ -43,7 +43,12 @@ Columns = Annotated[
         help=r'Column that holds a quantity, with its unit if the header gives none: force="F \[kN]". Repeat it.',
     ),
 ]
-Variable = Annotated[str, typer.Option(help="Matrix or struct of a .mat file, or group of a .tdms file.")]
+Variable = Annotated[
+    str,
+    typer.Option(
+        help="Matrix or struct of a .mat file, group of a .tdms file, or sheet of a workbook (or rows: Run!5:300)."
+    ),
+]
 SampleTime = Annotated[
     str | None, typer.Option(help='Constant sampling interval of a file without time, e.g. "10 ms".')
 ]

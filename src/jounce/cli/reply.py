@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rich.table import Table
     from rich.text import Text
 
-    from jounce.core.findings import Finding
+    from jounce.core.findings import Finding, Severity
     from jounce.identify.estimate import Estimate
 
 
@@ -455,10 +455,16 @@ def show_written(out: Console, plain: Mapping[str, Any]) -> None:
 
 
 def show_findings(out: Console, findings: Iterable[Finding]) -> None:
-    """Print what the reader must know, one sentence each; what is piped keeps one line for each."""
+    """Print what the reader must know, one sentence each; what is piped keeps one line for each.
+
+    What is said of several places in the same words is one sentence.
+    """
     from rich.text import Text
 
+    places: dict[tuple[Severity, str], list[str]] = {}
     for finding in findings:
-        line = Text(f"{finding.severity}: ", style=SEVERITY_STYLES[finding.severity])
-        line.append(f"{finding.place}: {finding.message}", style="default")
+        places.setdefault((finding.severity, finding.message), []).append(finding.place)
+    for (severity, message), where in places.items():
+        line = Text(f"{severity}: ", style=SEVERITY_STYLES[severity])
+        line.append(f"{', '.join(dict.fromkeys(where))}: {message}", style="default")
         out.print(line, soft_wrap=not out.is_terminal)

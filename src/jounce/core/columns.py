@@ -118,9 +118,9 @@ class Column:
 class ColumnTable:
     """Columns of one file in their order, found by position or by name: all of the same length, at least one row.
 
-    ``comments`` are the lines before the header that start with ``#``, without it; ``lines`` the line of each row in a
-    text file, from 1; ``remarks`` say what was understood that need not have been meant. A column that cannot be read
-    harms only who asks for it.
+    ``comments`` are the lines before the header that start with ``#``, without it; ``lines`` the line of each row
+    in a text file, from 1, ``place`` what such a line is called; ``remarks`` say what was understood that need not
+    have been meant. A column that cannot be read harms only who asks for it.
     """
 
     columns: tuple[Column, ...]
@@ -128,6 +128,7 @@ class ColumnTable:
     file: str = ""
     lines: Sequence[int] = ()
     remarks: tuple[str, ...] = ()
+    place: str = "line"
 
     def __iter__(self) -> Iterator[Column]:
         return iter(self.columns)
@@ -169,8 +170,8 @@ class ColumnTable:
         return tuple(column.name for column in self.columns)
 
     def name_row(self, row: int) -> str:
-        """Name a row (from 0) for error messages: by its line where there is one."""
-        return f"line {self.lines[row]}" if self.lines else f"row {row + 1}"
+        """Name a row (from 0) for error messages: by its line (or what ``place`` calls it) where there is one."""
+        return f"{self.place} {self.lines[row]}" if self.lines else f"row {row + 1}"
 
 
 def read_columns_csv(path: Path | str) -> ColumnTable:
@@ -196,8 +197,10 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     return columns_in(text_of(Path(path)), Path(path))
 
 
-def columns_in(text: str, file: Path) -> ColumnTable:
+def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
     r"""Read number columns of a text as :func:`read_columns_csv` does; ``file`` is where it comes from.
+
+    Where ``named`` columns get their names elsewhere, the text may have no header.
 
     >>> columns_in("time [s]\tforce [N]\n0.0\t200.0\n", Path("run.xlsx"))["force"].values.tolist()
     [200.0]
@@ -208,15 +211,17 @@ def columns_in(text: str, file: Path) -> ColumnTable:
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
     _check_width(lines[first : first + _LONGEST_PREAMBLE], file, first + 1)
     remarks: tuple[str, ...] = ()
-    if named := _names_in_comment(lines, first):
-        first, lines[named[0]] = named
+    if in_comment := _names_in_comment(lines, first):
+        first, lines[in_comment[0]] = in_comment
         comments, remarks = comments[:-1], ("the names were read from the last comment",)
-    start = _header_line(lines, first)
+    bare = _separator_of_numbers(lines[first], named)
+    start = first - 1 if bare else _header_line(lines, first)
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
-    separator = _separator_of(lines[start], rows[0] if rows else "")
+    separator = bare or _separator_of(lines[start], rows[0] if rows else "")
     try:
-        header = [unguarded(cell) for cell in _header_cells(lines[start], separator)]
-        _check_header(header, file, start + 1, separator)
+        written = [f"column {i + 1}" for i in range(named)] if bare else _header_cells(lines[start], separator)
+        header = [unguarded(cell) for cell in written]
+        _check_header(header, file, start + 1, separator, named)
         if rows and all(row.startswith('"') for row in rows) and len(_cells(rows[0], separator)) == len(header) + 1:
             header = ["", *header]  # a table of R, whose rows have names
         units = _units_below(rows, header, separator)
@@ -344,6 +349,12 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
             hint = "Export fewer channels, or a binary format (.mf4, .tdms, .parquet, .mat)."
             where, allowed = f"{file}, line {number}", f"up to {_MOST_COLUMNS}"
             raise RecordingError("too many columns", where=where, found=f"{cells}", allowed=allowed, hint=hint)
+
+
+def _separator_of_numbers(line: str, count: int) -> str:
+    """Separator of a line of so many numbers; empty where it is none."""
+    rows = ((mark, _row(line.strip(), mark)) for mark in ("\t", ";", ",", " "))
+    return next((mark for mark, row in rows if count and len(row) == count and all(map(_has_number, row))), "")
 
 
 def _header_line(lines: list[str], first: int) -> int:
@@ -474,6 +485,7 @@ def name_and_unit(cell: str) -> tuple[str, str]:
         return _of_r(text)
     if text.endswith(")") and "(" in text:
         name, _, unit = text[:-1].rpartition("(")
+        name = name.strip().removesuffix("/")
     else:
         name, _, unit = max((text.rpartition(mark) for mark in (" / ", " in ")), key=lambda part: len(part[0]))
     name, unit = name.strip(), unit.strip()
@@ -512,14 +524,18 @@ def _is_number(cell: str) -> bool:
     return "_" not in cell
 
 
-def _check_header(header: list[str], file: Path, line: int, separator: str) -> None:
+def _check_header(header: list[str], file: Path, line: int, separator: str, named: int) -> None:
     where = f"{file}, line {line}"
     if any(len(cell) > _LONGEST_CELL for cell in header):
         raise RecordingError("a cell of the header is too long", where=where, allowed=f"{_LONGEST_CELL} characters")
     if all(_is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
-        raise RecordingError(
-            "the header is missing", where=where, found=separator.join(header), allowed="'name [unit]' for every column"
-        )
+        found, allowed = separator.join(header), "'name [unit]' for every column"
+        if named:
+            raise RecordingError(
+                f"the given header names {named} columns, the file has {len(header)}", where=where, found=found
+            )
+        hint = "Write it above the numbers, or give all names in their order: columns = 'time [s], force [N]'."
+        raise RecordingError("the header is missing", where=where, found=found, allowed=allowed, hint=hint)
 
 
 def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list[str]:

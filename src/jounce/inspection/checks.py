@@ -257,13 +257,18 @@ def check_other_plate(
 
 
 def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> list[Finding]:
-    """Compare the order of the wheels that the header gives with that in which the plates run (samples)."""
+    """Compare the order of the wheels that the header gives with that in which the plates run (samples).
+
+    Where it gives none, nothing but the names of the columns says which side is which.
+    """
     spans = {side: span for side, span in moving.items() if span is not None}
     sides = [side.strip() for side in order.split(",")]
-    if len(sides) != 2 or set(spans) != {"left", "right"}:
+    if not (order == "" or len(sides) == 2) or set(spans) != {"left", "right"}:
         return []
     first, second = sorted(spans, key=lambda side: spans[side][0])
     apart = spans[second][0] >= spans[first][0] + 0.5 * (spans[first][1] - spans[first][0])
+    if apart and order == "":
+        return [remark("left, right", "note", "order_missing", order=f"{first}, {second}")]
     if first == sides[0] or not apart:
         return []
     return [problem("left, right", "order_contradicts", order=order, first=first)]

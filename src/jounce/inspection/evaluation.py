@@ -237,6 +237,7 @@ def _evaluate_wheels(
     pair += checks.check_order(str(facts.get("wheel_order", "")), moving)
     results = []
     for side, one in signals.items():
+        pair = pair if side == sides[0] or _is_unfit(pair) else []
         other = next((moving[name] for name in sides if name != side), None)
         raw = np.asarray(record[f"{side}.{FORCE}"].values, dtype=float)
         results.append(_evaluate_wheel(one, raw, moving[side], other, measured.get(side), pair, facts, task))
@@ -271,7 +272,7 @@ def _evaluate_wheel(
         findings.append(problem(f"{wheel}.plate.z", "plate_never_moves"))
     if _is_unfit(findings) or span is None or measured is None:
         return _unfit(wheel, findings, signals.static_load)
-    findings += pair if pair else checks.check_load(signals, measured, tester)
+    findings += pair if _is_unfit(pair) else [*pair, *checks.check_load(signals, measured, tester)]
     load = signals.static_load if signals.static_load is not None else measured
     findings += checks.check_clipping(raw[span[0] : span[1]], load, f"{wheel}.{FORCE}")
     findings += checks.check_dropout(raw[span[0] : span[1]], signals, load)

@@ -192,6 +192,12 @@ SENTENCES: dict[str, Sentence] = {
         "Die Platten tragen {left:.0f} N (links) und {right:.0f} N (rechts), der Kopf nennt {left_load:.0f} N und "
         "{right_load:.0f} N: Links und rechts sind vertauscht.",
     ),
+    "order_missing": Sentence(
+        "the header does not state the wheel order: exchanged sides would not be noticed. By the columns it was "
+        '{order}; if so, add wheel_order = "{order}".',
+        "Der Kopf nennt die Reihenfolge der Räder nicht: Vertauschte Seiten fielen nicht auf. Nach den Spalten war sie "
+        "{order}; wenn das stimmt, wheel_order ergänzen.",
+    ),
     "order_contradicts": Sentence(
         "the header gives the wheel order {order}, but the {first} plate runs first: left and right are swapped, or "
         "the order is wrong.",
@@ -391,8 +397,8 @@ _OF_READER = {
     "signals of another length": "reading_columns",
     "channels without a single number": "reading_columns",
     "decimal commas": "reading_commas",
-    "the units were read from the line": "reading_units",
-    "the header is line": "reading_preamble",
+    **dict.fromkeys(("the units were read from the line", "the units were read from the row"), "reading_units"),
+    **dict.fromkeys(("the header is line", "the header is row"), "reading_preamble"),
     "resampled to": "reading_steps",
     "with the given sample time": "reading_sample_time",
     "the file announces": "reading_cut_off",

@@ -43,7 +43,6 @@ TEXTS = (
 """What it says about the whole record."""
 _ORDERS = {"left, right", "right, left", "left", "right", "together"}
 _LONGEST_TEXT, _LARGEST_NAME = 2000, 1e15
-_TABLE_SUFFIXES = {".csv", ".txt", ".tsv"}
 
 
 def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Dataset, list[Finding]]:
@@ -96,14 +95,27 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
         raise _unit_error(error) from None
     except RecordingError as error:
         raise _column_error(error) from None
+    _check_units(found, file)
     facts, said = read_facts({**dict(dataset.attrs), **header}, where=str(file))
     dataset.attrs = facts
     wheels_of(dataset, where=str(file))
     return dataset, [*findings, *map(of_reader, found), *said]
 
 
+def _check_units(findings: Iterable[Finding], file: Path) -> None:
+    """Refuse plate heights and forces that the reader left out because they have no unit."""
+    said = [one.message for one in findings if one.message.startswith("channels without a unit")]
+    for name in (f"{side}.{what}" for side in SIDES for what in (HEIGHT, FORCE)):
+        if any(f"{name} = " in text for text in said):
+            where, allowed = f"{file}: column {name!r}", "a header such as 'left.plate.z [mm]'"
+            hint = f'Write it into the header, or into the tester\'s [columns]: "{name}" = "{name} [UNIT]".'
+            raise RecordingError("the column has no unit", where=where, allowed=allowed, hint=hint)
+
+
 def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
     """Facts of the file beside the record and of the lines before its columns."""
+    from jounce.recordings.readers import reader_of
+
     facts: dict[str, Any] = {}
     findings: list[Finding] = []
     beside = file.with_suffix(".toml")
@@ -112,7 +124,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
             facts |= flat_facts(toml_table(description_text(beside)))
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
             raise DescriptionError(f"not valid TOML: {error}", where=str(beside)) from None
-    if file.suffix.lower() in _TABLE_SUFFIXES and file.is_file():
+    if file.is_file() and reader_of(file).name == "csv":
         for line in read_comments_csv(file):
             if "=" not in line:
                 continue

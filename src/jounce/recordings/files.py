@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit
-from jounce.core.errors import JounceError, RecordingError, named, nearest
+from jounce.core.errors import DescriptionError, JounceError, RecordingError, named, nearest
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.types import Array
@@ -151,7 +151,13 @@ def read_recording(
     findings += uneven
     findings += [finding for finding, _, _ in slower]
     written = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
-    findings += implausible({name: values[name] for name in written}, step, where=str(file), written=written)
+    findings += implausible(
+        {name: values[name] for name in written},
+        step,
+        where=str(file),
+        written=written,
+        headers={name: column.label for name, (column, _) in located.items()},
+    )
     channels = {
         name: (array, units[name], signals.long_names.get(located[name][0].name, "")) for name, array in values.items()
     }
@@ -384,7 +390,9 @@ def read_columns(
     remarks = [Finding(str(file), "note", text) for text in signals.columns.remarks]
     found = check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
     written = {name: column.unit for name, column in located.items() if quantity_of(name)}
-    reached = implausible({name: values[name] for name in written}, None, where=str(file), written=written)
+    headers = {name: column.label for name, column in located.items()}
+    known = {name: values[name] for name in written}
+    reached = implausible(known, None, where=str(file), written=written, headers=headers)
     return values, [*signals.findings, *remarks, *found, *reached]
 
 
@@ -404,9 +412,12 @@ def locate(table: ColumnTable, spec: str) -> Column:
         return table[spec]
     name, unit = name_and_unit(spec)
     column = table[name]
-    own = "" if column.written == name else column.unit  # a name like 'Force (N)' with another unit behind it
+    own = "" if name in (column.written, column.label) else column.unit  # 'Force [N]' with another unit behind it
     if unit and own and unit != own:
-        raise RecordingError("the column has another unit", where=column.where, found=column.unit, allowed=unit)
+        hint = f"Where the header is wrong, name it in full and the right unit behind it: '{column.label} [{unit}]'."
+        raise RecordingError(
+            "the column has another unit", where=column.where, found=column.unit, allowed=unit, hint=hint
+        )
     return replace(column, unit=unit or column.unit)
 
 
@@ -424,7 +435,14 @@ def in_si(column: Column, si: str) -> Array:
             allowed=f"{column.name} [{si}], or a unit that converts to it",
             hint=f"Write it into the header, or map it with columns: '{column.name} [{si}]'.",
         )
-    factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
+    try:
+        factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
+    except DescriptionError as error:
+        override = f"--columns NAME='{column.label} [{si}]'"
+        hint = f"{error.hint} Where the header is wrong, say the right unit behind it: {override}."
+        raise DescriptionError(
+            error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
+        ) from None
     return column.scaled(factor)
 
 
@@ -467,6 +485,7 @@ def _locate_channels(
     used = {(column.name, id(table)) for column, table in located.values()}
     ignored, again = list[str](), list[str]()
     empty: list[Column] = []
+    bare: list[Column] = []
     for table in tables:
         for column in table:
             if (column.name, id(table)) in used or column.name in located:
@@ -479,6 +498,8 @@ def _locate_channels(
                 ignored.append(column.label)
             elif column.fault is not None and column.is_empty:
                 empty.append(column)
+            elif not column.unit and channel_unit(column.name) not in ("1", "s") and column.fault is None:
+                bare.append(column)
             else:
                 located[column.name] = table[column.name], table
     others = [
@@ -497,6 +518,8 @@ def _locate_channels(
     if not set(located) - {"time"}:
         for column in empty:
             column.readable()  # why none of its cells is a number
+        for column in bare:
+            in_si(column, channel_unit(column.name))  # that it has no unit
         raise RecordingError(
             "no channel was found",
             where=main.file,
@@ -511,6 +534,10 @@ def _locate_channels(
     if empty:
         labels = ", ".join(one.label for one in empty)
         text = f"channels without a single number were left out: {labels}; were they connected?"
+        findings.append(Finding(main.file, "warning", text))
+    if bare:
+        labels = ", ".join(f"{one.name} = '{one.name} [{channel_unit(one.name)}]'" for one in bare)
+        text = f"channels without a unit were left out; state it with columns where they are needed: {labels}"
         findings.append(Finding(main.file, "warning", text))
     written = {name.casefold() for name in located}
     if len(written) < len(located):

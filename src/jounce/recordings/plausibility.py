@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 from jounce.recordings.schema import channel_unit, place_of, quantity_of
@@ -74,13 +74,20 @@ _UNITS = {
     "N*m": ("N*m", "kN*m", "N*mm"),
 }
 _BODY = ("body", "sprung", "seat", "chassis")
+_FASTEST_STEP, _FAST_STEP, _SHORT, _SOME = 1.05e-5, 1.05e-4, 0.3, 100
+"""Steps (s) at which nobody samples a suspension, and at which nobody samples so short a record (s), samples in it."""
 SLOWEST_STEP = 0.2  # s; a body bounces once a second, so fewer samples tell nothing
 MOST_POWER = 2e4  # W; what the largest dampers turn into heat for a moment
 MOST_WORK = 8e3  # J a cycle
 
 
 def implausible(
-    channels: Mapping[str, Array], step: float | None, *, where: str, written: Mapping[str, str] | None = None
+    channels: Mapping[str, Array],
+    step: float | None,
+    *,
+    where: str,
+    written: Mapping[str, str] | None = None,
+    headers: Mapping[str, str] | None = None,
 ) -> list[Finding]:
     """Look for numbers that no suspension reaches.
 
@@ -94,13 +101,15 @@ def implausible(
         File named in the findings.
     written : mapping of str to str, optional
         Unit that the file gives for each channel; by default its SI unit.
+    headers : mapping of str to str, optional
+        Header of each channel in the file, with which a finding says how another unit is stated.
 
     Returns
     -------
     list of Finding
         A problem for each channel beyond ``REACHES``, with the unit that was likely meant; for steps at which no
         suspension moves; for a force that does more work over its stroke than any damper; for a velocity that is not
-        the rate of the displacement beside it. Where ``written`` is given, a warning for
+        the rate of the displacement beside it, or its absolute value. Where ``written`` is given, a warning for
         what hardly moves (strokes below 0.1 mm, forces below 10 N) and for a mean of 1 m/s^2 (gravity?).
 
     Examples
@@ -111,10 +120,17 @@ def implausible(
     ['the range is 24.9 m, and no suspension reaches 1.5 m; is its unit mm or cm rather than m?']
     """
     units = {name: (written or {}).get(name) or channel_unit(name) for name in channels}
-    found = list(_of_time(step, where)) if step is not None else []
+    length = max((values.size for values in channels.values()), default=0)
+    found = list(_of_time(step, length, where)) if step is not None else []
     for name, values in channels.items():
         found += _of_channel(
-            name, values, step, units[name], f"{where}: {name}" if where else name, is_read=written is not None
+            name,
+            values,
+            step,
+            units[name],
+            f"{where}: {name}" if where else name,
+            (headers or {}).get(name, ""),
+            is_read=written is not None,
         )
     if not found and step is not None:
         found += _of_work(channels, step, where)
@@ -122,14 +138,18 @@ def implausible(
     return found
 
 
-def _of_time(step: float, where: str) -> Iterator[Finding]:
+def _of_time(step: float, samples: int, where: str) -> Iterator[Finding]:
     if step > SLOWEST_STEP:
         likely = "ms" if step < 1e3 * SLOWEST_STEP else "µs"
         text = f"the samples are {step:g} s apart, and suspensions move faster; is the unit of time {likely}?"
         yield Finding(f"{where}: time" if where else "time", "problem", text, step)
-    elif step <= 2e-6:
-        text = f"the samples are {step:g} s apart ({1.0 / step:g} Hz); is the unit of time a larger one?"
-        yield Finding(f"{where}: time" if where else "time", "problem", text, step)
+    elif step <= _FASTEST_STEP or (step <= _FAST_STEP and samples > _SOME and samples * step < _SHORT):
+        text = (
+            f"the samples are {step:.3g} s apart ({1e-3 / step:.3g} kHz) and the record is {samples * step:.3g} s "
+            "long; is the unit of time a larger one (s rather than ms)?"
+        )
+        severity: Severity = "problem" if step <= _FASTEST_STEP else "warning"
+        yield Finding(f"{where}: time" if where else "time", severity, text, step)
 
 
 def _number(kind: str, values: Array, step: float | None) -> float:
@@ -145,7 +165,7 @@ def _number(kind: str, values: Array, step: float | None) -> float:
 
 
 def _of_channel(
-    name: str, values: Array, step: float | None, unit: str, at: str, *, is_read: bool
+    name: str, values: Array, step: float | None, unit: str, at: str, header: str, *, is_read: bool
 ) -> Iterator[Finding]:
     quantity = quantity_of(name)
     is_body = any(part in _BODY for part in name.split("."))
@@ -161,10 +181,10 @@ def _of_channel(
         if number > reach.most:
             what = "it changes by" if reach.number == "rate" else f"the {reach.number} is"
             text = f"{what} {number:.3g} {of}, and no suspension reaches {reach.most:g} {of}"
-            yield Finding(at, "problem", f"{text}; {_advice(number, reach, unit, si)}", number)
+            yield Finding(at, "problem", f"{text}; {_advice(number, reach, unit, si, header)}", number)
             return
         if is_read and 1e-2 * reach.least < number < reach.least:
-            text = f"the {reach.number} is only {number:.3g} {si}; {_advice(number, reach, unit, si)}"
+            text = f"the {reach.number} is only {number:.3g} {si}; {_advice(number, reach, unit, si, header)}"
             yield Finding(at, "warning", text, number)
             return
     if (
@@ -177,7 +197,7 @@ def _of_channel(
         yield Finding(at, "warning", text, float(values.mean()))
 
 
-def _advice(number: float, reach: Reach, unit: str, si: str) -> str:
+def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> str:
     """Name the one or two units in which the number would be the most usual."""
     likely: list[tuple[float, str]] = []
     middle = math.sqrt(reach.usual[0] * reach.usual[1])
@@ -190,7 +210,10 @@ def _advice(number: float, reach: Reach, unit: str, si: str) -> str:
     except DescriptionError:
         return "check its unit"
     names = [other for _, other in sorted(likely)[:2]]
-    return f"is its unit {' or '.join(names)} rather than {unit}?" if names else "check its unit"
+    if not names:
+        return "check its unit"
+    question = f"is its unit {' or '.join(names)} rather than {unit}?"
+    return f"{question} Then map it as '{header} [{names[0]}]' with columns" if header else question
 
 
 def _beside(
@@ -222,6 +245,9 @@ def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator
             yield Finding(f"{where}: {force}" if where else force, "problem", text, work / cycles)
 
 
+_SAME = 0.95  # correlation from which two signals are one
+
+
 def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterator[Finding]:
     pairs = [
         *_beside(channels, _STROKES, ("velocity", "deflection_velocity")),
@@ -231,6 +257,7 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
     for name, rate in pairs:
         if "road" in place_of(name).split("."):
             continue
+        yield from _of_sign(channels[name], channels[rate], name, f"{where}: {rate}" if where else rate)
         moved, turns = (
             _without_line(v) for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
         )
@@ -244,3 +271,15 @@ def _without_line(values: Array) -> Array:
     place = np.linspace(-1.0, 1.0, values.size)
     centred = values - values.mean()
     return np.asarray(centred - place * float(place @ centred) / float(place @ place), dtype=float)
+
+
+def _of_sign(moved: Array, rate: Array, name: str, at: str) -> Iterator[Finding]:
+    """Tell a rate whose sign is not that of the steps of what moved to and fro."""
+    steps = np.gradient(moved)
+    if np.ptp(rate) == 0.0 or min(np.max(steps), -np.min(steps)) < 0.1 * np.max(np.abs(steps)):
+        return
+    if np.min(rate) >= 0.0 and np.corrcoef(np.abs(steps), rate)[0, 1] > _SAME:
+        text = f"it is the absolute value of the rate of {name}: its sign is lost; leave it out"
+        yield Finding(at, "problem", text)
+    elif np.corrcoef(steps, rate)[0, 1] < -_SAME:
+        yield Finding(at, "warning", f"it is the rate of {name} with the other sign; turn one of them round")

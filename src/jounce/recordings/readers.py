@@ -30,7 +30,7 @@ from jounce.core.columns import (
     text_of,
 )
 from jounce.core.errors import JounceError, RecordingError, nearest
-from jounce.core.files import existing_file
+from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding
 from jounce.core.optional import require
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
@@ -65,18 +65,27 @@ def reader(
 
 def reader_of(path: Path) -> Reader:
     """Reader for a file, chosen by its suffix."""
-    for known in READERS:
-        if path.suffix.lower() in known.suffixes:
-            return known
-    suffixes = sorted(suffix for known in READERS for suffix in known.suffixes)
+    likely = [known for known in READERS if path.suffix.lower() in known.suffixes]
+    if len(likely) > 1:  # .dat is text, or MDF
+        with reading(existing_file(path, RecordingError), RecordingError), path.open("rb") as stream:
+            is_mdf = stream.read(len(_MDF[-1])).startswith(_MDF)
+        return next(known for known in likely if (known.name == "mdf") is is_mdf)
+    if likely:
+        return likely[0]
+    suffixes = sorted({suffix for known in READERS for suffix in known.suffixes})
     raise RecordingError(
         "the file's suffix is of no known format", where=str(path), found=path.suffix, allowed=", ".join(suffixes)
     )
 
 
+_MDF = (b"MDF", b"UnFinMF")
+"""What MDF files begin with, whole and unfinished ones."""
+
+
 def is_read_in_child(path: Path) -> bool:
     """Whether a file is of a format that a child process reads, where this process can have one."""
-    return is_possible() and any(known.is_isolated for known in READERS if path.suffix.lower() in known.suffixes)
+    is_known = any(path.suffix.lower() in known.suffixes for known in READERS)
+    return is_possible() and is_known and reader_of(path).is_isolated
 
 
 def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
@@ -191,7 +200,7 @@ def _renamed(table: ColumnTable, header: str) -> ColumnTable:
 @reader(
     "csv",
     "text columns with 'name [unit]' headers",
-    (".csv", ".txt", ".tsv"),
+    (".csv", ".txt", ".tsv", ".dat"),
     source="RFC 4180, with units in the header",
     example="time [s], sprung.az [m/s^2]",
 )
@@ -200,7 +209,9 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     text = text_of(path)
     if text.startswith(FIRST):
         return _labview(text, path, options)
-    return SignalTable(_renamed(columns_in(text, path), options.header))
+    return SignalTable(
+        _renamed(columns_in(text, path, len(parse_header(options.header)) if options.header else 0), options.header)
+    )
 
 
 @reader(
@@ -651,6 +662,7 @@ _LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked
 def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
     """The only sheet with numbers, or that of ``options.variable``; its cells are read as those of a text file.
 
+    Behind the sheet's name may stand a range of its rows, or cells: ``Run 1!A5:D300``, ``!5:300``.
     Of formulas the values count that Excel has kept. A workbook that ``write_recording`` wrote tells names, units, long
     names and attributes in sheets of their own.
     """
@@ -661,8 +673,13 @@ def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
         for title, rows in sheets:
             kept[title] = [row for _, row in rows]
     is_ours = {*EXCEL} <= kept.keys() and options.variable in ("", EXCEL[0])
-    title = EXCEL[0] if is_ours else _chosen_sheet(kept, options.variable, path)
-    table = _by_cell(_renamed(columns_in(_as_text(kept[title]), path), options.header), kept[title], path, title)
+    sheet, mark, area = (options.variable, "", "")
+    if sheet not in kept and "!" in sheet:
+        sheet, mark, area = sheet.rpartition("!")
+    title = EXCEL[0] if is_ours else _chosen_sheet(kept, sheet, path)
+    if mark:
+        kept[title] = _within(kept[title], area, path)
+    table = _by_cell(_of_sheet(kept[title], options.header, path, title), kept[title], path, title)
     if not is_ours:
         others = tuple(name for name, rows in kept.items() if name != title and _holds_numbers(rows))
         with _understood(path, "an Excel workbook"):
@@ -680,6 +697,50 @@ def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
     return SignalTable(table, {name: long_name for name, _, long_name in about}, attributes)
 
 
+_AREA = re.compile(r"\$?([A-Z]*)\$?([1-9]\d*):\$?([A-Z]*)\$?([1-9]\d*)")
+
+
+def _within(rows: list[list[Any]], area: str, path: Path) -> list[list[Any]]:
+    """Rows of a sheet, empty but for a range of rows (``5:300``) or cells (``A5:D300``)."""
+    found = _AREA.fullmatch(area.upper())
+    if found is None or (found[1] == "") != (found[3] == ""):
+        allowed = "rows or cells of a sheet, e.g. 'Run 1!5:300' or 'Run 1!A5:D300'"
+        raise RecordingError("not a range", where=f"{path}: variable", found=area, allowed=allowed)
+    first, last = (_place(found[1]), _place(found[3]) + 1) if found[1] else (0, None)
+    top, bottom = int(found[2]), int(found[4])
+    return [
+        [*[None] * first, *row[first:last]] if top <= number <= bottom else [] for number, row in enumerate(rows, 1)
+    ]
+
+
+def _place(letters: str) -> int:
+    """Place of a sheet's column from 0, by its name.
+
+    >>> [_place(name) for name in ("A", "Z", "AA", "ZZ", "AAA")]
+    [0, 25, 26, 701, 702]
+    """
+    place = 0
+    for letter in letters:
+        place = 26 * place + ord(letter) - ord("A") + 1
+    return place - 1
+
+
+def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> ColumnTable:
+    """Columns of a sheet, whose errors name its rows."""
+    try:
+        table = columns_in(_as_text(rows), path, len(parse_header(header)) if header else 0)
+    except RecordingError as error:
+        if error.what == "the file is empty":
+            raise RecordingError("no row holds anything", where=f"{path}: sheet {sheet!r}") from None
+        where = error.where.replace(f"{path}, line ", f"{path}: sheet {sheet!r}, row ")
+        raise RecordingError(
+            error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+        ) from None
+    remarks = [text.replace("the header is line", "the header is row") for text in table.remarks]
+    remarks = [text.replace("from the line below", "from the row below") for text in remarks]
+    return _renamed(replace(table, remarks=tuple(remarks), place="row"), header)
+
+
 def _chosen_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Path) -> str:
     if variable:
         if variable not in sheets:
@@ -690,7 +751,7 @@ def _chosen_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Pa
     if not likely:
         raise RecordingError("no sheet with numbers", where=str(path), found=", ".join(sheets))
     if len(likely) > 1:
-        hint = "Say which: variable = 'SHEET'."
+        hint = "Say which: variable = 'SHEET' (--variable), or 'SHEET!5:300' for some of its rows."
         raise RecordingError("several sheets hold numbers", where=str(path), found=", ".join(likely), hint=hint)
     return likely[0]
 
@@ -763,6 +824,10 @@ def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) 
         else:
             here = [one for one in cells if isinstance(one[2], datetime | time | timedelta)]
         if not here:
+            if line:
+                where = old.where.replace(f", line {line}", f": sheet {sheet!r}, row {line}")
+                fault = RecordingError(old.what, where=where, found=old.found, allowed=old.allowed, hint=old.hint)
+                columns[place] = replace(column, fault=fault)
             continue
         line, i, cell = here[0]
         kind = next((word for kinds, word in _KINDS_OF_CELL if isinstance(cell, kinds)), "")

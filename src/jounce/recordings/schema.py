@@ -32,6 +32,8 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "acceleration": ("m/s^2", "acceleration"),
     "adhesion": ("1", "minimum over static contact force"),
     "angle": ("rad", "angle"),
+    "angular_acceleration": ("rad/s^2", "angular acceleration"),
+    "angular_velocity": ("rad/s", "angular velocity"),
     "camber": ("rad", "camber angle"),
     "command": ("1", "controller command"),
     "current": ("A", "electric current"),

@@ -190,7 +190,7 @@ class TestBothWheels:
         found = evaluate(self.build(*axle, axle="front"), eusama)
         assert found.axle == {"axle": "front"}
         assert [wheel.wheel for wheel in found.wheels] == ["left", "right"]
-        assert not [one for wheel in found.wheels for one in wheel.findings]
+        assert [one.code for wheel in found.wheels for one in wheel.findings] == ["order_missing"]
         for wheel, car in zip(found.wheels, (twin.Car(), twin.Car(ms=350.0, c=800.0)), strict=True):
             assert wheel.theta_road == pytest.approx(car.wheel_damping(), rel=2e-3)
 

@@ -212,6 +212,8 @@ def test_order_of_the_wheels() -> None:
     assert found("left, right", (50, 300), (0, 100)) == ["problem: order_contradicts"]
     assert found("left, right", (49, 300), (0, 100)) == []  # both run
     assert found("left, right", (200, 300), None) == found("together", (200, 300), (0, 100)) == []
+    assert found("", (200, 300), (0, 100)) == ["note: order_missing"]
+    assert found("", (49, 300), (0, 100)) == found("", None, (0, 100)) == []
 
 
 @pytest.mark.parametrize(

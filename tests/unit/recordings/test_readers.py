@@ -264,7 +264,7 @@ def test_variable_is_refused_where_it_means_nothing(tmp_path: Path) -> None:
 
 def test_registry_rows_are_complete() -> None:
     suffixes = [suffix for reader in READERS for suffix in reader.suffixes]
-    assert len(set(suffixes)) == len(suffixes)
+    assert len(set(suffixes)) == len(suffixes) - 1  # .dat is text or MDF, as its first bytes say
     for reader in READERS:
         assert all((reader.name, reader.label, reader.source, reader.example))
         assert all(suffix.startswith(".") and suffix == suffix.lower() for suffix in reader.suffixes)
