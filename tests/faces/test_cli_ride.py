@@ -190,3 +190,22 @@ def test_help_names_every_controller(cli):
     text = " ".join(cli("compare", "--help").out.replace("│", " ").split())
     for name in CONTROLS:
         assert name in text
+
+
+def test_a_measured_record_gives_metrics_and_what_is_doubtful_of_it(cli, tmp_path: Path) -> None:
+    time = np.arange(6000) / 200.0
+    noise = np.random.default_rng(2).normal(size=time.size)
+    body = np.convolve(noise, np.ones(3) / 3.0, mode="same")
+    rows = "\n".join(f"{t:.3f},{9.81 + b:.5f},{0.2 * w:.5f}" for t, b, w in zip(time, body, noise, strict=True))
+    (tmp_path / "lap.csv").write_text(f"time [s],AccZ [m/s^2],unsprung.az [m/s^2]\n{rows}\n", encoding="utf-8")
+    record = ("ride-metrics", "lap.csv", "--columns", "sprung.az=AccZ")
+    found = cli(*record, "--settling", "2 s", "--json").json
+    assert found["duration"] == pytest.approx(27.995)
+    assert 0.1 < found["metrics"]["weighted_rms"]["sprung.az"] < 1.0
+    assert [one["message"] for one in found["findings"] if "exchanged" in one["message"]]
+    text = cli(*record).out
+    assert "sprung.az: it is shaken" in text
+    assert "comfortable" in text
+    refused = cli("ride-metrics", "lap.csv", "--columns", "sprung.az=Acc")
+    assert refused.exit_code == 2
+    assert "no column 'Acc'" in refused.err

@@ -82,6 +82,7 @@ def application() -> typer.Typer:
     app.command("clearances")(clearances.clearances)
     app.command("steering-effort")(steering_effort.steering_effort)
     app.command("ride")(ride.ride)
+    app.command("ride-metrics")(ride.ride_metrics)
     app.command("compare", cls=ride.NamesControllers)(ride.compare)
     app.command("iri")(ride.iri)
     app.command("sweep")(sweep.sweep)

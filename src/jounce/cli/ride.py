@@ -1,4 +1,4 @@
-"""``jounce ride``, ``jounce compare`` and ``jounce iri``: rides over rough roads, controllers, roughness."""
+"""``jounce ride``, ``ride-metrics``, ``compare`` and ``iri``: rides over rough roads, their records, roughness."""
 
 from __future__ import annotations
 
@@ -12,11 +12,15 @@ from jounce.cli.options import (
     AsJson,
     Changes,
     Columns,
+    Database,
     FigureFile,
     Force,
     NumbersFile,
     ReportFile,
+    Resample,
+    SampleTime,
     Trust,
+    Variable,
     VehicleName,
     changes,
     check_numbers,
@@ -26,6 +30,7 @@ from jounce.cli.options import (
     optional_positive,
     positive_quantity,
     quantity,
+    reading,
     write_numbers,
     write_picture,
     write_report,
@@ -42,6 +47,7 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.report import Page
+    from jounce.ride.metrics import RideMetrics
     from jounce.ride.study import Ride, RideStudy, RideTrial
     from jounce.roughness.iri import Roughness
 
@@ -239,14 +245,8 @@ def _trial(rig: Rig, road: str, speed: float, duration: float | None, seed: int)
 
 def _draw_ride(console: Console, plain: dict[str, Any], study: RideStudy) -> None:
     for ride in study.rides:
-        rows, last = [], ""
-        for item in ride.metrics.values:
-            rows.append((item.label if item.label != last else "", item.place, item.value, item.unit))
-            last = item.label
         title = f"{plain['vehicle']}, {ride.control}, on {plain['road']} at {size(plain['speed'], 'm/s', 'speed')}"
-        console.print(table(title, ("metric", "place", "value", "unit"), rows, text=(0, 1, 3)))
-        for place, words in ride.metrics.comfort.items():
-            console.print(f"{place}: {words}")
+        _draw_metrics(console, title, ride.metrics)
         _draw_stationary(console, study, ride)
         show_findings(console, ride.metrics.findings)
     _draw_end(console, plain, study)
@@ -290,6 +290,70 @@ def _draw_end(console: Console, plain: dict[str, Any], study: RideStudy) -> None
     for name, reason in study.failed.items():
         console.print(f"not run: {name}: {reason}", soft_wrap=True)
     show_written(console, plain)
+
+
+def ride_metrics(
+    record: Annotated[
+        Path, typer.Argument(metavar="RECORD", help="Recording of a ride: accelerations in the vehicle.")
+    ],
+    vehicle: Annotated[
+        str | None, typer.Option(help="Rig or vehicle of the ride, for the gaps of its bump and rebound stops.")
+    ] = None,
+    settling: Annotated[str, typer.Option(help='Time at the start that does not count, e.g. "5 s".')] = "0 s",
+    start: Annotated[
+        str, typer.Option(help="What was before the record: rest, first or mean (for signals with gravity in them).")
+    ] = "mean",
+    exposure: Annotated[str, typer.Option(help="Daily duration of the vibration, for A(8).")] = "8 h",
+    lift_off_load: Annotated[str, typer.Option(help="Wheel load up to which a tyre counts as lifted.")] = "0 N",
+    columns_: Columns = None,
+    variable: Variable = "",
+    sample_time: SampleTime = None,
+    resample: Resample = None,
+    database: Database = None,
+    as_json: AsJson = False,
+) -> Reply:
+    """Give ride metrics of a measured (or simulated) record: weighted accelerations, travel, road holding.
+
+    Level and spectrum tell some of what can be wrong: filters, coarse steps, exchanged channels, m/s² called g.
+
+    Example: jounce ride-metrics lap.csv --columns seat.az="AccZ [g]" --settling "5 s"
+    """
+    read = reading(columns_, sample_time, variable, resample, database)
+    before = quantity(settling, "s", "--settling")
+    daily, load = positive_quantity(exposure, "s", "--exposure"), quantity(lift_off_load, "N", "--lift-off-load")
+    from jounce.core.serialise import to_plain
+    from jounce.recordings import read_recording
+    from jounce.ride.metrics import ride_metrics as metrics_of
+
+    run, notes = read_recording(record, **read)
+    rig = None if vehicle is None else chosen_rig(vehicle, {})
+    found = metrics_of(run, rig, settling=before, start=start, exposure=daily, lift_off_load=load)  # type: ignore[arg-type]
+    values: dict[str, dict[str, float]] = {}
+    for item in found.values:
+        values.setdefault(item.metric, {})[item.place] = item.value
+    known = {(one.severity, one.message) for one in notes}
+    findings = [*notes, *(one for one in found.findings if (one.severity, one.message) not in known)]
+    plain = {
+        "record": str(record), "vehicle": vehicle, "duration": found.duration, "settling": found.settling,
+        "sample_rate": found.sample_rate, "metrics": values, "comfort": found.comfort,
+        "absent": to_plain(found.absent), "findings": to_plain(findings),
+    }  # fmt: skip
+
+    def draw(console: Console) -> None:
+        _draw_metrics(console, f"{record}, {found.duration:g} s at {found.sample_rate:g} Hz", found)
+        show_findings(console, findings)
+
+    return Reply(plain, draw, as_json)
+
+
+def _draw_metrics(console: Console, title: str, metrics: RideMetrics) -> None:
+    rows, last = [], ""
+    for item in metrics.values:
+        rows.append((item.label if item.label != last else "", item.place, item.value, item.unit))
+        last = item.label
+    console.print(table(title, ("metric", "place", "value", "unit"), rows, text=(0, 1, 3)))
+    for place, words in metrics.comfort.items():
+        console.print(f"{place}: {words}")
 
 
 def iri(

@@ -30,6 +30,7 @@ from jounce.ride.catalogue import (
     Scope,
     carries_passengers,
 )
+from jounce.ride.doubts import doubts
 from jounce.ride.weighting import STARTS, Start, weighting
 
 if TYPE_CHECKING:
@@ -300,6 +301,7 @@ def ride_metrics(
     signals = {name: run[name].to_numpy()[first:] for name in names if name in used and quantity_of(name) != "command"}
     findings = (
         *implausible(signals, 1.0 / rate, where=""),
+        *doubts({name: values for name, values in signals.items() if quantity_of(name) == "az"}, rate),
         *_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0),
     )
     duration = (run["time"].size - 1 - first) / rate
