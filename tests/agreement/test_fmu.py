@@ -201,6 +201,29 @@ def test_model_exchange_by_cvode_needs_no_rates(written, tmp_path):
     assert np.abs(found["unsprung.z"] - run["unsprung.z"].values).max() < 0.01 * np.ptp(run["unsprung.z"].values)
 
 
+def test_a_short_pulse_needs_its_edges_twice_in_cvode(written):
+    """As the page says: with samples given twice, which FMPy takes as events, a pulse of 10 ms is not stepped over."""
+    t = np.linspace(0.0, 0.5, 5001)
+    phase = np.clip((t - 0.1) / 0.01, 0.0, 1.0)
+    columns = [t, 0.01 * np.sin(np.pi * phase) ** 2, np.pi * np.sin(2.0 * np.pi * phase)]
+    road = np.rec.fromarrays(columns, names=["time", "road.z", "road.vz"])
+    twice = road[np.sort(np.concatenate([np.arange(len(t)), [1000, 1100]]))]
+    given = {"stop_time": 0.5, "output": ["unsprung.z"]}
+    file = str(written("kart-quarter-car"))
+    fine = fmpy.simulate_fmu(
+        file, fmi_type="CoSimulation", step_size=1e-4, output_interval=1e-4, input=road, **given
+    )["unsprung.z"][::10]  # fmt: skip
+    off = []
+    for inputs in (road, twice):
+        found = fmpy.simulate_fmu(
+            file, fmi_type="ModelExchange", relative_tolerance=1e-6, output_interval=1e-3, input=inputs, **given
+        )
+        at = np.searchsorted(found["time"], np.arange(501) * 1e-3 - 1e-9)
+        off.append(np.max(np.abs(found["unsprung.z"][at] - fine)) / np.ptp(fine))
+    assert off[0] > 0.05
+    assert off[1] < 0.01
+
+
 def test_rates_that_are_set_to_zero_are_none(written, tmp_path):
     """Importers set inputs that nobody connected to zero, at every step."""
     fmu = instance(written("kart-quarter-car"), tmp_path, "CoSimulation")

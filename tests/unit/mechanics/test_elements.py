@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
+import re
 from collections.abc import Callable, Mapping
+from pathlib import Path
 
 import casadi as ca
 import numpy as np
@@ -228,3 +231,18 @@ def test_a_stop_pushes_and_never_pulls(end: str, place: float, side: float, rate
     depth = 0.02 if end == "lower" else 0.03
     push = 5000.0 * depth - side * 200.0 * rate  # spring and damper; pulling back what leaves is cut off
     assert float(run["stop.force"][0]) == pytest.approx(side * max(push, 0.0), rel=1e-9)
+
+
+def test_the_page_of_mechanisms_uses_every_force_element():
+    """The functions that the package offers, and the builder's methods that add a load."""
+    page = (Path(__file__).parents[3] / "docs" / "how-to" / "mechanisms.md").read_text(encoding="utf-8")
+    blocks = "".join(re.findall(r"```python\n(.*?)```", page, re.DOTALL))
+    functions = [name for name in jn.mechanics.__all__ if name.startswith("add_") or name.endswith("_force")]
+    methods = [
+        name for name, method in inspect.getmembers(jn.mechanics.Mechanism, inspect.isfunction)
+        if "self.act(" in inspect.getsource(method)
+    ]  # fmt: skip
+    assert {"add_elastic_rod", "tyre_force"} <= {*functions}
+    assert {"spring_damper", "push_apart", "load"} <= {*methods}
+    assert [name for name in functions if f"jn.mechanics.{name}(" not in blocks] == []
+    assert [name for name in methods if f"block.{name}(" not in blocks] == []
