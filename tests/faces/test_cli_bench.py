@@ -132,3 +132,12 @@ def test_bad_values(words: tuple[str, ...], message: str, cli) -> None:
     assert outcome.exit_code == 2
     assert outcome.out == ""
     assert message in outcome.err
+
+
+def test_by_default_the_drive_of_the_published_bench_is_explained(cli) -> None:
+    found = cli("bench", "drive", "--json").json
+    assert found["attainable"]["implied_force"] > 0.0
+    assert any("a ceiling of 3.87 m/s implies" in one["message"] for one in found["findings"])
+    assert cli("bench", "drive", "--observed-ceiling", "5 m/s", "--json").json["findings"] != found["findings"]
+    own = cli("bench", "drive", "--cylinder-radius", "60 mm", "--json").json
+    assert own["attainable"]["implied_force"] is None

@@ -218,3 +218,19 @@ def test_decimal_commas_between_commas_are_no_further_columns(tmp_path) -> None:
 def test_two_units_are_refused(tmp_path) -> None:
     with pytest.raises(DescriptionError, match="line 2: two units; found 'inch after mm'"):
         read(tmp_path, ["units: mm", "name,x [in],y [in],z [in]", *rows()])
+
+
+def test_a_strut_is_known_by_its_everyday_names_and_what_it_lacks_is_said(tmp_path):
+    rig = jn.load("generic-mcpherson")
+    names = {"lower_ball_joint": "Ball joint", "strut_top": "Strut top mount", "strut_bottom": "Strut lower mount"}
+    points = {name: 1e3 * np.array(place) for name, place in rig.hardpoints.given().items()}
+    lines = [f"{names.get(name, name)},{x},{y},{z}" for name, (x, y, z) in points.items()]
+    found, _, _ = read(tmp_path, ["name,x [mm],y [mm],z [mm]", *lines])
+    assert found.model == "mcpherson"
+    for name in names:
+        assert np.allclose(getattr(found.hardpoints, name), getattr(rig.hardpoints, name))
+    few = [line for line in lines if line.startswith(("Ball joint", "Strut top", "strut"))]
+    with pytest.raises(
+        DescriptionError, match=r"nearest is a mcpherson, of which .*tie_rod_outer are missing"
+    ):
+        read(tmp_path, ["name,x [mm],y [mm],z [mm]", *few], name="few.csv")

@@ -27,10 +27,12 @@ Side = Literal["left", "right"]
 _NAMES = {
     "lower_arm_front": "lower wishbone front pivot|lca front|chas low for|lower control arm front|lower front inner",
     "lower_arm_rear": "lower wishbone rear pivot|lca rear|chas low aft|lower control arm rear|lower rear inner",
-    "lower_ball_joint": "lower wishbone outer ball joint|lca outer|upri low pnt|lower outer|lower outer ball joint",
+    "lower_ball_joint": "lower wishbone outer ball joint|lca outer|upri low pnt|lower outer|lower outer ball joint|"
+    "ball joint|ball joint lower|lower arm outer|lower control arm outer|lower control arm ball joint|lbj",
     "upper_arm_front": "upper wishbone front pivot|uca front|chas upp for|upper control arm front|upper front inner",
     "upper_arm_rear": "upper wishbone rear pivot|uca rear|chas upp aft|upper control arm rear|upper rear inner",
-    "upper_ball_joint": "upper wishbone outer ball joint|uca outer|upri upp pnt|upper outer|upper outer ball joint",
+    "upper_ball_joint": "upper wishbone outer ball joint|uca outer|upri upp pnt|upper outer|upper outer ball joint|"
+    "ball joint upper|upper arm outer|upper control arm outer|upper control arm ball joint|ubj",
     "tie_rod_inner": "inner track rod ball joint|tierod inner|chas tie pnt|tie rod inboard|toe link inner",
     "tie_rod_outer": "outer track rod ball joint|tierod outer|upri tie pnt|tie rod outboard|toe link outer",
     "wheel_centre": "wheel centre point|wheel center point|wheel center|wc",
@@ -39,9 +41,10 @@ _NAMES = {
     "rocker_pivot": "rocker axis 1st point|chas roc piv",
     "rocker_axis": "rocker axis 2nd point|chas roc axi",
     "strut_bottom": "damper to rocker point|damper wishbone end|lwr strut mount|strut lwr mount|rock coi pnt|"
-    "spring damper lower|damper lower|shock lower|lower strut mount",
+    "spring damper lower|damper lower|shock lower|lower strut mount|strut lower|strut lower mount|lower mount",
     "strut_top": "damper to body point|damper body end|top mount|chas att pnt|spring damper upper|damper upper|"
-    "shock upper|strut upper mount|strut top point|upper strut mount",
+    "shock upper|strut upper mount|strut top point|upper strut mount|strut top mount|strut mount|upper mount|"
+    "strut upper|damper top mount|shock top mount",
     "spring_bottom": "lower spring pivot point|spring lwr seat|spring lower seat",
     "spring_top": "upper spring pivot point|spring upr seat|spring upper seat",
 }
@@ -391,6 +394,16 @@ def known_names() -> dict[str, str]:
     return found | {theirs: ours for ours, theirs in _EXPLORER.items()}
 
 
+def _needed(model: str) -> list[str]:
+    """Points that a suspension cannot do without."""
+    points: Any = RIGS[model].model_fields["hardpoints"].annotation
+    return [name for name, info in points.model_fields.items() if info.is_required()]
+
+
+def _missing(model: str, points: Mapping[str, Array]) -> list[str]:
+    return [name for name in _needed(model) if name not in points]
+
+
 class PointReading:
     """A table while it becomes a rig."""
 
@@ -535,12 +548,15 @@ class PointReading:
         for sign, name in signs.items():
             if sign in has:
                 return name
+        lacks = {name: _missing(name, has) for name in (*dict.fromkeys(signs.values()),)}
+        near = min(lacks, key=lambda name: len(lacks[name]) / len(_needed(name)))
+        known = f"The nearest is a {near}, of which {', '.join(lacks[near])} are missing. " if has else ""
         raise DescriptionError(
             "no suspension has these points",
             where=str(self.file),
             found=", ".join(row.name for row in self.table.rows[:10]),
             allowed="points of a double wishbone, McPherson strut, five links or trailing arm",
-            hint=_ADVICE,
+            hint=known + _ADVICE,
         )
 
     def complete(self, model: str) -> None:
@@ -556,7 +572,7 @@ class PointReading:
             if f"strut_{end}" not in self.points and f"spring_{end}" in self.points:
                 self.points[f"strut_{end}"] = self.points.pop(f"spring_{end}")
                 self.note(f"strut_{end} is not in the table: the spring's end is taken for it.")
-        missing = [name for name, info in points.model_fields.items() if info.is_required() and name not in self.points]
+        missing = _missing(model, self.points)
         if missing:
             raise DescriptionError(
                 f"points of a {model} are missing",
