@@ -15,8 +15,8 @@ from typing import Any
 from jounce.core.errors import JounceError
 from jounce.core.optional import require
 
-CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
-"""Signs that no cell can hold."""
+CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+"""Signs that no XML can hold, and so no cell and no picture."""
 MOST_ROWS, MOST_COLUMNS, LONGEST_TEXT = 1_048_576, 16_384, 32_767
 """Rows and columns of a sheet, and characters of a cell: the limits of Excel."""
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
+from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats
 
 if TYPE_CHECKING:
@@ -253,7 +254,8 @@ def _shorten(figure: Figure) -> None:
             one.set_text(at_tick(one.get_text(), _LONGEST_LABEL))
     for one in figure.findobj(Text):
         assert isinstance(one, Text)
-        one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in one.get_text().split("\n")))
+        lines = CONTROL.sub(" ", one.get_text()).split("\n")
+        one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in lines))
 
 
 _EXPONENT = re.compile(r"(?<![\w.])((?:\w+[*/·])*(?:km|mm|m|s|N|rad))\^([23])(?!\d)")

@@ -221,7 +221,8 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
         (name, _unit(one), CONTROL.sub(" ", str(one.attrs.get("long_name", "")))) for name, one in signals.items()
     ]
     texts = {key: json.dumps(value, ensure_ascii=False) for key, value in json.loads(_about(dataset))[ABOUT].items()}
-    attributes = [(key, *wrapped(text)) for key, text in texts.items()]
+    texts = {key: CONTROL.sub(lambda sign: f"\\u{ord(sign[0]):04x}", text) for key, text in texts.items()}
+    attributes = [(CONTROL.sub(" ", key), *wrapped(text)) for key, text in texts.items()]
     found: dict[str, list[Sequence[float | str]]] = {
         EXCEL[0]: [heads, *numbers],
         EXCEL[1]: [("channel", "unit", "long name"), *channels],

@@ -193,7 +193,7 @@ def table_csv(table: Table) -> str:
     writer.writerow([guarded(title) for title in table.header])
     for row in table.rows:
         writer.writerow([_csv_text(cell) for cell in row])
-    return stream.getvalue()
+    return CONTROL.sub(" ", stream.getvalue())
 
 
 def _csv_text(cell: Cell | str) -> str:

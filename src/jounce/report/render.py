@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import OutputError, unknown
 from jounce.core.findings import DrawingError, Finding, not_drawn
 from jounce.core.optional import require
+from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats, check_folder, working_folder, write_files
 from jounce.recordings.files import write_recording
 from jounce.report.chart import CSS, SCALED_CSS, Chart, chart_svg, panel_svg
@@ -290,7 +291,7 @@ def filled(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
             **content,
         )
     )
-    return text
+    return CONTROL.sub(" ", text)
 
 
 @cache

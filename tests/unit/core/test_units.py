@@ -70,3 +70,12 @@ def test_what_is_no_such_unit_is_refused(si: str, unit: str) -> None:
 def test_words_that_are_units() -> None:
     assert all(is_unit(text) for text in ("N", "m/s2", "milli-g", "%", "°", "Ns/mm", "mg"))
     assert not any(is_unit(text) for text in ("front", "1", "", ":,1", "raw 2", "m^9**9**9", "x" * 200_000))
+
+
+@pytest.mark.parametrize("text", ["1e-300 m", "5e-324 m", "-1e-200 mm"])
+def test_a_size_whose_inverse_is_no_number(text: str) -> None:
+    """`design springs --frequency "1e-300 Hz"` and `export road --step "5e-324 m"` were internal errors."""
+    with pytest.raises(DescriptionError, match=r"not a size that anything has.*0, and sizes from 1e-100 to 1e\+30 m"):
+        to_si(text, "m")
+    assert to_si("0 m", "m") == 0.0
+    assert to_si("6e-33 m", "m") == 6e-33  # what rounding leaves
