@@ -93,19 +93,22 @@ def state_of(file: Path) -> State:
     return found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
 
 
-def content_of(path: Path | str, error: type[JounceError] = DescriptionError) -> bytes:
-    """Give what a regular file holds, which is opened before it is looked at: a pipe keeps nobody waiting."""
+_LARGEST = 1_000_000_000  # bytes
+
+
+def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *, most: int = _LARGEST) -> bytes:
+    """Give what a regular file of so many bytes at most holds, which is opened before it is looked at: a pipe keeps nobody waiting."""
     file = existing_file(path, error)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     with os.fdopen(os.open(file, flags), "rb") as stream:
         found = os.fstat(stream.fileno())
         if not stat.S_ISREG(found.st_mode):
             raise error("a pipe or a device, not a file", where=str(file))
-        if found.st_size > _LARGEST:
-            size, most = (f"{one / 1e9:.3g} GB" for one in (found.st_size, _LARGEST))
-            raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {most}")
+        if found.st_size > most:
+            size, allowed = (f"{one / 1e9:.3g} GB" for one in (found.st_size, most))
+            raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {allowed}")
         with reading(file, error):
-            return stream.read(_LARGEST)
+            return stream.read(most)
 
 
 @contextmanager
@@ -117,7 +120,6 @@ def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
         raise error("the file cannot be read", where=str(file), found=refused.strerror or str(refused)) from None
 
 
-_LARGEST = 1_000_000_000  # bytes
 _MISSING = "no such file"
 _LONGEST_NAME = 1000  # characters; systems take 255 bytes
 

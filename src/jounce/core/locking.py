@@ -14,10 +14,10 @@ from pathlib import Path
 _BETWEEN_TRIALS = 0.02  # s
 
 
-def hold(place: Path) -> int | None:
+def hold(place: Path, *, shared: bool = False) -> int | None:
     """Hold a file, which is made, or a folder until ``os.close`` of what is given; None where another process holds it.
 
-    On a disk without locks everybody holds everything.
+    Where it is ``shared``, others may do so, too, but on Windows. On a disk without locks everybody holds everything.
     """
     folder = place.is_dir()
     if sys.platform == "win32":
@@ -34,7 +34,7 @@ def hold(place: Path) -> int | None:
         if sys.platform == "win32":
             msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
         else:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.flock(handle, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
     except taken:
         os.close(handle)
         return None
@@ -45,7 +45,7 @@ def hold(place: Path) -> int | None:
 
 def is_held(place: Path) -> bool:
     """Whether another process holds a file or a folder."""
-    held = hold(place)
+    held = hold(place, shared=True)  # two who ask at once do not take each other for one who holds it
     if held is not None:
         os.close(held)
     return held is None

@@ -28,6 +28,7 @@ import numpy as np
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.files import content_of
 from jounce.core.locking import hold
 from jounce.core.processes import check_workers, refusal
 from jounce.core.serialise import to_json, to_plain
@@ -49,6 +50,7 @@ Say = Callable[[int, int], None]
 _NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.(nc|json)")
 _AIM = 4.0  # s of work in a shard: little is lost, and what a cluster needs for a task weighs nothing
 _TRIED = 0.5  # s in which it is found out how long variants take
+_MOST_SHARDS = 1_000_000  # as their numbers have six digits
 _LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
 _LONG = 20.0  # s of work, from which on processes are worth their start
 _TASK = 0.2  # s of work in a shard that another process is given, at least
@@ -98,7 +100,7 @@ class Kept:
         found: dict[int, list[Path]] = {}
         for file in sorted((self.folder / SHARDS).glob(f"*{self._suffix}")):
             match = _NAME.fullmatch(file.name)
-            if match is not None and int(match[1]) < len(self.spans):
+            if match is not None and file.is_file() and int(match[1]) < len(self.spans):
                 found.setdefault(int(match[1]), []).append(file)
         return found
 
@@ -318,13 +320,14 @@ def read_kept(folder: Path) -> Kept:
     """Read what a folder says of its sweep."""
     file = folder / MANIFEST
     try:
-        about = json.loads(file.read_text(encoding="utf-8"))
+        if not file.is_file():
+            raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}")
+        about = json.loads(content_of(file, OutputError))
         kept = Kept(folder, about)
-        if about["schema"] == SCHEMA and kept.count >= 1 and int(about["shard"]) >= 1 and "study" in about:
+        size = int(about["shard"])
+        if about["schema"] == SCHEMA and 1 <= kept.count <= _MOST_SHARDS * size and size >= 1 and "study" in about:
             return kept
-    except (FileNotFoundError, NotADirectoryError):
-        raise OutputError("the folder holds no sweep", where=str(folder), allowed=f"one with {MANIFEST}") from None
-    except (ValueError, KeyError, TypeError, AttributeError):
+    except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         pass
     raise OutputError("this says nothing of a sweep", where=str(file), hint="Begin the sweep anew in another folder.")
 

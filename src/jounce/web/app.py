@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tomllib
 from collections.abc import Callable
@@ -16,6 +17,7 @@ from jounce.core.optional import require
 from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
+from jounce.web.bodies import Route
 from jounce.web.jobs import Jobs
 from jounce.web.project import LONGEST, Project, Text, Version, unusable
 from jounce.web.records import Records
@@ -28,6 +30,13 @@ from fastapi.responses import JSONResponse, Response  # noqa: E402
 
 _STATIC = {"/": ("index.html", "text/html"), "/app.js": ("app.js", "text/javascript"),
            "/app.css": ("app.css", "text/css"), "/icon.svg": ("icon.svg", "image/svg+xml")}  # fmt: skip
+
+
+class _Refusal(JSONResponse):
+    """It names files and values as they are, also those that are no UTF-8."""
+
+    def render(self, content: Any) -> bytes:
+        return json.dumps(content).encode()
 
 
 class _Asked(BaseModel):
@@ -141,6 +150,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         records.end()
 
     app = FastAPI(title="jounce workbench", version=version, docs_url=None, redoc_url=None, lifespan=living)
+    app.router.route_class = Route
 
     @app.exception_handler(JounceError)
     def refused(_: Request, error: JounceError) -> JSONResponse:
@@ -148,7 +158,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         plain = {"what": error.what, "where": error.where, "found": found, "allowed": error.allowed, "hint": error.hint}
         here = f"{project.root}{os.sep}"  # files are named as the project names them
         told = {key: text and text.replace(here, "") for key, text in (plain | {"text": str(error)}).items()}
-        return JSONResponse({"error": told}, 409 if isinstance(error, OutputError) else 422)
+        return _Refusal({"error": told}, 409 if isinstance(error, OutputError) else 422)
 
     @app.exception_handler(OSError)
     def unwritten(_: Request, error: OSError) -> JSONResponse:
@@ -167,7 +177,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/project")
     def whole() -> dict[str, Any]:
         """What lies in the folder."""
-        return {"name": project.root.name, "folder": str(project.root), "entries": project.entries()}
+        name, folder = (os.fsencode(one).decode(errors="replace") for one in (project.root.name, project.root))
+        return {"name": name, "folder": folder, "entries": project.entries()}
 
     @app.get("/api/library")
     def library() -> list[dict[str, str | bool]]:

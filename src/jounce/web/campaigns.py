@@ -129,7 +129,7 @@ def _found(project: Project, folder: Path, patterns: list[str]) -> list[str]:
     for pattern in patterns:
         try:
             files = sorted(folder.glob(pattern))
-        except (ValueError, NotImplementedError):  # no pattern, or one that leads to the root
+        except (ValueError, NotImplementedError, OSError, RecursionError):  # no pattern, or it leads nowhere
             continue
         found += [one.resolve() for one in files if one.resolve().is_relative_to(project.root)]
     return [one.relative_to(project.root).as_posix() for one in dict.fromkeys(found)]

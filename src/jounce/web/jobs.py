@@ -1,13 +1,16 @@
 """Long work in processes of its own, which goes on when the page is closed or the server ends.
 
 All that is known of a job lies in a folder ``.jounce/jobs/ID`` of the project (see `jounce.web.worker`); the server
-only begins jobs, reads how they are, and asks them to stop.
+only begins jobs, reads how they are, and asks them to stop. A folder from elsewhere may bring jobs along: one that
+cannot be read, or is none, is left out. Jobs are numbered, and their durations are those of a clock that does not jump.
 """
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+import re
 import secrets
 import select
 import shutil
@@ -18,7 +21,9 @@ import threading
 import time
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, Field, FiniteFloat
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError, OutputError
@@ -26,27 +31,72 @@ from jounce.core.locking import is_held
 from jounce.kernel.apart import SPLITS
 from jounce.web.project import Project
 from jounce.web.tasks import AnyTask, Doing, doing_of
+from jounce.web.untrusted import content, is_regular, mark, plain_json
 from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESULT, put
 
-PLACE = (".jounce", "jobs")
-_MOST_RUNNING, _MOST_KEPT = 8, 200
+PLACE = "jobs"
+_MOST_RUNNING, _MOST_KEPT, _MOST_LOOKED_AT = 8, 200, 1000
+_NAME, _GREATEST = re.compile(r"[0-9]{1,8}(-[0-9a-f]{1,16}){1,3}"), 99_999_999  # its number, and what tells it apart
 _JUST_BEGUN = 15.0  # s in which a process has locked what says that it lives
-_LONGEST_RESULT = 20_000_000  # bytes
+_LONGEST, _LONGEST_RESULT = 2_000_000, 20_000_000  # bytes of what is said of a job, and of what came of it
 _FREE = 50  # looks at a file that nobody holds
 _BEHIND = 5  # by which a job is nicer than the page
 _LOOKED = 0.1  # s for which what was read of all jobs is new
+
+
+class _Job(BaseModel):
+    """What a job is, as its folder says."""
+
+    kind: str | None = None
+    asked: dict[str, Any] | None = None
+    title: str = ""
+    python: str = ""
+    command: str = ""
+    files: dict[str, str] = Field(default_factory=dict)
+    out: str = ""
+    page: str = ""
+    begun: FiniteFloat
+    clock: FiniteFloat | None = None
+
+
+class _End(BaseModel):
+    """How it ended: when (s since 1970), and by the clock that does not jump."""
+
+    code: int
+    ended: FiniteFloat
+    clock: FiniteFloat | None = None
+
+
+class _Progress(BaseModel):
+    """How far it was, and when."""
+
+    at: FiniteFloat | None = None
+    clock: FiniteFloat | None = None
+    said: str = ""
+    share: FiniteFloat | None = None
+    left: FiniteFloat | None = None
+    steps: list[dict[str, Any]] = Field(default_factory=list)
+
+
+_Said = TypeVar("_Said", _Job, _End, _Progress)
 
 
 class Jobs:
     """The jobs of a project."""
 
     def __init__(self, project: Project) -> None:
-        self.project, self.folder = project, project.inside("/".join(PLACE))
+        self.project = project
+        self.begun: dict[str, float] = {}  # by the clock that does not jump: what this server began
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self.ended: dict[str, dict[str, Any]] = {}
         self.ready: subprocess.Popen[bytes] | None = None
         self.closing = threading.Event()  # the server ends: nobody hears an answer any more
         self.lock, self.read, self.known = threading.Lock(), 0.0, []  # type: tuple[Any, float, list[dict[str, Any]]]
+
+    @property
+    def folder(self) -> Path:
+        """Where they lie."""
+        return self.project.own(PLACE)
 
     def begin(self, task: AnyTask) -> dict[str, Any]:
         """Begin a job; give its state."""
@@ -61,9 +111,9 @@ class Jobs:
                 hint = "Wait for it, or choose another folder."
                 raise OutputError("a job writes there already", where=doing.out, found=clash["title"], hint=hint)
             self._forget_old()
-            now = time.time()
-            begun = time.strftime("%Y%m%d-%H%M%S", time.localtime(now))
-            name = f"{begun}-{int(1e3 * now) % 1000:03d}-{secrets.token_hex(3)}"
+            number = max((_number(name) for name in self._names()), default=0) + 1
+            name = f"{min(number, _GREATEST):06d}-{secrets.token_hex(4)}"
+            self.begun[name] = time.monotonic()
             folder = self._made(self.folder / name, doing, task)
             if not (self._has_loaded() and self._split(folder, _BEHIND)):
                 self.processes[name] = _started(folder)
@@ -79,10 +129,11 @@ class Jobs:
             else:
                 self._apart(folder)
             if not _is_over(folder, doing.patience, self.closing):
-                (folder / CANCEL).touch()
+                mark(folder / CANCEL)
                 found = f"more than {doing.patience:.0f} s"
                 raise DescriptionError("this takes too long", where=doing.title, found=found)
-            told = _told(folder, _read(folder / END).get("code", -1))
+            end = _known(_End, folder / END)
+            told = _told(folder, end.code if end else -1)
             if told["error"] is not None:
                 raise Refused(told["error"])
             page = folder / "report.html"
@@ -138,22 +189,24 @@ class Jobs:
         if name in self.ended:
             return self.ended[name]
         folder = self._place(name)
-        job = _read(folder / JOB)
-        end, progress = _read(folder / END), _read(folder / PROGRESS)
-        shown = ("kind", "asked", "title", "python", "command", "files", "out", "page", "begun")
-        found = {"id": name, **{key: job.get(key) for key in shown}}
-        found |= {"error": None, "ended": end.get("ended"), "said": progress.get("said", "")}
-        found |= {"share": progress.get("share"), "left": progress.get("left"), "steps": progress.get("steps", [])}
-        if not end and self._lives(name, folder, float(job.get("begun") or 0.0)):
-            return found | {"state": "cancelling" if (folder / CANCEL).exists() else "running"}
-        end = end or _read(folder / END)  # which it may have written between the two looks
-        told = _told(folder, end.get("code"))
-        state = told["state"] if not (folder / CANCEL).exists() or told["state"] == "done" else "cancelled"
+        job, progress = self._job(name), _known(_Progress, folder / PROGRESS) or _Progress()
+        is_cancelled = os.path.lexists(folder / CANCEL)
+        found = {"id": name, **job.model_dump(exclude={"clock"}), "error": None, "ended": None}
+        found |= progress.model_dump(exclude={"at", "clock"})
+        end = _known(_End, folder / END)
+        if end is None and self._lives(name, folder):
+            lasted = None if job.clock is None else float(round(max(0.0, time.monotonic() - job.clock)))
+            return found | {"state": "cancelling" if is_cancelled else "running", "lasted": lasted}
+        end = end or _known(_End, folder / END)  # which it may have written between the two looks
+        told = _told(folder, end.code if end else None)
+        state = told["state"] if not is_cancelled or told["state"] == "done" else "cancelled"
         error = told["error"] and told["error"]["text"].replace(f"{self.project.root}{os.sep}", "")
-        found |= {"state": state, "code": end.get("code"), "error": error if state == "failed" else None}
-        if not end:
-            found["error"] = "The process that worked on it was ended, or the computer was."
-            found["ended"] = progress.get("at")
+        last, ended = (end.clock, end.ended) if end else (progress.clock, progress.at)
+        lasted = None if last is None or job.clock is None else max(0.0, last - job.clock)
+        found |= {"state": state, "code": end and end.code, "ended": ended, "lasted": lasted}
+        found["error"] = error if state == "failed" else None
+        if end is None:  # it is asked again: where it was begun just now by another server, it lives in a moment
+            return found | {"error": "The process that worked on it was ended, or the computer was."}
         self.ended[name] = found
         return found
 
@@ -163,7 +216,7 @@ class Jobs:
 
     def cancel(self, name: str) -> dict[str, Any]:
         """Ask a job to stop; what it has finished stays."""
-        (self._place(name) / CANCEL).touch()
+        mark(self._place(name) / CANCEL)
         self.read = 0.0
         return self.state(name)
 
@@ -171,8 +224,7 @@ class Jobs:
         """What a job was asked to do, to be done once more: a sweep goes on where it was stopped."""
         from jounce.web.tasks import task_of
 
-        job = _read(self._place(name) / JOB)
-        task = task_of(job.get("asked") or {})
+        task = task_of(self._job(name).asked or {})
         if hasattr(task, "resume") and self.state(name)["state"] != "done":
             return task.model_copy(update={"resume": True, "force": False})
         return task.model_copy(update={"force": True}) if hasattr(task, "force") else task
@@ -181,47 +233,65 @@ class Jobs:
         """Take a job that has ended off the list; what it wrote into the project stays."""
         if self.state(name)["state"] in ("running", "cancelling"):
             raise OutputError("the job runs", where=name, hint="Cancel it first.")
-        shutil.rmtree(self._place(name))
+        _remove(self._place(name))
         self.ended.pop(name, None)
         self.read = 0.0
 
     def page(self, name: str) -> Path | None:
         """The report that a job wrote, where it is one."""
         own = self._place(name) / "report.html"
-        if own.is_file():
+        if is_regular(own):
             return own
         page = self.state(name).get("page")
         file = self.project.inside(str(page)) if page else None
         return file if file is not None and file.is_file() else None
 
     def _all(self) -> list[dict[str, Any]]:
-        if not self.folder.is_dir():
+        found: list[dict[str, Any]] = []
+        for name in self._names()[:_MOST_LOOKED_AT]:
+            with contextlib.suppress(DescriptionError, OutputError):  # none of ours
+                found.append(self.state(name))
+            if len(found) == _MOST_KEPT:
+                break
+        return found
+
+    def _names(self) -> list[str]:
+        """Names of folders that may be jobs, the last number first."""
+        try:
+            with os.scandir(self.folder) as entries:
+                names = [one.name for one in entries if _NAME.fullmatch(one.name)]
+        except (OSError, OutputError):  # nothing was begun yet, or it is no folder
             return []
-        names = sorted((one.name for one in self.folder.iterdir() if (one / JOB).is_file()), reverse=True)
-        return [self.state(name) for name in names[:_MOST_KEPT]]
+        return sorted(names, key=lambda name: (_number(name), name), reverse=True)
 
     def _forget_old(self) -> None:
         for one in self._all()[_MOST_KEPT // 2 :]:
             if one["state"] not in ("running", "cancelling"):
-                shutil.rmtree(self.folder / one["id"], ignore_errors=True)
+                with contextlib.suppress(OutputError):
+                    _remove(self.folder / one["id"])
                 self.ended.pop(one["id"], None)
 
     def _place(self, name: str) -> Path:
-        folder = self.folder / name
-        if "/" in name or "\\" in name or name.startswith(".") or not (folder / JOB).is_file() or folder.is_symlink():
+        if not _NAME.fullmatch(name) or not is_regular(self.project.own(PLACE, name) / JOB):
             raise DescriptionError("no such job", where="job", found=name)
-        return folder
+        return self.folder / name
 
-    def _lives(self, name: str, folder: Path, begun: float) -> bool:
+    def _job(self, name: str) -> _Job:
+        job = _known(_Job, self._place(name) / JOB)
+        if job is None:
+            raise DescriptionError("no such job", where="job", found=name)
+        return job
+
+    def _lives(self, name: str, folder: Path) -> bool:
         process = self.processes.get(name)
         if process is not None:
             if process.poll() is None:
                 return True
             self.processes.pop(name, None)  # another question may have done so just now
             return False
-        if 0.0 <= time.time() - begun < _JUST_BEGUN:
-            return True
-        return is_held(folder / ALIVE)
+        if is_regular(folder / ALIVE):
+            return is_held(folder / ALIVE)
+        return time.monotonic() - self.begun.get(name, -_JUST_BEGUN) < _JUST_BEGUN
 
     def _made(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
         """Write down what is to be done, and with which words."""
@@ -231,6 +301,7 @@ class Jobs:
         about |= {
             "root": str(self.project.root),
             "begun": time.time(),
+            "clock": time.monotonic(),
             "out": doing.out,
             "page": doing.page,
             **ways(doing),
@@ -317,7 +388,10 @@ sys.exit(work(pathlib.Path(sys.argv[2])))"""
 
 def _told(folder: Path, code: int | None) -> dict[str, Any]:
     """What the end of a command means, and its error as it was said."""
-    said = (folder / PROBLEMS).read_text(encoding="utf-8", errors="replace") if (folder / PROBLEMS).is_file() else ""
+    try:
+        said = content(folder / PROBLEMS, _LONGEST_RESULT).decode(errors="replace")
+    except (OSError, ValueError):
+        said = ""
     plain = _result(folder)
     own = plain.get("error") if isinstance(plain, Mapping) else None
     if code == 130:
@@ -333,17 +407,28 @@ def _told(folder: Path, code: int | None) -> dict[str, Any]:
     return {"state": "failed", "error": {"text": text.removeprefix("jounce: "), "what": text}}
 
 
-def _read(file: Path) -> dict[str, Any]:
+def _number(name: str) -> int:
+    return int(name.partition("-")[0])
+
+
+def _remove(folder: Path) -> None:
     try:
-        found = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}
-    return found if isinstance(found, dict) else {}
+        shutil.rmtree(folder)
+    except (OSError, RecursionError) as error:
+        hint = "Remove it by hand."
+        raise OutputError("the folder of the job cannot be removed", where=folder.name, hint=hint) from error
+
+
+def _known(kind: type[_Said], file: Path) -> _Said | None:
+    """What a file of a job says; None where there is none, or it says something else."""
+    try:
+        return kind.model_validate(plain_json(content(file, _LONGEST)))
+    except (OSError, ValueError):  # pydantic's are of these
+        return None
 
 
 def _result(folder: Path) -> Any:
-    file = folder / RESULT
     try:
-        return json.loads(file.read_text(encoding="utf-8")) if file.stat().st_size < _LONGEST_RESULT else None
+        return plain_json(content(folder / RESULT, _LONGEST_RESULT))
     except (OSError, ValueError):
         return None

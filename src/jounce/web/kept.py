@@ -1,28 +1,51 @@
 """Runs that were kept: written into the project with what they were made of, listed, and compared.
 
 Beside each recording stands, in ``.jounce/history``, of which rig (by the digest of its numbers and words), changes,
-trial and version of jounce it was made.
+trial and version of jounce it was made. That is written before the recording, and counts once the recording is there:
+a process that is killed in between leaves nothing that a run of the same title would not replace.
 """
 
 from __future__ import annotations
 
+import contextlib
 import json
 import re
 import time
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from importlib import metadata
+from pathlib import Path
 from typing import Any
+
+from pydantic import BaseModel, FiniteFloat
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError, OutputError
+from jounce.core.locking import holding
 from jounce.core.serialise import to_json
+from jounce.core.writing import write_atomically
 from jounce.web.answers import Changes, Shown, digest_of, rig_of, trial_of, word
 from jounce.web.project import Project
+from jounce.web.untrusted import content, plain_json
 
-_PLACE, _RUNS = (".jounce", "history"), "runs"
+_PLACE, _RUNS = "history", "runs"
 _NAME = re.compile(r"[\w][\w .+-]{0,80}")
-_MOST = 500
+_MOST, _LONGEST = 500, 1_000_000  # runs that are listed; bytes of what is said of one
+
+
+class Made(BaseModel):
+    """What a run was made of: its ``number`` is greater than those of all before, whatever clocks said ``when``."""
+
+    path: str
+    rig: str
+    changes: dict[str, Any]
+    trial: dict[str, Any]
+    seed: int | None
+    version: str
+    rig_digest: str
+    trial_digest: str
+    when: FiniteFloat
+    number: int = 0
 
 
 def keep(
@@ -40,8 +63,9 @@ def keep(
         raise DescriptionError("not a name for a run", where="title", found=title, allowed=allowed)
     path = f"{_RUNS}/{title}.nc"
     file = project.inside(path)
-    if file.exists():
-        raise OutputError("the file exists", where=path, hint="Choose another name.")
+    taken = OutputError("the file exists", where=path, hint="Choose another name.")
+    if file.exists() and _made(_entry(project, path)) is not None:
+        raise taken
     saved, on = rig_of(project, name), trial_of(project, trial)
     if digest and digest != digest_of(saved):
         hint = "Load it again, and make your change there."
@@ -60,26 +84,52 @@ def keep(
         "when": time.time(),
     }
     run.attrs |= {f"jounce_{key}": value if isinstance(value, str) else to_json(value) for key, value in made.items()}
-    file.parent.mkdir(parents=True, exist_ok=True)
-    write_recording(run, file)
-    entry = project.inside("/".join((*_PLACE, f"{sha256(path.encode()).hexdigest()[:24]}.json")))
-    entry.parent.mkdir(parents=True, exist_ok=True)
-    entry.write_text(to_json(made), encoding="utf-8")
+    with holding(project.root):  # of two who keep a run under one title, the second is refused
+        made["number"] = max((one["number"] for one in history(project)), default=0) + 1
+        entry = _entry(project, path)
+        if file.exists() and (_made(entry) is not None or not _is_of(file, made)):
+            raise taken
+        entry.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(entry, to_json(made), force=True)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        if not file.exists():
+            write_recording(run, file)
     return made
 
 
 def history(project: Project) -> list[dict[str, Any]]:
     """Give the runs that were kept and are still there, the newest first."""
-    folder = project.root.joinpath(*_PLACE)
     found = []
-    for file in folder.glob("*.json") if folder.is_dir() and not folder.is_symlink() else ():
-        try:
-            made = json.loads(file.read_text(encoding="utf-8"))
-            if project.inside(str(made["path"])).is_file():
-                found.append(made)
-        except (OSError, ValueError, KeyError, TypeError, JounceError):
-            continue  # not ours, or half of it
-    return sorted(found, key=lambda made: -float(made.get("when") or 0.0))[:_MOST]
+    with contextlib.suppress(OutputError):  # a link stands where they would lie
+        for file in project.own(_PLACE).glob("*.json"):
+            made = _made(file)
+            with contextlib.suppress(JounceError, OSError):
+                if made is not None and project.inside(made["path"]).is_file():
+                    found.append(made)
+    return sorted(found, key=lambda made: (made["number"], made["when"]), reverse=True)[:_MOST]
+
+
+def _entry(project: Project, path: str) -> Path:
+    return project.own(_PLACE, f"{sha256(path.encode()).hexdigest()[:24]}.json")
+
+
+def _made(entry: Path) -> dict[str, Any] | None:
+    """What a run was made of, as its entry says; None where there is none, or it says something else."""
+    try:
+        return Made.model_validate(plain_json(content(entry, _LONGEST))).model_dump()
+    except (OSError, ValueError):  # pydantic's are of these
+        return None
+
+
+def _is_of(file: Path, made: Mapping[str, Any]) -> bool:
+    """Whether a recording is the run that is to be kept: it was written, and nothing of it into the history."""
+    import h5netcdf
+
+    try:
+        with h5netcdf.File(file) as run:
+            return all(run.attrs.get(f"jounce_{key}") == made[key] for key in ("rig_digest", "trial_digest"))
+    except Exception:  # noqa: BLE001 - whatever it is, it is another one
+        return False
 
 
 def compared(project: Project, paths: Sequence[str], channels: Sequence[str]) -> Shown:

@@ -12,13 +12,16 @@ from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
-from stat import S_ISREG
+from stat import S_ISDIR, S_ISREG
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import State, content_of, state_of
+from jounce.core.locking import holding
 from jounce.core.writing import write_atomically
+from jounce.web.untrusted import content
 
 _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are listed
+_OWN, _MOST_OWN = ".jounce", 100_000  # where the workbench keeps what it needs; files of a sweep that are counted
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
@@ -29,10 +32,10 @@ RECORDS = (
 )  # fmt: skip
 """Suffixes of files that were measured, or simulated: those of all readers."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
-LONGEST = 2_000_000  # bytes of a description
+LONGEST, _LONGEST_READ = 2_000_000, 20_000_000  # bytes of a description, and of what may be one
 _SWEPT = "sweep.json"
-_VERSIONS, _MOST_VERSIONS = (".jounce", "versions"), 50
-_VERSION = re.compile(r"\d{10,16}-[0-9a-f]{8}")
+_VERSIONS, _MOST_VERSIONS = "versions", 50
+_VERSION = re.compile(r"\d{10,15}-[0-9a-f]{8}")  # ms since 1970, and the digest's begin
 
 
 @dataclass(frozen=True)
@@ -87,6 +90,17 @@ class Project:
             raise DescriptionError("not a place in this project", where="path", found=path, allowed=allowed)
         return file
 
+    def own(self, *parts: str) -> Path:
+        """Give a place of the workbench's own; a link that a foreign folder has on the way there is not followed."""
+        place = self.root
+        for part in (_OWN, *parts):
+            place /= part
+            if place.is_symlink():
+                where = place.relative_to(self.root).as_posix()
+                hint = "Remove it, or replace it by a folder."
+                raise OutputError("a link stands where the workbench keeps its own files", where=where, hint=hint)
+        return place
+
     def entries(self) -> list[Entry]:
         """List what is here, folder by folder; what a sweep wrote is one entry, its pages beside it."""
         found: list[Entry] = []
@@ -96,12 +110,13 @@ class Project:
             if file.name == _SWEPT and file.parent in swept:
                 found.append(swept[file.parent])
                 continue
-            kind = _kind(file)
-            if kind and not (kind == "results" and file.parent in swept):
-                state = file.stat()
-                path = file.relative_to(self.root).as_posix()
-                is_spatial = kind == "rig" and _has_hardpoints(file, state_of(file))
-                found.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
+            with contextlib.suppress(OSError):  # gone meanwhile, or nobody may look at it
+                kind = _kind(file)
+                if kind and not (kind == "results" and file.parent in swept):
+                    state = file.stat()
+                    path = file.relative_to(self.root).as_posix()
+                    is_spatial = kind == "rig" and _has_hardpoints(file, state_of(file))
+                    found.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
             if len(found) == _MOST:
                 break
         return found
@@ -113,10 +128,6 @@ class Project:
             return None
         from jounce.variants.shards import read_kept
 
-        files = []
-        for one in folder.rglob("*"):
-            with contextlib.suppress(OSError):  # a sweep that runs renames what it has written
-                files.append(one.stat())
         finished: int | None = None
         count: int | None = None
         try:
@@ -124,20 +135,17 @@ class Project:
             finished, count = len(kept.names()), len(kept.spans)
         except (OSError, ValueError, JounceError):
             pass  # opened, it says why
-        size, modified = (
-            sum(one.st_size for one in files if S_ISREG(one.st_mode)),
-            max((one.st_mtime for one in files), default=0.0),
-        )
+        size, modified = _extent(folder)
         return Entry(folder.relative_to(self.root).as_posix(), "swept", size, modified, finished, count)
 
     def read(self, path: str) -> Text:
         """Read a description."""
         file = self.inside(path)
-        content = content_of(file)
-        if len(content) > LONGEST:
-            raise DescriptionError("too long for a description", where=path, found=f"{len(content)} bytes")
+        written = content_of(file, most=_LONGEST_READ)
+        if len(written) > LONGEST:
+            raise DescriptionError("too long for a description", where=path, found=f"{len(written)} bytes")
         try:
-            return Text(path, content.decode(), _digest(content))
+            return Text(path, written.decode(), _digest(written))
         except UnicodeDecodeError:
             raise DescriptionError("not a text", where=path, allowed="a description in UTF-8") from None
 
@@ -146,45 +154,51 @@ class Project:
         file = self.inside(path)
         if file.suffix.lower() != ".toml":
             raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
-        if file.exists() and _digest(content_of(file)) != was:
-            hint = "Load it again, and make your change there." if was else "Choose another name."
-            what = "the file was changed meanwhile" if was else "the file exists"
-            raise OutputError(what, where=path, hint=hint)
-        content = text.encode()
-        if len(content) > LONGEST:
-            raise OutputError("too long for a description", where=path, found=f"{len(content)} bytes")
-        file.parent.mkdir(parents=True, exist_ok=True)
-        if file.exists():
-            self._keep(file)
-        write_atomically(file, content, force=bool(was))
-        return Text(path, text, _digest(content))
+        written = text.encode()
+        if len(written) > LONGEST:
+            raise OutputError("too long for a description", where=path, found=f"{len(written)} bytes")
+        with holding(self.root):  # of two who save at once, also from two servers, the second sees the first
+            before = content_of(file, most=_LONGEST_READ) if file.exists() else None
+            if before is not None and _digest(before) != was:
+                hint = "Load it again, and make your change there." if was else "Choose another name."
+                what = "the file was changed meanwhile" if was else "the file exists"
+                raise OutputError(what, where=path, hint=hint)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            if before is not None:
+                self._keep(file, before)
+            write_atomically(file, written, force=before is not None)
+        return Text(path, text, _digest(written))
 
     def versions(self, path: str) -> list[Version]:
         """What a description was before it was written anew from here, the newest first."""
-        folder = self._kept(self.inside(path))
-        found = sorted((one for one in folder.glob("*.toml") if _VERSION.fullmatch(one.stem)), reverse=True)
-        return [Version(f"{path}@{one.stem}", float(one.stem.partition("-")[0]) / 1000.0) for one in found]
+        return [
+            Version(f"{path}@{name}", float(name.partition("-")[0]) / 1000.0)
+            for name in reversed(_versions(self._kept(self.inside(path))))
+        ]
 
     def version(self, name: str) -> tuple[str, str]:
         """Give path and text of an earlier version by its name, ``path@version``."""
         path, _, version = name.rpartition("@")
-        file = self._kept(self.inside(path)) / f"{version}.toml"
-        if not _VERSION.fullmatch(version) or not file.is_file():
-            known = [one.name for one in self.versions(path)] if path else []
-            raise DescriptionError("no such version", where="rig", found=name, allowed=", ".join(known[:5]) or "none")
-        return path, content_of(file).decode()
+        place = self._kept(self.inside(path))
+        if _VERSION.fullmatch(version):
+            with contextlib.suppress(OSError, ValueError):  # gone, or none of ours
+                return path, content(place / f"{version}.toml", LONGEST).decode()
+        known = [one.name for one in self.versions(path)]
+        raise DescriptionError("no such version", where="rig", found=name, allowed=", ".join(known[:5]) or "none")
 
     def _kept(self, file: Path) -> Path:
-        own = "/".join((*_VERSIONS, *file.relative_to(self.root).parts))
-        return self.inside(own)  # also where somebody has put a link there
+        return self.own(_VERSIONS, *file.relative_to(self.root).parts)
 
-    def _keep(self, file: Path) -> None:
-        """Keep what a description is before it is written anew."""
-        content, folder = content_of(file), self._kept(file)
+    def _keep(self, file: Path, written: bytes) -> None:
+        """Keep what a description was before it is written anew, as the newest, whatever the clock says."""
+        folder = self._kept(file)
         folder.mkdir(parents=True, exist_ok=True)
-        write_atomically(folder / f"{time.time_ns() // 1_000_000}-{_digest(content)[:8]}.toml", content, force=True)
-        for old in sorted(folder.glob("*.toml"))[:-_MOST_VERSIONS]:
-            old.unlink(missing_ok=True)
+        known = _versions(folder)
+        newest = int(known[-1].partition("-")[0]) if known else 0
+        name = f"{max(time.time_ns() // 1_000_000, newest + 1)}-{_digest(written)[:8]}"
+        write_atomically(folder / f"{name}.toml", written, force=True)
+        for old in known[: 1 - _MOST_VERSIONS]:
+            (folder / f"{old}.toml").unlink(missing_ok=True)
 
     def _files(self) -> Iterator[Path]:
         """Regular files, without hidden ones and without following links, in the order of their names."""
@@ -197,14 +211,38 @@ class Project:
             folders[:] = sorted(
                 name
                 for name in folders
-                if not name.startswith((".", "__"))
+                if _is_text(name)
+                and not name.startswith((".", "__"))
                 and depth < _DEEPEST
                 and not (own and (name == "shards" or (here / name / ".zarray").is_file()))
             )
             for name in sorted(files):
-                file = here / name
-                if not name.startswith(".") and file.is_file() and not file.is_symlink():
-                    yield file
+                with contextlib.suppress(OSError):  # nobody may look at it
+                    if _is_text(name) and not name.startswith(".") and S_ISREG((here / name).lstat().st_mode):
+                        yield here / name
+
+
+def _extent(folder: Path) -> tuple[int, float]:
+    """Give the bytes of all files in a folder, and when the last of them was written (s since 1970)."""
+    waiting, size, modified = [folder], 0, 0.0
+    for _ in range(_MOST_OWN):
+        if not waiting:
+            break
+        with contextlib.suppress(OSError):  # a sweep that runs renames what it has written
+            one = waiting.pop()
+            state = one.lstat()
+            modified = max(modified, state.st_mtime)
+            if S_ISDIR(state.st_mode):
+                waiting += one.iterdir()
+            elif S_ISREG(state.st_mode):
+                size += state.st_size
+    return size, modified
+
+
+def _versions(folder: Path) -> list[str]:
+    """Names of the versions in a folder, the oldest first."""
+    names = (one.stem for one in folder.glob("*.toml") if _VERSION.fullmatch(one.stem))
+    return sorted(names, key=lambda name: int(name.partition("-")[0]))
 
 
 def unusable(error: OSError, where: str) -> OutputError:
@@ -213,8 +251,17 @@ def unusable(error: OSError, where: str) -> OutputError:
     return OutputError("cannot be read or written", where=where, found=error.strerror or str(error), hint=hint)
 
 
-def _digest(content: bytes) -> str:
-    return sha256(content).hexdigest()
+def _is_text(name: str) -> bool:
+    """Whether a name can be told: systems take names that are no UTF-8."""
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _digest(written: bytes) -> str:
+    return sha256(written).hexdigest()
 
 
 def _kind(file: Path) -> str:

@@ -12,8 +12,9 @@ import numpy as np
 import tomlkit
 
 from jounce.core.commands import words_of
-from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.errors import DescriptionError, OutputError, unforeseen
 from jounce.core.files import content_of, only_below
+from jounce.core.writing import temporary_beside
 from jounce.web.project import Project, Text
 
 _MOST_ROWS = 2000  # variants that a page draws
@@ -30,11 +31,14 @@ def write_study(project: Project, path: str, study: Mapping[str, Any], was: str 
     file, rig = project.inside(path), str(study["rig"])
     if rig.endswith(".toml"):  # a study names it from where it lies itself
         rig = Path(os.path.relpath(project.inside(rig), file.parent)).as_posix()
-    text = tomlkit.dumps({"schema": "jounce.sweep/1", **study, "rig": rig})
+    try:
+        text = tomlkit.dumps({"schema": "jounce.sweep/1", **study, "rig": rig})
+    except (ValueError, TypeError) as error:  # tomlkit's are of these: nothing stands for nothing in TOML
+        raise DescriptionError("this cannot be written as a study", where=path, found=str(error)) from None
     if file.suffix != ".toml":
         raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
-    trial = file.with_name(f".{file.stem}.trial.toml")  # beside it, where the files that it names are looked for
-    trial.parent.mkdir(parents=True, exist_ok=True)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    trial = temporary_beside(file)  # where the files that it names are looked for
     try:
         trial.write_text(text, encoding="utf-8")
         with only_below(project.root):
@@ -60,7 +64,10 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
 
     place = project.inside(folder)
     kept = read_kept(place)
-    data = load_sweep(place, channels=False)
+    try:
+        data = load_sweep(place, channels=False)
+    except Exception as error:  # noqa: BLE001 - whatever a foreign file does, it is told
+        raise unforeseen(error, folder) from None
     if "variant" not in data.dims:
         return {"count": kept.count, "finished": 0, "columns": [], "variants": [], "summary": None, "run": None}
     finished = data.sizes["variant"]

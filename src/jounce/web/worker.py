@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.locking import hold
+from jounce.core.serialise import to_json
 
 JOB, PROGRESS, RESULT, PROBLEMS, END, ALIVE, CANCEL = (
     "job.json", "progress.json", "result.json", "problems.txt", "end.json", "alive", "cancel",
@@ -43,8 +44,12 @@ def _held(file: Path) -> bool:
 def put(file: Path, plain: Mapping[str, Any]) -> None:
     """Write plain data so that a reader finds the old or the new, whole."""
     temporary = file.with_name(f".{file.name}.{os.getpid()}")
-    temporary.write_text(json.dumps(plain), encoding="utf-8")
+    temporary.write_text(to_json(plain, indent=None), encoding="utf-8")
     temporary.replace(file)
+
+
+def _ended(code: int) -> dict[str, Any]:
+    return {"code": code, "ended": time.time(), "clock": time.monotonic()}
 
 
 class _Told:
@@ -77,7 +82,7 @@ class _Told:
             if not last and time.monotonic() - self.written < _BETWEEN:
                 return
             line = self.line
-            state: dict[str, Any] = {"at": time.time(), "steps": list(self.steps)}
+            state: dict[str, Any] = {"at": time.time(), "clock": time.monotonic(), "steps": list(self.steps)}
             if line is not None:
                 state |= {"said": line.waits or line.said, "share": line.share(), "left": line.left()}
             put(self.file, state)
@@ -90,7 +95,7 @@ def _stop_when_wanted(folder: Path) -> None:
         time.sleep(_LOOKS)
     signal.raise_signal(signal.SIGINT) if sys.platform == "win32" else os.kill(os.getpid(), signal.SIGINT)
     time.sleep(_PATIENCE)
-    put(folder / END, {"code": 130, "ended": time.time()})
+    put(folder / END, _ended(130))
     if sys.platform != "win32" and os.getpgrp() == os.getpid():
         os.killpg(os.getpgrp(), signal.SIGKILL)
     os._exit(130)
@@ -133,7 +138,7 @@ def work(folder: Path) -> int:
     finally:
         sys.stdout.flush()
         told.write(last=True)
-        put(folder / END, {"code": code, "ended": time.time()})
+        put(folder / END, _ended(code))
     return code
 
 

@@ -16,18 +16,20 @@ from pydantic import BaseModel, ConfigDict
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
+from jounce.web.bodies import Route
 from jounce.web.campaigns import Use, entered, overview
 from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project, unusable
 from jounce.web.studies import swept, write_study
 from jounce.web.tasks import Asked, doing_of
+from jounce.web.untrusted import content
 
 require("fastapi", "web")  # ruff: isort: split
 from fastapi import APIRouter, Request, WebSocket, WebSocketDisconnect  # noqa: E402
 from fastapi.responses import Response  # noqa: E402
 
 _BETWEEN = 0.25  # s between two looks at the jobs, for whoever follows them
-_MOST_PAGES = 16  # reports of quick questions that are kept
+_MOST_PAGES, _LARGEST_PAGE = 16, 250_000_000  # reports of quick questions that are kept, bytes of a page
 _UPLOADED = (*RECORDS, ".crg", ".dbc")
 _ALONE = (
     "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
@@ -63,7 +65,7 @@ class Entered(BaseModel):
 
 def routes(project: Project, jobs: Jobs) -> APIRouter:
     """Give the routes over a project."""
-    router = APIRouter()
+    router = APIRouter(route_class=Route)
     pages: OrderedDict[str, str] = OrderedDict()
 
     @router.get("/api/jobs")
@@ -105,7 +107,7 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
         file = jobs.page(name)
         if file is None:
             raise DescriptionError("the job wrote no report", where="job", found=name)
-        return _alone(file.read_bytes(), ".html")
+        return _alone(_page(file, name), ".html")
 
     @router.websocket("/api/live")
     async def live(socket: WebSocket) -> None:
@@ -150,7 +152,7 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
         file = project.inside(path)
         if file.suffix.lower() not in _KINDS or not file.is_file():
             raise DescriptionError("not a page or a picture", where="path", found=path, allowed=", ".join(_KINDS))
-        return _alone(file.read_bytes(), file.suffix.lower())
+        return _alone(_page(file, path), file.suffix.lower())
 
     @router.post("/api/study")
     def study(asked: Study) -> dict[str, Any]:
@@ -228,6 +230,13 @@ def _put_new(temporary: Path, file: Path) -> None:
         if file.exists():
             raise taken from None
         temporary.replace(file)
+
+
+def _page(file: Path, where: str) -> bytes:
+    try:
+        return content(file, _LARGEST_PAGE)
+    except ValueError:
+        raise DescriptionError("too large to be shown", where=where, allowed=f"{_LARGEST_PAGE} bytes") from None
 
 
 def _alone(content: bytes, suffix: str) -> Response:

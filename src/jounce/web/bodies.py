@@ -1,0 +1,44 @@
+"""Requests whose JSON is plain, and that may end before all of them has come."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Coroutine
+from typing import Any
+
+from jounce.core.optional import require
+from jounce.web.untrusted import plain_json
+
+require("fastapi", "web")  # ruff: isort: split
+from fastapi import Request, Response  # noqa: E402
+from fastapi.routing import APIRoute  # noqa: E402
+from starlette.requests import ClientDisconnect  # noqa: E402
+
+_GONE = 499  # what servers note where nobody waits for the answer any more
+
+
+class PlainRequest(Request):
+    """A request whose body has no number that JSON lacks, nothing that no file could hold, and few levels."""
+
+    async def json(self) -> Any:
+        """Read the body."""
+        try:
+            return plain_json(await self.body())
+        except ValueError as error:
+            raise json.JSONDecodeError(str(error), "", 0) from None
+
+
+class Route(APIRoute):
+    """A route that is asked by plain requests."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Give what answers."""
+        handler = super().get_route_handler()
+
+        async def answer(request: Request) -> Response:
+            try:
+                return await handler(PlainRequest(request.scope, request.receive))
+            except ClientDisconnect:
+                return Response(status_code=_GONE)
+
+        return answer

@@ -1,0 +1,64 @@
+"""What others send, or left in a project's folder: regular files of bounded size, and JSON that is plain throughout."""
+
+from __future__ import annotations
+
+import math
+import os
+import stat
+from pathlib import Path
+from typing import Any
+
+from pydantic_core import from_json
+
+_DEEPEST = 64  # lists and objects within each other
+_GREATEST = 1 << 63
+
+
+def content(file: Path, most: int) -> bytes:
+    """Give what a file holds.
+
+    Raises
+    ------
+    OSError
+        Where it cannot be read, or is a link, a pipe, a device or a folder.
+    ValueError
+        Where it holds more than ``most`` bytes.
+    """
+    # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
+    with os.fdopen(os.open(file, flags), "rb") as stream:
+        found = os.fstat(stream.fileno())
+        if not stat.S_ISREG(found.st_mode):
+            raise FileNotFoundError(file)
+        if found.st_size > most:
+            raise ValueError(f"more than {most} bytes")
+        return stream.read(most)
+
+
+def is_regular(file: Path) -> bool:
+    """Whether it is a file itself, not a link to one."""
+    try:
+        return stat.S_ISREG(file.lstat().st_mode)
+    except OSError:
+        return False
+
+
+def mark(file: Path) -> None:
+    """Make an empty file, unless something has its name: a link there leads nobody astray."""
+    if not os.path.lexists(file):
+        os.close(os.open(file, os.O_CREAT | os.O_EXCL | os.O_WRONLY))
+
+
+def plain_json(text: bytes | str) -> Any:
+    """Read JSON that is not deep, of finite numbers and of texts that can be written as UTF-8; else ValueError."""
+    found = from_json(text, allow_inf_nan=False)
+    waiting = [(found, 0)]
+    while waiting:
+        value, depth = waiting.pop()
+        if (isinstance(value, float) and math.isinf(value)) or (isinstance(value, int) and abs(value) > _GREATEST):
+            raise ValueError("a number is too large")
+        if isinstance(value, (dict, list)):
+            if depth == _DEEPEST:
+                raise ValueError(f"more than {_DEEPEST} lists and objects within each other")
+            waiting += [(one, depth + 1) for one in (value.values() if isinstance(value, dict) else value)]
+    return found
