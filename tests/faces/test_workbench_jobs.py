@@ -406,6 +406,107 @@ def test_a_job_whose_process_is_gone_is_stopped_not_running(tmp_path):
     assert state["state"] == "stopped"
 
 
+@pytest.mark.parametrize("is_begun", [False, True])
+def test_a_job_that_went_with_its_server_is_stopped_at_once(tmp_path, is_begun):
+    """The next server called it running for fifteen seconds, and refused to begin it again."""
+    folder = tmp_path / ".jounce" / "jobs" / "20260101-000000-abcdef"
+    folder.mkdir(parents=True)
+    (tmp_path / "study.toml").write_text("")
+    about = {"kind": "sweep", "asked": SWEEP, "title": "Sweep", "begun": time.time(), "out": "swept", "page": ""}
+    (folder / "job.json").write_text(json.dumps(about))
+    if is_begun:
+        (folder / "alive").touch()
+    jobs = _jobs(tmp_path)
+    assert [one["state"] for one in jobs.all()] == ["stopped"]
+    again = jobs.begin(jobs.again(folder.name))
+    assert again["state"] == "running"
+    jobs.cancel(again["id"])
+    _ended(jobs, again["id"])
+
+
+def test_a_job_is_the_newest_and_lasts_as_long_as_it_does_whatever_clocks_say(tmp_path, monkeypatch):
+    from jounce.web import jobs as module
+
+    folder = tmp_path / ".jounce" / "jobs"
+    for name in ("20991231-235959-999-abcdef", "000007-abcdef"):
+        (folder / name).mkdir(parents=True)
+        (folder / name / "job.json").write_text(json.dumps({"begun": 1.0, "title": name}))
+    jobs = _jobs(tmp_path)
+    began = [jobs.begin(task_of({"kind": "new-campaign", "out": "a"}))]
+    hour = time.time() - 3600.0
+    monkeypatch.setattr(module.time, "time", lambda: hour)
+    began.append(jobs.begin(task_of({"kind": "new-campaign", "out": "b"})))
+    assert [one["id"] for one in _jobs(tmp_path).all()] == [
+        began[1]["id"], began[0]["id"], "20991231-235959-999-abcdef", "000007-abcdef"
+    ]  # fmt: skip
+    for one in began:
+        state = _ended(jobs, one["id"])
+        assert 0.0 < state["lasted"] < 120.0
+    assert state["ended"] - state["begun"] > 1000.0  # by the clock that jumped
+
+
+def test_a_version_and_a_run_are_the_newest_whatever_clocks_say(tmp_path, monkeypatch):
+    from jounce.web import kept
+    from jounce.web import project as module
+
+    project = Project(tmp_path)
+    run = {"road": {"kind": "half-sine", "height": "1 mm", "length": "60 mm"}, "speed": "2 m/s", "duration": "0.05 s"}
+    was, now = "", time.time()
+    for k in range(4):
+        monkeypatch.setattr(module.time, "time_ns", lambda k=k: int(1e9 * (now - 3600.0 * k)))
+        monkeypatch.setattr(module.time, "time", lambda k=k: now - 3600.0 * k)
+        was = project.write("a.toml", f"k = {k}\n", was).digest
+        kept.keep(project, "kart-quarter-car", {}, run, f"run {k}")
+    texts = [project.version(one.name)[1] for one in project.versions("a.toml")]
+    assert texts == ["k = 2\n", "k = 1\n", "k = 0\n"]
+    assert [one["path"] for one in kept.history(project)] == [f"runs/run {k}.nc" for k in (3, 2, 1, 0)]
+
+
+def test_two_who_look_at_once_do_not_take_each_other_for_the_one_who_works(tmp_path):
+    from jounce.core.locking import hold, is_held
+
+    file = tmp_path / "alive"
+    file.touch()
+    looks = hold(file, shared=True)
+    assert looks is not None
+    assert is_held(file) is (sys.platform == "win32")
+    assert hold(file) is None  # whoever is to work waits for a moment
+    os.close(looks)
+
+
+@pytest.mark.parametrize("operation", ["write_atomically", "write_recording"])
+def test_a_run_whose_keeping_was_cut_off_is_kept_by_keeping_it_again(tmp_path, monkeypatch, operation):
+    """A process was killed before, between, or after the two files: of those it left, none is lost or in the way."""
+    from jounce import recordings
+    from jounce.web import kept
+
+    class KilledError(BaseException):
+        pass
+
+    run = {"road": {"kind": "half-sine", "height": "1 mm", "length": "60 mm"}, "speed": "2 m/s", "duration": "0.05 s"}
+    place = recordings if operation == "write_recording" else kept
+    whole = getattr(place, operation)
+
+    def killed(*given: Any, **named: Any) -> Any:
+        if is_late:
+            whole(*given, **named)
+        raise KilledError
+
+    for is_late in (False, True):
+        project, title = Project(tmp_path), f"run {is_late}"
+        monkeypatch.setattr(place, operation, killed)
+        with pytest.raises(KilledError):
+            kept.keep(project, "kart-quarter-car", {}, run, title)
+        monkeypatch.setattr(place, operation, whole)
+        path = f"runs/{title}.nc"
+        if (tmp_path / path).exists():
+            assert [one["path"] for one in kept.history(project)] == [path]
+        else:
+            assert kept.keep(project, "kart-quarter-car", {}, run, title)["path"] == path
+        assert path in [one["path"] for one in kept.history(project)]
+        (tmp_path / path).unlink()
+
+
 def _asked(port: int, method: str, path: str, body: Any = None, token: str | None = TOKEN) -> tuple[int, Any]:
     import http.client
 
@@ -492,6 +593,14 @@ def test_jobs_are_followed_by_who_has_the_token_and_the_origin(workbench):
     for headers, origin in (({}, None), (known, "http://evil.example"), ({"Authorization": "Bearer x"}, None)):
         with pytest.raises(Exception, match="403"), client.connect(address, additional_headers=headers, origin=origin):
             pass
+    for offered in ([TOKEN], ["jounce"], ["jounce", "x"], [TOKEN, "jounce"], ["jounce", TOKEN, "x"]):
+        with pytest.raises(Exception, match="403"), client.connect(address, subprotocols=offered):
+            pass
+    with pytest.raises(Exception, match="403"):
+        client.connect(address, additional_headers={"Cookie": f"jounce-{port}={TOKEN}"})
+    with client.connect(address, subprotocols=["jounce", TOKEN], origin=f"http://127.0.0.1:{port}") as socket_:
+        assert socket_.subprotocol == "jounce"
+        assert json.loads(socket_.recv(timeout=10)) == []
     with client.connect(address, additional_headers=known, origin=f"http://127.0.0.1:{port}") as socket_:
         assert json.loads(socket_.recv(timeout=10)) == []
 

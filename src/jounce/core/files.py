@@ -97,7 +97,10 @@ _LARGEST = 1_000_000_000  # bytes
 
 
 def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *, most: int = _LARGEST) -> bytes:
-    """Give what a regular file of so many bytes at most holds, which is opened before it is looked at: a pipe keeps nobody waiting."""
+    """Give what a regular file of ``most`` bytes holds.
+
+    It is opened before it is looked at: a pipe keeps nobody waiting.
+    """
     file = existing_file(path, error)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     with os.fdopen(os.open(file, flags), "rb") as stream:

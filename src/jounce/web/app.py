@@ -6,9 +6,11 @@ import json
 import os
 import tomllib
 from collections.abc import Callable
+from functools import partial
 from importlib import metadata, resources
 from pathlib import Path
 from typing import Annotated, Any, Literal
+from urllib.parse import urlencode
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -19,9 +21,9 @@ from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.bodies import Route
 from jounce.web.jobs import Jobs
-from jounce.web.project import LONGEST, Project, Text, Version, unusable
+from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
 from jounce.web.records import Records
-from jounce.web.safety import Guard
+from jounce.web.safety import Guard, sealed
 from jounce.web.working import routes
 
 require("fastapi", "web")  # ruff: isort: split
@@ -139,7 +141,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
     project = Project(folder)
     jobs = Jobs(project)
-    records = Records(project, jobs)
+    records, seal = Records(project, jobs), partial(sealed, token)
     version = metadata.version("jounce")
 
     @asynccontextmanager
@@ -178,7 +180,10 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     def whole() -> dict[str, Any]:
         """What lies in the folder."""
         name, folder = (os.fsencode(one).decode(errors="replace") for one in (project.root.name, project.root))
-        return {"name": name, "folder": folder, "entries": project.entries()}
+        entries = project.entries()
+        pages = {one.path: seal(_document(one)) for one in entries if one.kind == "page"}
+        addressed = [{**vars(one), "address": pages.get(one.path, "")} for one in entries]
+        return {"name": name, "folder": folder, "entries": addressed}
 
     @app.get("/api/library")
     def library() -> list[dict[str, str | bool]]:
@@ -283,10 +288,14 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         """A sweep of a corner as curves of the viewer, as for a run, with what it turns about and what is wanted."""
         return _told(sweeps.swept(project, sweeps.Question(**asked.model_dump())), request)
 
-    app.include_router(routes(project, jobs))
+    app.include_router(routes(project, jobs, seal))
     for path, (name, kind) in _STATIC.items():
         app.add_api_route(path, _static(name, kind), include_in_schema=False)
     return Guard(app, token=token, port=port)
+
+
+def _document(entry: Entry) -> str:
+    return f"/api/document?{urlencode({'path': entry.path})}"
 
 
 def _told(shown: answers.Shown, request: Request) -> Response:

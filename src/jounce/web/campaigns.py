@@ -63,13 +63,26 @@ def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) ->
     from jounce.core.description import toml_table
 
     was = project.read(path)
+    try:
+        text = _with_file(project, path, was.text, use, fields)
+        with only_below(project.root):
+            Campaign.from_table(toml_table(text), where=path, text=text)
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:  # of fields, or what is there
+        told = f"{type(error).__name__}: {error}"
+        raise DescriptionError("this cannot be entered into the campaign", where=path, found=told) from None
+    written = project.write(path, text, was.digest)
+    return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
+
+
+def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping[str, Any]) -> str:
+    """Give the text of a campaign with a measured file in it."""
     file = project.inside(path)
     plain = {key: value for key, value in fields.items() if value not in ("", None, {}, [])}
     pressure, replace = str(plain.pop("pressure", "")), bool(plain.pop("replace", False))
     for key in ("files", "recording", "excitation"):
         if key in plain:
             plain[key] = _relative(project, file, plain[key])
-    document: Any = tomlkit.parse(was.text)
+    document: Any = tomlkit.parse(text)
     if use == "trial":
         table = tomlkit.table()
         numbers = [int(one["number"]) for one in document.get("trial", [])]
@@ -96,11 +109,7 @@ def entered(project: Project, path: str, use: Use, fields: Mapping[str, Any]) ->
             own.pop(key, None)
         for key, value in plain.items():
             own[key] = _item([*before, *(one for one in value if one not in before)] if key == "files" else value)
-    text = tomlkit.dumps(document)
-    with only_below(project.root):
-        Campaign.from_table(toml_table(text), where=path, text=text)
-    written = project.write(path, text, was.digest)
-    return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
+    return tomlkit.dumps(document)
 
 
 def _item(value: Any) -> Any:

@@ -1,11 +1,14 @@
 """Who may ask: this machine only, by its own name, from the page that was opened here or with the printed token.
 
 A page of somebody else's that is open in the same browser can send requests here. It cannot choose the ``Host`` and
-``Origin`` that they carry, it does not know the token, and the cookie of the opened page is not sent along (strict).
+``Origin`` that they carry, and it does not know the token: the opened page keeps that and sends it in a header. There
+is no cookie, which browsers would send to every server of this machine, whatever its port. What a browser opens by an
+address alone (a report, in a frame or a tab of its own) has an address that is sealed: it opens this and nothing else.
 """
 
 from __future__ import annotations
 
+import hmac
 import secrets
 from collections.abc import Mapping
 from typing import Any
@@ -29,12 +32,21 @@ _LARGEST = 4_000_000  # bytes of a request
 UPLOAD, _LARGEST_UPLOAD = "/api/upload", 250_000_000
 
 
+PROTOCOL = "jounce"
+"""What a socket of the page offers, and the token behind it: a browser lets it send no header of its own."""
+
+
+def sealed(token: str, address: str) -> str:
+    """Give an address (path and query) that is answered without the token; nobody else can make one."""
+    key = hmac.new(token.encode(), address.encode(), "sha256").hexdigest()
+    return f"{address}{'&' if '?' in address else '?'}key={key}"
+
+
 class Guard:
     """ASGI: lets through what the rules above allow, and says on every answer what its page may do."""
 
     def __init__(self, app: Any, *, token: str, port: int) -> None:
         self.app, self.token, self.port = app, token, port
-        self.cookie = f"jounce-{port}"  # the cookies of all ports of a machine are one
         names = ("127.0.0.1", "localhost")
         self.hosts = {f"{name}:{port}" for name in names} | (set(names) if port == 80 else set())
         self.origins = {f"http://{host}" for host in self.hosts}
@@ -48,8 +60,6 @@ class Guard:
         problem = self._problem(scope, headers)
         if problem is not None:
             await self._refuse(scope, send, *problem)
-        elif scope["type"] == "http" and scope["path"] == "/" and scope["query_string"]:
-            await self._enter(send)
         else:
             await self.app(scope, receive, _with_headers(send))
 
@@ -67,7 +77,7 @@ class Guard:
         if scope["path"] == "/" and scope["query_string"]:
             given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
             return None if self._is_token(given) else (401, "This address is not the one that was printed.")
-        if scope["path"] in _OPEN or self._is_known(headers):
+        if scope["path"] in _OPEN or self._is_known(headers) or self._is_sealed(scope):
             return None
         return 401, "The token is missing: open the address that `jounce serve` printed, or send it as a bearer."
 
@@ -75,19 +85,18 @@ class Guard:
         scheme, _, given = headers.get("authorization", "").partition(" ")
         if scheme.lower() == "bearer":
             return self._is_token(given.strip())
-        for one in headers.get("cookie", "").split(";"):
-            name, _, value = one.strip().partition("=")
-            if name == self.cookie and self._is_token(value):
-                return True
-        return False
+        offered = [one.strip() for one in headers.get("sec-websocket-protocol", "").split(",")]
+        return len(offered) == 2 and offered[0] == PROTOCOL and self._is_token(offered[1])
+
+    def _is_sealed(self, scope: Mapping[str, Any]) -> bool:
+        if scope.get("method") != "GET":
+            return False
+        asked = b"?".join((scope.get("raw_path") or scope["path"].encode(), scope["query_string"])).decode("latin-1")
+        address, _, _ = asked.rpartition("key=")
+        return secrets.compare_digest(asked.encode(), sealed(self.token, address[:-1]).encode())
 
     def _is_token(self, given: str) -> bool:
         return secrets.compare_digest(given.encode(), self.token.encode())
-
-    async def _enter(self, send: Any) -> None:
-        """The address that was printed: its token goes into a cookie, and out of the address."""
-        cookie = f"{self.cookie}={self.token}; Path=/; HttpOnly; SameSite=Strict"
-        await _answer(send, 303, b"", {"Location": "/", "Set-Cookie": cookie})
 
     async def _refuse(self, scope: Mapping[str, Any], send: Any, status: int, what: str) -> None:
         if scope["type"] == "websocket":

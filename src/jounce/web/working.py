@@ -8,6 +8,7 @@ import filecmp
 import json
 import secrets
 from collections import OrderedDict
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from jounce.web.bodies import Route
 from jounce.web.campaigns import Use, entered, overview
 from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project, unusable
+from jounce.web.safety import PROTOCOL
 from jounce.web.studies import swept, write_study
 from jounce.web.tasks import Asked, doing_of
 from jounce.web.untrusted import content
@@ -63,37 +65,44 @@ class Entered(BaseModel):
     fields: dict[str, Any]
 
 
-def routes(project: Project, jobs: Jobs) -> APIRouter:
-    """Give the routes over a project."""
+def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRouter:
+    """Give the routes over a project; ``seal`` makes addresses that a browser opens by themselves."""
     router = APIRouter(route_class=Route)
     pages: OrderedDict[str, str] = OrderedDict()
+
+    def told(state: dict[str, Any]) -> dict[str, Any]:
+        return {**state, "report": seal(f"/api/jobs/{state['id']}/report")}
 
     @router.get("/api/jobs")
     def every() -> list[dict[str, Any]]:
         """How every job is, the newest first."""
-        return jobs.all()
+        return [told(state) for state in jobs.all()]
 
     @router.post("/api/jobs")
     def begin(asked: Asked) -> dict[str, Any]:
         """Begin a job: a command in a process of its own."""
-        return jobs.begin(asked)
+        return told(jobs.begin(asked))
 
     @router.get("/api/jobs/{name}")
     def one(name: str) -> dict[str, Any]:
         """How a job is, and what its command gave."""
         state = jobs.state(name)
         finished = state["state"] == "done"
-        return {**state, "result": jobs.result(name) if finished else None, "has_page": jobs.page(name) is not None}
+        return {
+            **told(state),
+            "result": jobs.result(name) if finished else None,
+            "has_page": jobs.page(name) is not None,
+        }
 
     @router.post("/api/jobs/{name}/cancel")
     def cancel(name: str) -> dict[str, Any]:
         """Ask a job to stop; what it has finished stays."""
-        return jobs.cancel(name)
+        return told(jobs.cancel(name))
 
     @router.post("/api/jobs/{name}/again")
     def again(name: str) -> dict[str, Any]:
         """Begin a job once more; a sweep goes on where it was stopped, what others wrote is replaced."""
-        return jobs.begin(jobs.again(name))
+        return told(jobs.begin(jobs.again(name)))
 
     @router.delete("/api/jobs/{name}")
     def forget(name: str) -> dict[str, str]:
@@ -112,12 +121,12 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
     @router.websocket("/api/live")
     async def live(socket: WebSocket) -> None:
         """Tell how the jobs are, now and whenever that changes."""
-        await socket.accept()
+        await socket.accept(PROTOCOL if PROTOCOL in socket.scope["subprotocols"] else None)
         await asyncio.to_thread(jobs.prepare)
         before = ""
         try:
             while True:
-                now = json.dumps(await asyncio.to_thread(jobs.all))
+                now = json.dumps(await asyncio.to_thread(every))
                 if now != before:
                     await socket.send_text(now)
                     before = now
@@ -137,7 +146,7 @@ def routes(project: Project, jobs: Jobs) -> APIRouter:
             pages[key] = text
             while len(pages) > _MOST_PAGES:
                 pages.popitem(last=False)
-        return {**found, "report": f"/api/reports/{key}" if key else ""}
+        return {**found, "report": seal(f"/api/reports/{key}") if key else ""}
 
     @router.get("/api/reports/{key}")
     def kept(key: str) -> Response:

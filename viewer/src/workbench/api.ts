@@ -1,9 +1,10 @@
 /** Questions to the server; each answer is plain data, each refusal an error with the server's words. */
 
+import { lasting } from "../browser";
 import { tr } from "../words";
 import { Refused, told as refused } from "./refusals";
 
-export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null; has_hardpoints: boolean }
+export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null; has_hardpoints: boolean; address: string }
 export interface Project { name: string; folder: string; entries: Entry[] }
 export interface Text { path: string; text: string; digest: string }
 export interface Checked { kind: string; what: string; problems: Error[]; notes: string[] }
@@ -19,20 +20,28 @@ export interface Answer { python: string; command: string; files: Record<string,
 /** The digest of the rig as it is saved, of whose numbers those that are sent are changes. */
 export interface OfRig { digest: string }
 
+const KEY = "jounce-token", brought = new URLSearchParams(location.search).get("token");
+/** What the printed address brings along, and every question carries. It is kept for this address, other tabs too, and sent to no other. */
+export const token = brought ?? lasting?.getItem(KEY) ?? "";
+if (brought !== null) {
+  try { lasting?.setItem(KEY, token); } catch { /* full: it is known as long as this page is open */ }
+  history.replaceState(null, "", location.pathname + location.hash);
+}
+
 export const asked = (method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> =>
   sent(path, { method, ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } }) });
 
 async function sent(path: string, given: RequestInit): Promise<Response> {
   let answer: Response;
   try {
-    answer = await fetch(path, given);
+    answer = await fetch(path, { ...given, headers: { ...given.headers, Authorization: `Bearer ${token}` }, credentials: "omit" });
   } catch {
     throw new Error(tr("The server does not answer: start it again with jounce serve."));
   }
   if (answer.ok) return answer;
   if (answer.status === 401) throw new Error(tr("This page is not known here any more: open the address that jounce serve printed."));
   const told = await answer.json().catch(() => null) as { error?: { text: string }; detail?: { msg: string; loc: string[] }[] } | null;
-  throw new Refused(told?.error?.text ?? told?.detail?.map((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
+  throw new Refused(told?.error?.text ?? told?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
 }
 
 export const query = (values: Record<string, string>) => new URLSearchParams(values).toString();

@@ -8,7 +8,7 @@ import { part } from "./quantities";
 import { Refused } from "./refusals";
 
 export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string; along?: string }
-interface Found { id: string; state: string; said: string; share: number | null; left: number | null; begun: number; error: string | null; result: unknown }
+interface Found { id: string; state: string; said: string; share: number | null; left: number | null; lasted: number | null; report: string; error: string | null; result: unknown }
 
 const job = (id: string) => api.get<Found>(`/api/jobs/${encodeURIComponent(id)}`);
 
@@ -46,7 +46,7 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
       const found = await job(begun.id);
       if (!out.isConnected) return;
       if (found.share === null) bar.removeAttribute("value"); else bar.value = found.share;
-      said.textContent = [tr(heard(found.said)), `${written((Date.now() / 1000 - found.begun), 2)} s`, found.left ? tr("# s left", written(found.left, 2)) : ""].filter(Boolean).join(", ");
+      said.textContent = [tr(heard(found.said)), `${written(found.lasted ?? 0, 2)} s`, found.left ? tr("# s left", written(found.left, 2)) : ""].filter(Boolean).join(", ");
       if (found.state === "done") { results(found); return; }
       if (!["running", "cancelling"].includes(found.state)) { out.replaceChildren(problem(found.error ? new Refused(found.error) : new Error(tr("The search was ended.")))); return; }
       await new Promise((later) => setTimeout(later, 400));
@@ -69,7 +69,7 @@ export function designing(name: string, rig: api.Rig, targets: Target[], sliders
         make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, tr(one.ended)), make("td", {}, other(one.start, one.numbers))))))),
       make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) => make("th", { scope: "col" }, one)))),
         make("tbody", {}, ...Object.entries(result.moved).map(([path, one]) => { const known = numbers.get(path), by = known?.factor ?? 1; return make("tr", {}, make("th", { scope: "row" }, path), make("td", { class: "right" }, written(one.before * by, 5)), make("td", { class: "right" }, written(one.after * by, 5)), make("td", {}, known?.unit ?? "")); })))),
-      make("p", { class: "bar" }, button, make("a", { href: `/api/jobs/${found.id}/report`, target: "_blank" }, tr("Its report"))));
+      make("p", { class: "bar" }, button, make("a", { href: found.report, target: "_blank" }, tr("Its report"))));
   }
   return make("div", {}, form, out);
 }

@@ -1,7 +1,7 @@
 /** Long work: how it stands, told by the server as it goes on, and how it is begun, stopped and done again. */
 
 import { make, whenLeft, written } from "../page";
-import { asked, get, upload } from "./api";
+import { asked, get, token, upload } from "./api";
 import { heard, isGerman, tr } from "../words";
 import { copied, InTurn, problem } from "./parts";
 import { Refused } from "./refusals";
@@ -9,7 +9,7 @@ import { Refused } from "./refusals";
 export interface Step { evaluation: number; objective: number; parameters: Record<string, { value: number; initial: number; lower: number; upper: number }> }
 export interface Job {
   id: string; kind: string; asked: Record<string, unknown>; title: string; state: "running" | "cancelling" | "done" | "failed" | "cancelled" | "stopped";
-  python: string; command: string; files: Record<string, string>; out: string; begun: number; ended: number | null;
+  python: string; command: string; files: Record<string, string>; out: string; report: string; begun: number; ended: number | null; lasted: number | null;
   said: string; share: number | null; left: number | null; steps: Step[]; error: string | null; code?: number;
 }
 export interface Whole<T = unknown> extends Job { result: T; has_page: boolean }
@@ -27,13 +27,13 @@ let latest: Job[] | null = null, socket: WebSocket | null = null, pause = 1000;
 const lost = make("p", { class: "problem", role: "alert" }, "The server does not tell about jobs any more; those that run go on. Start it again with jounce serve, and open the address that it prints.");
 
 function open(): void {
-  socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`);
+  socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`, token ? ["jounce", token] : []);
   const take = (jobs: Job[]) => { pause = 1000; lost.remove(); latest = jobs; tell(); };
   socket.addEventListener("message", (event) => take(JSON.parse(event.data as string) as Job[]));
   socket.addEventListener("close", async () => {
     socket = null;
     if (![...listeners.values()].some((one) => one.node.isConnected)) { listeners.clear(); return; }
-    try { take(await get<Job[]>("/api/jobs")); } // a proxy that lets no socket through answers all the same
+    try { take(await get<Job[]>("/api/jobs")); } // what lets no socket through answers all the same
     catch { document.getElementById("main")!.prepend(lost); }
     setTimeout(() => { if (listeners.size && !socket) open(); }, pause);
     pause = Math.min(2 * pause, 30_000);
@@ -77,7 +77,6 @@ export class JobCard {
   private readonly actions = make("div", { class: "bar" });
   private readonly told = make("div", {});
   private shown = "";
-  private timer = 0;
 
   constructor(public job: Job, private readonly open?: (job: Job) => void) {
     this.bar.setAttribute("aria-label", heard(`share of ${titled(job.title)} that is done`));
@@ -96,8 +95,6 @@ export class JobCard {
     this.said.hidden = !runs;
     this.said.textContent = tr(job.state === "cancelling" ? "stopping; what is finished is kept" : heard(job.said) || "starting");
     this.tick();
-    clearInterval(this.timer);
-    if (runs) this.timer = window.setInterval(() => { if (this.element.isConnected) this.tick(); else clearInterval(this.timer); }, 1000);
     if (this.shown === job.state) return;
     this.shown = job.state;
     this.told.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
@@ -121,9 +118,8 @@ export class JobCard {
   }
 
   private tick(): void {
-    const { begun, ended, share, left, state } = this.job;
-    const since = (ended ?? Date.now() / 1000) - begun;
-    const parts = [ended ? tr("took #", lasting(since)) : tr("for #", lasting(since))];
+    const { ended, lasted, share, left, state } = this.job; // by the server's clock that does not jump: it tells every second
+    const parts = lasted === null ? [] : [tr(ended ? "took #" : "for #", lasting(lasted))];
     if (state === "running" && share !== null) parts.push(`${written(100 * share, 3)} %`);
     if (state === "running" && left !== null && left >= 1) parts.push(tr("about # left", lasting(left)));
     this.times.textContent = parts.join(" · ");

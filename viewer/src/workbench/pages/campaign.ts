@@ -257,7 +257,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     card.show(job);
     if (card.job.steps?.length) live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
   }, (end) => {
-    if (end.result) results.replaceChildren(...answer(end.result, units), updated(end.out), ...(end.has_page ? [report(`/api/jobs/${id}/report`, "Report")] : []));
+    if (end.result) results.replaceChildren(...answer(end.result, units), updated(end.out), ...(end.has_page ? [report(end.report, "Report")] : []));
   });
 }
 

@@ -12,7 +12,7 @@ export const PAGES_OF: Record<string, string> = { sweep: "studies", campaign: "c
 export function results(job: Job): void {
   const page = PAGES_OF[job.kind];
   if (page && page !== "kinematics") location.hash = address(page, { job: job.id });
-  else window.open(`/api/jobs/${encodeURIComponent(job.id)}/report`, "_blank", "noopener");
+  else window.open(job.report, "_blank", "noopener");
 }
 
 async function show(place: HTMLElement): Promise<void> {

@@ -35,7 +35,7 @@ async function show(place: HTMLElement): Promise<void> {
   document.getElementById("project")!.textContent = name;
   const rows = entries.map((entry) => {
     const opens = OPENS[entry.kind] ?? [], [first] = opens;
-    const page = entry.kind === "page" && entry.path.endsWith(".html") ? `/api/document?${api.query({ path: entry.path })}` : null;
+    const page = entry.kind === "page" && entry.path.endsWith(".html") ? entry.address : null;
     return make("tr", {},
       make("th", { scope: "row" }, first ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path) : page ? make("a", { href: page, target: "_blank" }, entry.path) : entry.path),
       make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(1000 * entry.modified)),

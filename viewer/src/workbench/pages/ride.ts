@@ -162,7 +162,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
   await accompany(place, first, (job) => card.show(job), (end) => {
     if (!end.result) return;
     results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ...undone("runs" in end.result ? end.result : null), ways(end),
-      ...(end.has_page ? [report(`/api/jobs/${id}/report`, "runs" in end.result ? "Over time, as spectra, and every metric" : "Report")] : []));
+      ...(end.has_page ? [report(end.report, "runs" in end.result ? "Over time, as spectra, and every metric" : "Report")] : []));
   });
 }
 

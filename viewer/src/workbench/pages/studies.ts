@@ -218,7 +218,7 @@ async function showSweep(place: HTMLElement, id: string | null, given: string | 
     ...(metrics.length ? [matrix(brushes)] : []),
     make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "chosen variants" }, make("table", {}, make("caption", {}, "The first of the chosen variants"),
       make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "variant"), ...sweep.columns.map((one) => make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`)), make("td", {}))), chosen)),
-    ...(job ? [ways(job)] : []), ...(job?.has_page ? [report(`/api/jobs/${job.id}/report`, "Report")] : []));
+    ...(job ? [ways(job)] : []), ...(job?.has_page ? [report(job.report, "Report")] : []));
 }
 
 /** A sweep that goes on: how far it is; what is finished may be looked at, and all of it is shown at its end. */
