@@ -121,7 +121,7 @@ def send(workbench):
     head = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
 
     def send(method: str, path: str, body: bytes | None = None) -> tuple[int, bytes]:
-        with contextlib.closing(http.client.HTTPConnection("127.0.0.1", port, timeout=60)) as connection:
+        with contextlib.closing(http.client.HTTPConnection("127.0.0.1", port, timeout=300)) as connection:
             connection.request(method, path, body, head)
             answer = connection.getresponse()
             return answer.status, answer.read()
