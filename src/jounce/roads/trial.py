@@ -22,7 +22,7 @@ from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
 from jounce.parts.rig import questions
-from jounce.parts.vehicles import track_width
+from jounce.parts.vehicles import FullCar, track_width
 from jounce.recordings.formats import RecordingFormat
 from jounce.roads.measured import (
     Forces,
@@ -462,6 +462,16 @@ _AS_FAR = 0.05
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
+def _side_forces(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+    """Report unsprung masses whose side forces act at the road."""
+    if trial.lateral_acceleration is None or not isinstance(rig, FullCar):
+        return
+    for name in ("front", "rear"):
+        if getattr(rig, name).unsprung_height == 0.0:
+            text = "is 0: the side forces of the wheels' own masses move no load. Give about the radius of the wheels."
+            yield Finding(f"{name}.unsprung_height", "note", text)
+
+
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
     """Report what a reader of the run must know about its road and its loads.
 
@@ -487,7 +497,11 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     ['the road ends after 0.02 m and the run drives 5 m; the rest of it is level. Shorten the run.']
     """
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
-    found = [*_loads(trial), *(trial.excitation.findings() if trial.excitation is not None else ())]
+    found = [
+        *_loads(trial),
+        *_side_forces(trial, rig),
+        *(trial.excitation.findings() if trial.excitation is not None else ()),
+    ]
     if trial.speed is not None:
         asked = Unit("m/s").question(trial.speed)
         found += [Finding("trial: speed", "warning", asked, trial.speed)] if asked else []

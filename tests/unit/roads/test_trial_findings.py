@@ -193,3 +193,15 @@ def test_pieces_cut_at_their_front_keep_their_heights() -> None:
         at = np.linspace(0.01, 0.69, 9)
         for one, other in zip(cut.evaluate(at), whole.evaluate(at + 0.3), strict=True):
             np.testing.assert_allclose(one, other, rtol=1e-12)
+
+
+def test_side_forces_of_wheels_without_a_height_are_reported():
+    car, level = load("audi-a6-full-car"), Table(x=[0.0, 30.0], height=[0.0, 0.0])
+    bend = Trial(road=level, speed=20.0, duration=1.0, lateral_acceleration=4.0)
+    straight = Trial(road=level, speed=20.0, duration=1.0)
+    flat = car.with_changes({"rear.unsprung_height": 0.0})
+    places = [[found.place for found in trial_findings(trial, car)] for trial, car in ((bend, car), (straight, flat))]
+    assert not any("unsprung_height" in place for found in places for place in found)
+    (found,) = [found for found in trial_findings(bend, flat) if "unsprung_height" in found.place]
+    assert found.place == "rear.unsprung_height"
+    assert "move no load" in found.message
