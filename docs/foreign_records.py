@@ -415,13 +415,14 @@ def decays() -> Iterator[Record]:
         yield record("sign", kind, run["t"], -run[kind], kind)
         for shift in (0.2, 1.5):
             reach = float(np.abs(run[kind]).max())
-            yield record("datum", f"{kind} shifted by {shift:g}", run["t"], run[kind] + shift * reach, kind)
+            about = "the mean is" if kind == "az" else ""
+            yield record("datum", f"{kind} shifted by {shift:g}", run["t"], run[kind] + shift * reach, kind, about)
     for kind, size, curve in itertools.product(UNITS, (-0.4, -0.1, 0.1, 0.4), ("line", "warming", "slow wave")):
         run = swing(500.0)
         t, reach = run["t"], float(np.abs(run[kind]).max())
         way = {"line": t / t[-1], "warming": 1.0 - np.exp(-t / 0.7), "slow wave": np.sin(2.0 * np.pi * t / 4.0)}[curve]
         yield record("drift", f"{kind} by {size:g} as a {curve}", t, run[kind] + size * reach * way, kind, "drift")
-    for kind, corner, order, friction in itertools.product(UNITS, (1.5, 4.0, 10.0, 25.0, 60.0), (1, 2, 4), (0.0, 8.0)):
+    for kind, corner, order, friction in itertools.product(UNITS, (1.5, 4.0, 10.0, 25.0), (1, 2, 4), (0.0, 8.0)):
         run = swing(500.0, friction=friction)
         signal = low_pass(run[kind], 500.0, corner, order)
         yield record(
@@ -453,7 +454,9 @@ def decays() -> Iterator[Record]:
         )
     for when, kind, size in itertools.product((0.9, 1.37), UNITS, (0.3, 0.6)):
         run = swing(500.0, hit=(when, size))
-        yield record("hit", f"second at {when:g} s, {size:g} m/s, {kind}", run["t"], run[kind], kind, "hit")
+        yield record(
+            "hit", f"second at {when:g} s, {size:g} m/s, {kind}", run["t"], run[kind], kind, "hit|explains only"
+        )
     for apart, share, kind in itertools.product((0.05, 0.08, 0.15), (0.5, 0.8, 0.98), ("z", "az")):
         t = np.arange(0.0, 7.0, 0.005)
         fall, omega = np.exp(-0.15 * t), 33.9
@@ -484,7 +487,6 @@ def decays() -> Iterator[Record]:
     yield record(
         "clock", "a tenth faster, stiffness stated", run["t"] / 1.1, run["z"], "z", "stiffness", stiffness=STIFFNESS
     )
-    yield record("exchange", "z said to be in m", run["t"], 1e3 * run["z"] / 1e3 * 1e3, "z", "")
     for few in (4.0, 7.0, 12.0):
         thin = max(1, round(500.0 / (5.39 * few)))
         yield record("rate", f"{few:g} samples a cycle", run["t"][::thin], run["z"][::thin], "z", "samples per cycle")

@@ -264,6 +264,7 @@ def _decay_plain(
         **plain,
         "logarithmic_decrement": naive.value,
         "logarithmic_decrement_standard_error": naive.standard_error,
+        "equivalent_damping_ratio": result.equivalent_damping_ratio.value,
         "decrements": list(getattr(result, "decrements", ())),
         "cycles": result.cycles,
         "r2": getattr(result, "r2", None),
@@ -310,6 +311,7 @@ def _draw_decay(
         if name != "quadratic_drag" or named[name] is not None
     ]
     rows.append(("logarithmic decrement (friction neglected)", result.logarithmic_decrement, "1"))
+    rows.append(("equivalent damping ratio (friction neglected)", result.equivalent_damping_ratio, "1"))
     runs = getattr(result, "runs", 1)
     title = "Free decay" if runs == 1 else f"{runs} free decays combined"
     out.print(estimates(f"{title}, {result.cycles:g} cycles", rows))

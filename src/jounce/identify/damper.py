@@ -953,6 +953,7 @@ def _changes(speed: Array, fitted: Array, residual: Array, result: DamperResult,
 
 
 _COARSE = 0.25  # of the force on one side
+_NEAR = 12.0  # times the frequency of the motion, below which a low pass makes bump and rebound alike
 
 
 def _logged(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
@@ -969,7 +970,8 @@ def _logged(motion: DamperMotion, fitted: Array, offset: float, name: str) -> li
     time = motion.time
     frequency = motion.cycles / float(time[-1] - time[0])
     rate = 1.0 / float(np.median(np.diff(time)))
-    if corner := low_pass_corner(motion.force - fitted, motion.force, rate, frequency):
+    reach = float(np.ptp(motion.force))
+    if corner := low_pass_corner(motion.force - fitted, rate, frequency, reach=reach, step=step, near=_NEAR):
         text = (
             f"the noise of the force ends at some {corner:.2g} Hz, near the {frequency:.2g} Hz of the motion: a low "
             "pass of the logger, which blurs the change from bump to rebound; both come out too equal. Measure with "

@@ -27,7 +27,9 @@ from jounce.identify.estimate import (
     r_squared,
     uncertainty,
 )
+from jounce.identify.low_pass import low_pass_corner
 from jounce.recordings.carried import carried_channel, clock_of
+from jounce.recordings.quality import frozen_samples
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -251,7 +253,7 @@ class Peaks:
         return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
 
 
-_SUDDEN, _FEWEST = 2.0, 20
+_SUDDEN, _GROWS, _FEWEST = 2.0, 1.02, 20
 
 
 def noise_of(signal: Array) -> float:
@@ -353,12 +355,15 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
 def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
     """Leave out what follows a second hit: swings that are suddenly much larger than the two before.
 
+    Those of a beat are so, too, at a knot of its envelope, but grow on.
+
     >>> until_it_grows(Peaks(np.arange(8.0), np.array([9.0, -8, 7, -6, 5, -4, 20, -18.0])), 0.0).value.tolist()
     [9.0, -8.0, 7.0, -6.0, 5.0, -4.0]
     """
     swing = np.abs(np.diff(peaks.value))
     for i in range(2, len(swing)):
-        if swing[i] > _SUDDEN * max(swing[i - 2 : i]) and swing[i] > 0.1 * swing[0] + 10.0 * noise:
+        is_sudden = swing[i] > _SUDDEN * max(swing[i - 2 : i]) and swing[i] > 0.1 * swing[0] + 10.0 * noise
+        if is_sudden and not (len(swing) > i + 2 and swing[i + 2] > _GROWS * swing[i + 1] > _GROWS**2 * swing[i]):
             return Peaks(peaks.time[: i + 1], peaks.value[: i + 1])
     return peaks
 
@@ -428,6 +433,18 @@ def ratio_from_decrement(decrement: float) -> float:
     0.1
     """
     return decrement / math.hypot(2.0 * math.pi, decrement)
+
+
+def _equivalent(decrement: Estimate) -> Estimate:
+    if not math.isfinite(decrement.value):
+        return Estimate(1.0)
+    slope = (2.0 * math.pi) ** 2 / math.hypot(2.0 * math.pi, decrement.value) ** 3
+    error = None if decrement.standard_error is None else slope * decrement.standard_error
+    ends = decrement.interval and (
+        ratio_from_decrement(decrement.interval[0]),
+        ratio_from_decrement(decrement.interval[1]),
+    )
+    return Estimate(ratio_from_decrement(decrement.value), error, ends)
 
 
 def regress_peaks(peaks: Peaks) -> PeakRegression:
@@ -865,6 +882,11 @@ class DecayResult(Shown):
     quantity: Quantity
     findings: tuple[Finding, ...]
 
+    @property
+    def equivalent_damping_ratio(self) -> Estimate:
+        """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
+        return _equivalent(self.logarithmic_decrement)
+
 
 def fit_decay(
     time: ArrayLike | xr.Dataset | pd.DataFrame,
@@ -942,10 +964,25 @@ def fit_decay(
     stiffness = None if stiffness is None else as_number(stiffness, "N/m", where=f"{name}: stiffness")
     t, signal = _checked(time, displacement, mass, stiffness, quantity, name)
     t, signal = _in_window(t, signal, begin, end, name)
+    t, signal, logged = _without_dropouts(t, signal, name)
     part = _best_part(t, signal, quantity, name, look_on=begin is None)
-    findings, peaks = list(part.findings), part.peaks
     known = None if stiffness is None else math.sqrt(stiffness / mass)
-    parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings, known)
+    drifted, reach = 0.0, float(np.ptp(part.signal))
+    for attempt in range(_DETRENDED + 1):
+        findings, peaks = list(part.findings), part.peaks
+        parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings, known)
+        drift = _drift(part.time, residual, parameters, reach)
+        if drift is None or attempt == _DETRENDED or spread.correlation_time <= _ALIKE_FOR:
+            break
+        drifted += float(drift(part.time[-1]) - drift(part.time[0]))
+        turns = replace(peaks, value=peaks.value - drift(peaks.time))
+        part = replace(part, signal=part.signal - drift(part.time), peaks=turns)
+    if drifted:
+        text = (
+            f"the zero of the record drifts by {drifted:.3g} (SI) in it, which was taken off: no decay, friction or "
+            "damper does that."
+        )
+        findings.append(Finding(name, "warning", text, drifted))
     used = np.isfinite(residual)
     t, signal, residual = part.time[used], part.signal[used], residual[used]
     estimates = _estimates(parameters, spread, mass)
@@ -968,7 +1005,13 @@ def fit_decay(
         quantity=quantity,
         findings=(),
     )
-    findings += _advice(result, spread, float(np.median(np.diff(t))), stiffness, name)
+    findings += [*logged, *_advice(result, spread, float(np.median(np.diff(t))), stiffness, name)]
+    if stiffness is None:
+        text = (
+            f"the mass at this frequency hangs on {result.stiffness.value:.4g} N/m; no stiffness was given to compare "
+            "it with, so that a wrong mass or sample rate goes unseen: damping is wrong by as much."
+        )
+        findings.append(Finding(name, "note", text, result.stiffness.value))
     if quantity != "acceleration" and (lost := lost_samples(t, signal)) > _FEW_LOST:
         text = (
             f"the record jumps at {lost} places as if samples were missing there, though the time goes on: frequency "
@@ -982,6 +1025,26 @@ def fit_decay(
     return replace(result, findings=tuple(findings))
 
 
+def _without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, list[Finding]]:
+    """Leave out what the logger lost, and tell steps that are too coarse."""
+    lost, findings = frozen_samples(signal), []
+    if lost.any():
+        text = (
+            f"the record stands still at {np.count_nonzero(lost)} samples while the motion goes on: dropouts of the "
+            "logger, which were left out."
+        )
+        findings.append(Finding(name, "warning", text, float(np.count_nonzero(lost))))
+    step, reach = quantum_of(signal), float(np.ptp(signal))
+    if step > _COARSE * reach:
+        text = (
+            f"the record is in steps of {step:.3g} (SI), {100.0 * step / reach:.2g} % of its range: rounding is no "
+            "noise, and what friction and damping do to small swings is lost in it."
+        )
+        findings.append(Finding(name, "warning", text, step))
+    return t[~lost], signal[~lost], findings
+
+
+_COARSE = 0.05  # of the range: larger steps are told
 _OFF = 0.03  # of the stiffness: more is told
 _FEW_LOST = 2  # places: fewer change nothing
 _ALIKE_FOR = 4.0  # samples over which residuals resemble each other, where more than noise is left
@@ -1012,10 +1075,11 @@ def _spring_that_is_no_line(peaks: Peaks, parameters: DecayParameters, noise: fl
 
 
 def _what_is_left(t: Array, signal: Array, residual: Array, parameters: DecayParameters, name: str) -> list[Finding]:
-    """Name what the residuals of a fit look like: a zero that drifts, or a damper that is firmer in one direction."""
+    """Name what residuals look like: a damper that is firmer in one direction, a low pass of the logger."""
     left = float(residual @ residual)
     if math.sqrt(left / len(t)) <= _EXACT * float(np.ptp(signal)):
         return []
+    findings = []
     place = np.linspace(-0.5, 0.5, len(t))
     since = t - parameters.release_time
     fall = np.exp(-parameters.damping_ratio * parameters.angular_frequency * np.maximum(since, 0.0))
@@ -1025,21 +1089,45 @@ def _what_is_left(t: Array, signal: Array, residual: Array, parameters: DecayPar
     drifts = 1.0 - float(kept @ kept) / left
     _, kept, _ = linear_least_squares(even, residual)
     lopsided = 1.0 - float(kept @ kept) / left
-    if max(drifts, lopsided) < _CAUSE:
-        return []
-    if drifts > lopsided:
+    if drifts > max(lopsided, _CAUSE):
         text = (
             f"the zero of the record drifts by {float(slope[0]):.3g} (SI) in it, which makes {100.0 * drifts:.0f} % of "
             "what is left: take the drift off; the intervals are wide for it."
         )
-        return [Finding(name, "warning", text, float(slope[0]))]
-    text = (
-        f"what is left lies on one side twice a cycle ({100.0 * lopsided:.0f} % of it): a damper that is firmer in one "
-        "direction; damping is the mean of both, and the intervals are wide for it. Trials tell the two apart."
-    )
-    return [Finding(name, "warning", text, lopsided)]
+        findings.append(Finding(name, "warning", text, float(slope[0])))
+    elif lopsided >= _CAUSE:
+        text = (
+            f"what is left lies on one side twice a cycle ({100.0 * lopsided:.0f} % of it): a damper that is firmer in "
+            "one direction; damping is the mean of both, and the intervals are wide for it. Trials tell the two apart."
+        )
+        findings.append(Finding(name, "warning", text, lopsided))
+    rate, frequency = 1.0 / float(np.median(np.diff(t))), parameters.angular_frequency / (2.0 * math.pi)
+    reach, step = float(np.ptp(signal)), quantum_of(signal)
+    if corner := low_pass_corner(residual, rate, frequency, reach=reach, step=step, near=_NEAR):
+        text = (
+            f"the noise of the record ends at some {corner:.2g} Hz, near the {frequency:.3g} Hz of the decay: a low "
+            "pass of the logger, which blurs what tells friction from damping; record with a wider one."
+        )
+        findings.append(Finding(name, "warning", text, corner))
+    return findings
 
 
+def _drift(t: Array, residual: Array, parameters: DecayParameters, reach: float) -> np.polynomial.Polynomial | None:
+    """A cubic in time that explains most of what is left, and more than a damper firmer in one direction moves."""
+    used = np.isfinite(residual)
+    left = float(residual[used] @ residual[used])
+    if left == 0.0 or t[-1] - t[0] < _SLOW * 2.0 * math.pi / parameters.angular_frequency:
+        return None
+    slow = np.polynomial.Polynomial.fit(t[used], residual[used], 3)
+    without, moved = residual[used] - slow(t[used]), slow(t[used])
+    is_large = float(np.ptp(moved)) > _DRIFTS * reach
+    return slow if is_large and float(without @ without) < (1.0 - _CAUSE) * left else None
+
+
+_DETRENDED, _SLOW = 4, 4.0  # times a drift is taken off; cycles that a drift spans at least
+_DRIFTS = 0.03  # of the range of the record, as no damper moves its centre
+_NEAR = 8.0  # times the natural frequency, below which a low pass changes what friction leaves
+_SAME = 0.02  # of a logarithmic decrement: less is no change
 _TRIES = 5
 _EXPLAINED, _STILL_HIT = 0.98, 6.0
 
@@ -1208,7 +1296,8 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     def add(severity: Severity, text: str, value: float) -> None:
         findings.append(Finding(name, severity, text, value))
 
-    if friction.interval is not None and friction.interval[0] > 0.0 and len(result.decrements) > 1:
+    changed = abs(result.decrements[-1] / result.decrements[0] - 1.0) if len(result.decrements) > 1 else 0.0
+    if friction.interval is not None and friction.interval[0] > 0.0 and changed > _SAME:
         text = (
             f"the logarithmic decrement changes from {result.decrements[0]:.3f} to {result.decrements[-1]:.3f} as the "
             f"amplitude falls: dry friction; use the combined estimate (viscous {result.damping_coefficient.value:.4g} "
@@ -1286,6 +1375,11 @@ class CombinedDecay:
     cycles: float
     runs: int
     findings: tuple[Finding, ...]
+
+    @property
+    def equivalent_damping_ratio(self) -> Estimate:
+        """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
+        return _equivalent(self.logarithmic_decrement)
 
 
 def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:

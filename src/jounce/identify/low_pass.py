@@ -5,23 +5,24 @@ from __future__ import annotations
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.identify.decay import quantum_of
 
-_FALL, _STEADY = 50.0, 6.0  # power of the noise over that at the top: all in all, and two octaves below it
-_NEAR = 12.0  # times the frequency of the motion: a low pass above it leaves the motion as it is
+_FALL, _STEADY = 25.0, 6.0  # power of the noise over that at the top: all in all, and two octaves below it
 _EXACT = 1e-6  # of the range: no noise at all
 _ROUNDING = 4.0  # times the power of rounding: no noise is left there
 _HARMONIC, _LEAST = 0.3, 4  # of the frequency, beside multiples of it; octaves that show a fall
 
 
-def low_pass_corner(residual: Array, signal: Array, rate: float, frequency: float) -> float | None:
-    """Find where (Hz) a low pass ends the noise of a record; None where it does not, or far above the motion.
+def low_pass_corner(
+    residual: Array, rate: float, frequency: float, *, reach: float, step: float, near: float
+) -> float | None:
+    """Find where (Hz) a low pass ends the noise of a record; None where it does not, or above ``near`` frequencies.
 
-    ``residual`` is what a fit leaves of the ``signal``, sampled at ``rate`` (Hz), of a motion at ``frequency`` (Hz).
+    ``residual`` is what a fit leaves of a motion at ``frequency`` (Hz), sampled at ``rate`` (Hz), and ``reach`` and
+    ``step`` are range and resolution of the record in its unit.
     Misfits of the law lie at multiples of the frequency, noise everywhere: white noise ends nowhere, noise behind a low
     pass falls up to the top of the spectrum or down to the power of rounding.
     """
-    if float(residual.std()) < _EXACT * float(np.ptp(signal)):
+    if float(residual.std()) < _EXACT * reach:
         return None
     count = len(residual)
     window = np.hanning(count)
@@ -35,9 +36,9 @@ def low_pass_corner(residual: Array, signal: Array, rate: float, frequency: floa
     if len(powers) < _LEAST:
         return None
     end, most = powers[0], max(powers)
-    rounded = quantum_of(signal) ** 2 / (6.0 * rate)
+    rounded = step**2 / (6.0 * rate)
     if most < _FALL * max(end, 1e-300) or (powers[2] < _STEADY * end and end > _ROUNDING * rounded):
         return None
     octave = next(k for k, power in enumerate(powers) if power > 0.25 * most)
     corner = 0.48 * rate * 0.5**octave / np.sqrt(2.0)
-    return float(corner) if corner < _NEAR * frequency else None
+    return float(corner) if corner < near * frequency else None

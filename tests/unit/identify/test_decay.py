@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 from itertools import count
 
+import foreign_records
 import numpy as np
 import pytest
 
@@ -481,3 +482,63 @@ def test_samples_that_a_decay_lacks_are_told():
     assert "as if samples were missing" in told_of(t[: kept.sum()], x[kept])
     assert "as if samples were missing" not in told_of(t[kept], x[kept])
     assert "as if samples were missing" not in told_of(t, 5e-4 * np.round(x / 5e-4))
+
+
+def _record(group, name):
+    """Columns of a record whose truth is known, made without jounce: time (s) and displacement (m)."""
+    found = next(one for one in foreign_records.decays() if (one.group, one.name) == (group, name))
+    time, signal = found.columns.values()
+    return time, 1e-3 * signal
+
+
+def _fit_foreign(group, name):
+    result = fit_decay(*_record(group, name), mass=foreign_records.MASS)
+    return result, " ".join(one.message for one in result.findings if one.severity != "note")
+
+
+@pytest.mark.parametrize("curve", ["line", "warming"])
+def test_a_drift_is_taken_off_and_blamed_on_no_damper(curve):
+    result, told = _fit_foreign("drift", f"z by 0.4 as a {curve}")
+    assert result.damping_coefficient.value == pytest.approx(foreign_records.DAMPING, rel=0.01)
+    assert result.damping_coefficient.interval[1] < 1.2 * foreign_records.DAMPING
+    assert "drifts by" in told
+    assert "one direction" not in told
+
+
+def test_a_damper_that_is_firmer_in_one_direction_does_not_drift():
+    _, told = _fit_foreign("firmer in one direction", "0.6")
+    assert "one direction" in told
+    assert "drifts" not in told
+
+
+@pytest.mark.parametrize("order", [1, 2, 4])
+def test_a_low_pass_is_seen_in_the_noise(order):
+    result, told = _fit_foreign("filter", f"z low pass of order {order} at 10 Hz, friction 8")
+    assert result.damping_coefficient.value > 1.2 * foreign_records.DAMPING
+    assert "a low pass of the logger" in told
+    assert "a low pass of the logger" not in _fit_foreign("plain", "z, 1000 Hz, friction 3, 1")[1]
+
+
+def test_dropouts_of_a_decay_are_left_out():
+    result, told = _fit_foreign("dropout", "z held 4 times 0.2 s")
+    assert result.damping_coefficient.value == pytest.approx(foreign_records.DAMPING, rel=0.01)
+    assert "dropouts of the logger" in told
+
+
+def test_a_beat_is_no_second_hit():
+    time, signal = _record("beat", "8 % apart, 0.98, z")
+    result = fit_decay(time, signal, mass=foreign_records.MASS)
+    told = " ".join(one.message for one in result.findings)
+    assert "second hit" not in told
+    assert "explains only" in told
+
+
+def test_the_equivalent_damping_ratio_has_the_decrement():
+    truth = DecayParameters(33.9, 0.11, 0.0, 0.0, 0.2, 0.020)
+    time = np.arange(0.0, 2.0, 1e-3)
+    result = fit_decay(time, decay_response(time, truth, "displacement"), mass=16.0)
+    assert result.equivalent_damping_ratio.value == pytest.approx(0.11, rel=1e-3)
+    assert combine_decays([result]).equivalent_damping_ratio == result.equivalent_damping_ratio
+    (asked,) = [one for one in result.findings if "no stiffness was given" in one.message]
+    assert asked.severity == "note"
+    assert asked.value == pytest.approx(16.0 * 33.9**2, rel=1e-4)
