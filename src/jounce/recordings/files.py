@@ -272,7 +272,13 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
     step = to_si(given, "s", where=where)
     if step <= 0.0:
         raise RecordingError(f"{what} is not positive", where=where.rpartition(": ")[0], found=f"{step:g} s")
+    if step < _SHORTEST_STEP:
+        found, allowed = f"{step:g} s", f"{_SHORTEST_STEP:g} s or more"
+        raise RecordingError(f"{what} is too short", where=where.rpartition(": ")[0], found=found, allowed=allowed)
     return step
+
+
+_SHORTEST_STEP = 1e-12  # s: no logger is faster
 
 
 def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -> list[Finding]:

@@ -257,3 +257,12 @@ def test_marks_that_may_separate_thousands_are_refused(tmp_path: Path) -> None:
         else:
             with pytest.raises(RecordingError, match="thousands separators, or decimals"):
                 read_recording(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize("step", [1e-13, 1e-99, 5e-324])
+@pytest.mark.parametrize("option", ["sample_time", "resample"])
+def test_a_step_shorter_than_that_of_any_logger(tmp_path: Path, option: str, step: float) -> None:
+    """A decay at such a sample time was an internal error of its fit."""
+    (tmp_path / "a.csv").write_text("time [s],sprung.z [mm]\n" + "".join(f"{i},{i}\n" for i in range(20)))
+    with pytest.raises(RecordingError, match=r"a\.csv: the (sample time|step to resample to) is too short; found"):
+        read_recording(tmp_path / "a.csv", **{option: step})
