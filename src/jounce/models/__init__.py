@@ -30,7 +30,7 @@ _built: Recent[Model] = Recent()
 def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
     """Give the symbolic model of a rig; rigs that differ in numbers only share one.
 
-    With ``detail`` a 3-D rig shows its hardpoints, joint reactions and energies, too; a lumped one has no more. With
+    With ``detail`` a 3-D corner shows its hardpoints, joint reactions and energies, too; other rigs have no more. With
     an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
     """
     key = structure_of(rig), detail and type(rig) in TEMPLATES, actuator.structure if actuator else ""
