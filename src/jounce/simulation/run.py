@@ -54,7 +54,7 @@ def simulate(
         Starts the run away from equilibrium: state, e.g. ``"sprung.z"`` or ``"sprung.vz"`` (`equilibrium` gives their
         names), to m or m/s (rad, rad/s); at rest otherwise.
     detail : bool
-        For 3-D corners also all hardpoints (m), joint reactions (N, N m, on the second body, ground axes), energies (J).
+        Of 3-D corners all hardpoints (m), joint reactions (N, N m, on the second body, ground axes), energies (J).
         A car shows no more with it.
     check : bool
         Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
