@@ -12,7 +12,6 @@ from jounce.web.untrusted import plain_json
 require("fastapi", "web")  # ruff: isort: split
 from fastapi import Request, Response  # noqa: E402
 from fastapi.routing import APIRoute  # noqa: E402
-from starlette.requests import ClientDisconnect  # noqa: E402
 
 _GONE = 499  # what servers note where nobody waits for the answer any more
 
@@ -36,9 +35,12 @@ class Route(APIRoute):
         handler = super().get_route_handler()
 
         async def answer(request: Request) -> Response:
+            plain = PlainRequest(request.scope, request.receive)
             try:
-                return await handler(PlainRequest(request.scope, request.receive))
-            except ClientDisconnect:
-                return Response(status_code=_GONE)
+                return await handler(plain)
+            except Exception:
+                if await plain.is_disconnected():
+                    return Response(status_code=_GONE)
+                raise
 
         return answer
