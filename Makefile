@@ -8,6 +8,7 @@
 #   make test-machines  the tests on every Python, the lowest and newest packages, other processors: hours
 #   make bench-web  how fast the workbench answers, in Chromium
 #   make screens    pictures of the workbench for the documentation, in Chromium
+#   make test-faults  let operations on files of every writer go wrong, one by one: FAULTS="--most 8" tries fewer
 #   make test-all  the slow tests too                         make format  what `make lint` can mend by itself
 #   make mutants   change a package in one place at a time: do its tests notice? PACKAGE=ride SAMPLE=200 SEED=1
 #   make loops     machine code of the loops, which `make setup` makes, too: again where their sources have changed
@@ -31,6 +32,7 @@ SEED ?= 1
 PLACE ?=
 MINUTES ?= inf
 MACHINES ?=
+FAULTS ?=
 BIN := $(VENV)/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 
 # The pins are complete, so pip resolves nothing; wheels only, so that no unpinned build tool is fetched.
@@ -40,7 +42,7 @@ PINS := runtime build test lint docs bench mutants machines audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-all test-machines axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens
+.PHONY: help setup loops demo quick test test-pages test-faults test-all test-machines axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens
 .DELETE_ON_ERROR:
 
 help:
@@ -64,6 +66,10 @@ test: $(VENV)/.test $(VENV)/.loops
 
 test-pages: $(VENV)/.test $(VENV)/.loops axe
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "(pages or examples) and not slow"
+
+# Linux on x86-64, with a C compiler.
+test-faults: $(VENV)/.test $(VENV)/.loops
+	$(BIN)/python tests/hostile/faults/run.py $(FAULTS)
 
 test-all: $(VENV)/.test $(VENV)/.loops axe
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "slow or not slow"

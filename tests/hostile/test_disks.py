@@ -109,3 +109,70 @@ def test_a_folder_that_is_a_disk_is_written_into(disk: Path) -> None:
     script = "\"$1\" -c \"from jounce.core.writing import write_files; write_files('.', {'a/b.txt': 'x'})\" && ls -A"
     ran = in_disk(disk, script, sys.executable)
     assert (ran.returncode, ran.stdout) == (0, "a\n"), ran.stderr
+
+
+STORES = """
+import shutil, subprocess, sys
+from pathlib import Path
+from jounce.core.errors import OutputError
+from jounce.inspection.archive.store import Store
+disk, seen = Path(sys.argv[1]), set()
+for size in range(16, 240, 8):
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "tmpfs", str(disk)], check=True)
+    file = disk / "lane.sqlite"
+    try:
+        Store(file).close()
+        seen.add("made")
+    except OutputError:
+        seen.add("refused")
+    if file.exists():  # to be read it needs room for its log
+        store = Store(shutil.copy(file, disk.with_name("copy.sqlite")), read_only=True)
+        assert store.problems() == [], size
+        store.close()
+    left = {one.name for one in disk.iterdir()}
+    assert left <= {"lane.sqlite", "lane.sqlite-shm", "lane.sqlite-wal"}, f"{size} kB: {left}"
+    subprocess.run(["umount", "-l", str(disk)], check=True)
+print(sorted(seen))
+"""
+
+
+def test_a_new_store_on_a_small_disk_is_whole_or_absent(disk: Path) -> None:
+    ran = in_disk(disk, 'cd / && "$1" -c "$2" "$0"', sys.executable, STORES)
+    assert (ran.returncode, ran.stdout) == (0, "['made', 'refused']\n"), ran.stderr
+
+
+def test_equations_on_a_small_disk_are_whole_or_absent(disk: Path) -> None:
+    export = ["export", "equations", "kart-quarter-car", "--out"]
+    small = 'rm base.csv && mount -o remount,size=4k "$0" && export TMPDIR="$0"'
+    commands = [[*export, "k.casadi"], [*export, "../k.c"]]
+    codes, messages, left = answers(disk, small, commands, "ls -A; tail -n 2 ../k.c")
+    assert codes == [2, 0]
+    assert "No space left on device" in messages[0]
+    assert left.split() == ["}", "/*", "extern", '"C"', "*/", "#endif"]
+
+
+def test_a_workbook_needs_no_room_for_temporary_files(disk: Path) -> None:
+    openpyxl = pytest.importorskip("openpyxl")
+    commands = [[*RUN, "--duration", "0.31 s", "--out", "../run.xlsx"]]
+    full = 'export TMPDIR="$0"; dd if=/dev/zero of=filler bs=1k count=240 2>/dev/null'
+    codes, messages, _ = answers(disk, full, commands, "true")
+    assert (codes, messages) == ([0], [])
+    assert openpyxl.load_workbook(disk.parent / "run.xlsx")["recording"].max_row == 312
+
+
+def test_what_a_full_disk_keeps_from_being_looked_at_is_no_verdict(disk: Path) -> None:
+    """Temporary files have no room: the record is left out, and taken the next time."""
+    pytest.importorskip("sqlalchemy")
+    (disk.parent / "lane").mkdir()
+    (disk.parent / "lane" / "a.csv").write_text("time [s], left.plate.z [mm]\n" + "0, 1\n" * 10_000)
+    into = ["--store", "../lane.sqlite", "--tester", "eusama"]
+    watch = ["inspect", "watch", "../lane", *into, "--once", "--settle", "0 s"]
+    add = ["inspect", "import", "../lane/a.csv", *into]
+    full = 'export TMPDIR="$0"; dd if=/dev/zero of=filler bs=1k count=240 2>/dev/null'
+    codes, messages, left = answers(disk, full, [add, watch], "ls -A")
+    assert codes == [2, 2]
+    assert "No space left on device" in messages[0]
+    assert left.split() == ["base.csv", "filler"]
+    search = '"$1" -m jounce inspect search --store ../lane.sqlite | grep -o a.csv'
+    codes, _, shown = answers(disk, "true", [watch], search)
+    assert (codes, shown) == ([0], "a.csv\n")

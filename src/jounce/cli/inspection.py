@@ -566,7 +566,7 @@ def watch(
 ) -> Reply:
     """Watch a folder and store every complete record, until Ctrl-C. The files stay where they are.
 
-    What cannot be read is reported once, and tried again when it has changed.
+    What cannot be read is reported once, and tried again when it has changed. With --once the exit code is then 2.
 
     Example: jounce inspect watch /srv/lane --store lane.sqlite --tester theta-msd3000
     """
@@ -579,7 +579,7 @@ def watch(
         raise DescriptionError("out of range", where="--settle", found=settle, allowed="0 s or more")
     kept: list[ImportedRecord] = []
     failed: dict[str, str] = {}
-    chosen, graded_by = _given_tester(tester), load_limits(limits)
+    chosen, graded_by, code = _given_tester(tester), load_limits(limits), DONE
     check_folder(folder)
     with closing(Store(store)) as opened:
         watching = FolderWatch(folder, opened, chosen, graded_by, settle=settled)
@@ -594,11 +594,16 @@ def watch(
                         failed.pop(str(seen.file), None)  # the store, or the file, may have come back
                         kept.append(seen.imported)
                         _say_kept(seen.imported, as_json=as_json)
-                if once and (not watching.is_waiting or time.monotonic() > end):
+                if once and (not watching.waiting or time.monotonic() > end):
+                    left = [str(file) for file in watching.waiting if str(file) not in failed]
+                    failed |= dict.fromkeys(left, "not stored: still being written, or the store could not be used")
+                    for file in left:
+                        tell(f"{file}: {failed[file]}")
+                    code = REFUSED if failed else DONE
                     break
                 time.sleep(min(pause, max(settled, 0.01)) if once else pause)
     plain = {"folder": str(folder), "store": opened.location, "records": kept, "failed": failed}
-    return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json)
+    return Reply(plain, lambda out: _draw_import(out, kept, failed), as_json, code)
 
 
 @app.command("reevaluate")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copyreg
 import difflib
+import errno
 from collections.abc import Iterable
 from typing import Any
 
@@ -72,6 +73,22 @@ class FitError(JounceError):
 
 class OutputError(JounceError):
     """A file that cannot be written without losing something."""
+
+
+class DiskError(OutputError):
+    """A disk that is full or fails, or too many open files: this says nothing about the file that was worked on."""
+
+
+def is_of_disk(error: BaseException) -> bool:
+    """Whether an error is the disk's or the system's, not that of a file or of what it holds.
+
+    >>> is_of_disk(OSError(errno.ENOSPC, "")), is_of_disk(OSError(errno.ENOENT, "")), is_of_disk(ValueError())
+    (True, False, False)
+    """
+    return isinstance(error, OSError) and error.errno in _OF_DISK
+
+
+_OF_DISK = {getattr(errno, name, -1) for name in ("ENOSPC", "EDQUOT", "EIO", "EROFS", "ESTALE", "EMFILE", "ENFILE")}
 
 
 def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:

@@ -27,11 +27,11 @@ def workbook_of(sheets: Mapping[str, Iterable[Sequence[float | str]]]) -> bytes:
     book = openpyxl.Workbook(write_only=True)
     for name, rows in sheets.items():
         sheet = book.create_sheet(name)
+        sheet._writer = openpyxl.worksheet._writer.WorksheetWriter(sheet, io.BytesIO())
+        sheet._writer.write_top()
         for row in rows:
             sheet.append([_cell(openpyxl, sheet, value) for value in row])
-    stream = io.BytesIO()
-    book.save(stream)
-    return undated(stream.getvalue())
+    return saved(book)
 
 
 def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
@@ -50,17 +50,37 @@ def wrapped(text: str) -> list[str]:
     return [text[i : i + LONGEST_TEXT] for i in range(0, len(text), LONGEST_TEXT)]
 
 
-def undated(content: bytes) -> bytes:
-    """Write a workbook's archive again without the times at which it was made; places are relative to its own."""
-    stream = io.BytesIO()
-    with zipfile.ZipFile(io.BytesIO(content)) as old, zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as new:
-        for info in old.infolist():
-            data = old.read(info)
-            if info.filename == "docProps/core.xml":
+def saved(book: Any) -> bytes:
+    """Give a workbook as bytes, without the times at which it was made; places are relative to its own.
+
+    All of it is made in memory: openpyxl itself writes sheets into files in ``TMPDIR``, does not notice some errors of
+    a full disk there, and leaves them where the process is killed.
+    """
+    excel = require("openpyxl.writer.excel", "io")
+
+    class Archive(zipfile.ZipFile):
+        def writestr(self, name: Any, content: bytes | str, *_: Any) -> None:  # type: ignore[override]
+            data = content.encode() if isinstance(content, str) else content
+            if name == "docProps/core.xml":
                 data = re.sub(rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*", rb"\g<1>2000-01-01T00:00:00Z", data)
-            if info.filename == "xl/_rels/workbook.xml.rels":  # as Excel writes it; Octave reads no other
+            if name == "xl/_rels/workbook.xml.rels":  # as Excel writes it; Octave reads no other
                 data = data.replace(b'Target="/xl/', b'Target="')
-            new.writestr(zipfile.ZipInfo(info.filename, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
+            super().writestr(zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
+
+    class Writer(excel.ExcelWriter):  # type: ignore[misc, name-defined]
+        def write_worksheet(self, sheet: Any) -> None:
+            if self.workbook.write_only:
+                sheet.close()
+                writer = sheet._writer
+            else:
+                writer = excel.WorksheetWriter(sheet, io.BytesIO())
+                writer.write()
+            sheet._rels = writer._rels
+            self._archive.writestr(sheet.path[1:], writer.read())
+            self.manifest.append(sheet)
+
+    stream = io.BytesIO()
+    Writer(book, Archive(stream, "w")).save()
     return stream.getvalue()
 
 

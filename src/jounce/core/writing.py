@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jounce.core.errors import OutputError
+from jounce.core.errors import DiskError, OutputError, is_of_disk
 from jounce.core.locking import holding
 from jounce.core.optional import require
 
@@ -80,16 +80,19 @@ class Formats:
 
 
 @contextmanager
-def replacing(file: Path, *, force: bool = True, most: int = 0o777) -> Iterator[Path]:
+def replacing(file: Path, *, force: bool = True, most: int = 0o777, lasting: bool = True) -> Iterator[Path]:
     """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
 
     Without ``force`` a file that another process has written there meanwhile stays, and is an error.
-    A file that is replaced keeps its mode, without what ``most`` does not allow.
+    A file that is replaced keeps its mode, without what ``most`` does not allow. A ``lasting`` one is on the disk
+    before it gets its name: where the power fails, the old or the new is there, whole.
     """
     with _told(file, "the file cannot be written"):
         temporary = temporary_beside(file, most=most)
         try:
             yield temporary
+            if lasting:
+                _write_through(temporary)
             _copy_mode(file, temporary, most)
             if force or file.is_symlink():
                 temporary.replace(file)
@@ -98,6 +101,15 @@ def replacing(file: Path, *, force: bool = True, most: int = 0o777) -> Iterator[
         except BaseException:
             temporary.unlink(missing_ok=True)
             raise
+
+
+def _write_through(file: Path) -> None:
+    """Put the content of a file on the disk: some learn only here that it is full."""
+    handle = os.open(file, os.O_RDWR)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def _put(temporary: Path, file: Path) -> None:
@@ -201,6 +213,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
                 target = built / name
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content.encode() if isinstance(content, str) else content)
+                _write_through(target)
                 _copy_mode(root / name, target)
             built.mkdir(exist_ok=True)  # where there are no files
             if is_there:
@@ -320,7 +333,7 @@ def _told(where: Path, what: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise OutputError(
+        raise (DiskError if is_of_disk(error) else OutputError)(
             what,
             where=str(where),
             found=error.strerror or str(error),

@@ -128,7 +128,8 @@ def write_sealed(file: Path, key: str, content: bytes) -> bool:
         folder = own_folder(file.parent)
         if edited_since("kernel"):
             return False
-        with replacing(folder / file.name, most=0o755) as temporary:  # whatever the user's mask lets others write
+        # Whatever the user's mask lets others write; a checksum tells what a power cut leaves of it.
+        with replacing(folder / file.name, most=0o755, lasting=False) as temporary:
             temporary.write_bytes(_checksum(key, content) + content)
     except ForeignError as error:
         _tell_foreign(file.parent, str(error.filename))

@@ -268,7 +268,8 @@ def serve(readers: Sequence[Reader]) -> None:
         except MemoryError as error:
             answer, arrays = {"error": _plain_error(too_much_memory(error, told["path"], told["memory"]))}, []
         except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
-            answer, arrays = {"error": _plain_error(errors.unforeseen(error, told["path"], RecordingError))}, []
+            kind = errors.DiskError if errors.is_of_disk(error) else RecordingError
+            answer, arrays = {"error": _plain_error(errors.unforeseen(error, told["path"], kind))}, []
         os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
         answer["is_last"] = _resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)

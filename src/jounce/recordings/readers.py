@@ -29,7 +29,7 @@ from jounce.core.columns import (
     parse_header,
     text_of,
 )
-from jounce.core.errors import JounceError, RecordingError, nearest
+from jounce.core.errors import JounceError, RecordingError, is_of_disk, nearest
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding
 from jounce.core.optional import require
@@ -37,6 +37,7 @@ from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.types import Array
 from jounce.core.units import is_unit, is_unit_of
 from jounce.core.workbooks import sheets_of
+from jounce.core.writing import working_folder
 from jounce.recordings.hdf5 import announcement, check_size
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.labview import FIRST, plain_columns
@@ -163,7 +164,9 @@ def _understood(path: Path, what: str) -> Iterator[None]:
             yield
     except (JounceError, MemoryError):
         raise
-    except Exception as error:  # noqa: BLE001 - bare Exceptions, KeyErrors and struct errors alike
+    except Exception as error:  # bare Exceptions, KeyErrors and struct errors alike
+        if is_of_disk(error):
+            raise
         text = " ".join(str(error).split())[:200]
         with PROCESS_SETTINGS:
             hook = sys.unraisablehook
@@ -489,7 +492,12 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
     require("asammdf.blocks.v4_blocks", "io").ListData.self = property(lambda one: one)
     findings: list[Finding] = []
     long_names = dict[str, str]()
-    with _understood(path, "an MDF file"), _quiet(), asammdf.MDF(path) as file:
+    with (
+        working_folder() as folder,
+        _understood(path, "an MDF file"),
+        _quiet(),
+        asammdf.MDF(path, temporary_folder=str(folder)) as file,
+    ):
         has_frames = any(name.endswith("DataFrame") for name in file.channels_db)
         sources = [file]
         if options.database is not None:

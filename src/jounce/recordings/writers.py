@@ -16,7 +16,7 @@ from jounce.core.optional import require
 from jounce.core.serialise import to_plain
 from jounce.core.text import guarded
 from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, workbook_of, wrapped
-from jounce.core.writing import Formats
+from jounce.core.writing import Formats, working_folder
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -168,7 +168,7 @@ def _mdf_of(dataset: xr.Dataset) -> bytes:
         for name, signal in signals.items()
     ]
     buffer = io.BytesIO()
-    with asammdf.MDF(version="4.10") as file:
+    with working_folder() as folder, asammdf.MDF(version="4.10", temporary_folder=str(folder)) as file:
         file.append(rows, acq_name="recording", common_timebase=True)
         file.header.description = _about(dataset)
         file.save(buffer, compression=2)

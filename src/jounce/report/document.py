@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.optional import require
 from jounce.core.text import guarded
-from jounce.core.workbooks import CONTROL, undated
+from jounce.core.workbooks import CONTROL, saved
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
 from jounce.report.page import (
@@ -231,10 +231,7 @@ def tables_xlsx(page: Page) -> bytes:
         for k, column in enumerate(sheet.columns, 1):
             width = max((len(str(cell.value or "")) for cell in column), default=8)
             sheet.column_dimensions[openpyxl.utils.get_column_letter(k)].width = min(max(width + 2, 8), 60)
-    stream = io.BytesIO()
-    book.properties.created = book.properties.modified = _EPOCH
-    book.save(stream)
-    return undated(stream.getvalue())
+    return saved(book)
 
 
 def _append(sheet: Any, values: Sequence[float | str]) -> None:
@@ -245,12 +242,3 @@ def _append(sheet: Any, values: Sequence[float | str]) -> None:
         cell.value = CONTROL.sub(" ", value) if isinstance(value, str) else value
         if isinstance(value, str):
             cell.data_type = "s"
-
-
-def _epoch() -> Any:
-    from datetime import UTC, datetime
-
-    return datetime(2000, 1, 1, tzinfo=UTC).replace(tzinfo=None)
-
-
-_EPOCH = _epoch()

@@ -45,13 +45,13 @@ def test_a_file_counts_when_it_has_stopped_growing(folder, store, clock) -> None
         file.write_text(text)
         clock.now = float(second)
         assert watch.look() == []
-        assert watch.is_waiting
+        assert watch.waiting
     clock.now = 3.9
     assert watch.look() == []
     clock.now = 4.0
     (seen,) = watch.look()
     assert store.content(seen.imported.number)[0] == file.read_bytes()
-    assert not watch.is_waiting
+    assert not watch.waiting
     clock.now = 99.0
     assert watch.look() == []
 
@@ -114,7 +114,7 @@ def test_a_store_that_is_busy_is_tried_again(folder, store, monkeypatch) -> None
         context.setattr(watching, "import_record", busy)
         assert "tried again" in watch.look()[0].problem
         assert watch.look() == []  # said once
-        assert watch.is_waiting
+        assert watch.waiting
     assert watch.look()[0].imported.is_new
 
 
@@ -142,5 +142,5 @@ def test_what_jounce_writes_into_the_folder_is_no_record(folder, store, clock, m
     export([{"number": 1, "wheel": "left", "adhesion": 0.5}], folder / "lane.parquet")
     (folder / "record.csv").write_text(HALF + "0, 1\n")
     assert [seen.file.name for seen in watch.look()] == ["record.csv"]
-    assert not watch.is_waiting
+    assert not watch.waiting
     assert watch.look() == []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -54,8 +55,9 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
     words += ["-o", str(out), str(folder / "model.c"), str(C / "core.c"), str(C / f"fmi{version}.c")]
     if "linux" in platform:
         words.append("-lm")
+    places = {**os.environ, **dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(folder))}  # which goes, however this ends
     try:
-        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_LONGEST)
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_LONGEST, env=places)
     except (OSError, subprocess.TimeoutExpired) as error:
         raise OutputError(f"the C of the FMU was not compiled: {error}", where=platform, hint=_HINT) from None
     if done.returncode:

@@ -294,12 +294,12 @@ def _make(file: Path) -> None:
     engine = _sqlite(temporary, read_only=False)
     try:
         with reported_errors(str(file)):
-            with engine.connect() as connection:
+            with engine.begin() as connection:
+                create_tables(connection)
+            with engine.connect() as connection:  # last: where the disk is full, putting a log in place fails unseen
                 raw = connection.connection.driver_connection
                 assert raw is not None
                 raw.execute("PRAGMA journal_mode=WAL")
-            with engine.begin() as connection:
-                create_tables(connection)
         engine.dispose()
         _give_name(temporary, file)
     finally:

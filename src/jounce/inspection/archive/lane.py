@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.description import toml_table
-from jounce.core.errors import JounceError, RecordingError
+from jounce.core.errors import JounceError, OutputError, RecordingError
 from jounce.core.files import content_of
 from jounce.core.writing import working_folder
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
@@ -224,7 +224,7 @@ def import_record(
     Raises
     ------
     OutputError
-        When the store cannot be written to; nothing of the record is in it then.
+        When the store, or a file that evaluating takes, cannot be written; nothing of the record is in the store then.
     RecordingError
         For an empty file, or a damaged store.
     OSError
@@ -251,6 +251,8 @@ def import_record(
         entry = _with_tester(entry, tester)
         entry, graded = _evaluated(entry, vehicle, limits)
         grading = grading_of(graded)
+    except (OutputError, OSError):  # a disk that is full or fails: the record was not looked at, and is no verdict
+        raise
     except Exception as error:  # noqa: BLE001 - whatever the evaluation meets, the record must not be lost
         problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
         grading = refusal_of(problem, limits)
@@ -335,6 +337,8 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
         try:
             record, findings = read_record(file, tester)
             record = record.load()
+        except OutputError:
+            raise
         except JounceError as error:
             where = error.where.replace(beside, "")
             raise RecordingError(

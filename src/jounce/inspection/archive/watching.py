@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.core.errors import JounceError, RecordingError, unforeseen
+from jounce.core.errors import DiskError, JounceError, OutputError, RecordingError, is_of_disk, unforeseen
 from jounce.core.files import existing_file, state_of
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import storable
@@ -83,13 +83,13 @@ class FolderWatch:
         self._settle, self._clock = settle, clock
         self._suffixes = record_suffixes()
         self._done: dict[str, _Stamp] = store.watched()
-        self._waiting: dict[str, tuple[_Stamp, float]] = {}
+        self._waiting: dict[str, tuple[_Stamp, float, Path]] = {}
         self._reported = self._busy = ""
 
     @property
-    def is_waiting(self) -> bool:
-        """Tell whether files are there that may still be written."""
-        return bool(self._waiting)
+    def waiting(self) -> list[Path]:
+        """Files that may still be written, or could not be looked at or stored until now."""
+        return [file for _, _, file in self._waiting.values()]
 
     def look(self) -> list[Seen]:
         """Look once; give what became of the files that are finished now."""
@@ -114,10 +114,10 @@ class FolderWatch:
             if stamp is None or self._done.get(path) == stamp:
                 self._waiting.pop(path, None)
                 continue
-            before, since = self._waiting.get(path, (None, now))
+            before, since, _ = self._waiting.get(path, (None, now, file))
             if before != stamp:
                 since = now
-                self._waiting[path] = (stamp, now)
+                self._waiting[path] = (stamp, now, file)
             if now - since >= self._settle:
                 seen = self._take(file, path, stamp)
                 if seen is not None:
@@ -127,33 +127,40 @@ class FolderWatch:
         return file.suffix.lower() in self._suffixes and file.name[0] not in ".~" and not file.is_dir()
 
     def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
-        """Import a file; None where the store cannot be written to now, so that it comes again; and for own output."""
+        """Import a file and remember it; where the store or a disk cannot be written to now, it comes again."""
+        try:
+            seen = self._imported(file)
+            if _stamp_of(file) == stamp:  # otherwise it went on growing and is looked at again
+                if seen is not None:
+                    self.store.note_watched(path, *stamp, seen.problem)
+                self._done[path] = stamp
+        except OutputError as error:
+            reason = f"{error.what} {error.found}"
+            if self._busy == reason:
+                return None
+            self._busy = reason
+            return Seen(file, None, f"{error} It is tried again.")
+        self._busy = ""
+        self._waiting.pop(path, None)
+        return seen
+
+    def _imported(self, file: Path) -> Seen | None:
+        """What becomes of a file; None for jounce's own output."""
         try:
             existing_file(file, RecordingError)  # a pipe would keep everything waiting
             if _is_own_output(file):
-                self._done[path] = stamp
-                self._waiting.pop(path, None)
                 return None
             imported = import_record(file, self.store, self.tester, limits=self.limits)
-            seen, self._busy = Seen(file, imported, imported.problem), ""
-        except DamagedStoreError:
+            return Seen(file, imported, imported.problem)
+        except (DamagedStoreError, OutputError):
             raise
         except OSError as error:
-            seen = Seen(file, None, f"cannot be read: {error.strerror or error}")
-        except JounceError as error:
-            if error.where == self.store.location:
-                if self._busy != str(error):
-                    self._busy = str(error)
-                    return Seen(file, None, f"{error} It is tried again.")
-                return None
-            seen = Seen(file, None, str(error))
+            told = f"cannot be read: {error.strerror or error}"
+            if is_of_disk(error):
+                raise DiskError(told, where=str(file)) from None
+            return Seen(file, None, told)
         except Exception as error:  # noqa: BLE001 - one record never stops the watch
-            seen = Seen(file, None, str(unforeseen(error, str(file))))
-        if _stamp_of(file) == stamp:  # otherwise it went on growing and is looked at again
-            self.store.note_watched(path, *stamp, seen.problem)
-            self._done[path] = stamp
-        self._waiting.pop(path, None)
-        return seen
+            return Seen(file, None, str(unforeseen(error, str(file))))
 
 
 def _is_own_output(file: Path) -> bool:
