@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from jounce.parts import load
+
 ESTIMATE = {"value", "standard_error", "interval"}
 
 
@@ -306,3 +308,20 @@ def test_european_files_and_irregular_time_on_the_command_line(cli, decay_file: 
     assert "the largest gap in the recorded time is" in messages
     wrong = cli(*command, "--resample", "10 mm")
     assert (wrong.exit_code, "--resample" in wrong.err) == (2, True)
+
+
+def test_a_rate_is_written_into_a_rig_with_its_interval_and_source(cli, spring_files: list[Path]) -> None:
+    asked = ("fit", "stiffness", *spring_files, "--rig", "kart-quarter-car")
+    outcome = cli(*asked, "--out", "rig.toml", "--json")
+    assert outcome.exit_code == 0
+    assert outcome.json["out"] == "rig.toml"
+    assert load("rig.toml").parameters()["strut.spring.rate"] == pytest.approx(22730.0, rel=1e-6)
+    first = Path("rig.toml").read_text(encoding="utf-8").splitlines()[0]
+    assert first.startswith("# strut.spring.rate: 22730 N/m, 95 % interval 226")
+    assert "linear law of spring_1 to spring_" in first
+    again = cli(*asked, "--out", "rig.toml")
+    assert (again.exit_code, "exists" in again.err) == (2, True)
+    alone = cli(*asked)
+    assert (alone.exit_code, "--rig and --out" in alone.err) == (2, True)
+    wrong = cli(*asked, "--out", "other.toml", "--part", "strut.spring.rat")
+    assert (wrong.exit_code, Path("other.toml").exists()) == (2, False)

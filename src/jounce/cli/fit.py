@@ -84,6 +84,9 @@ def stiffness(
     load: Annotated[
         str | None, typer.Option(help='Static load of the part, e.g. "206 N": checks that the fit covers it.')
     ] = None,
+    rig: Annotated[str | None, typer.Option(help="A rig that takes the rate over: name or file.")] = None,
+    part: Annotated[str, typer.Option(help="Which rate of the rig it is.")] = "strut.spring.rate",
+    out: Annotated[Path | None, typer.Option(help="Write the rig with the rate, RIG.toml.")] = None,
     stroke_positive: StrokeSign = None,
     force_positive: ForceSign = None,
     columns_: Columns = None,
@@ -105,7 +108,9 @@ def stiffness(
     from jounce.identify.stiffness import fit_stiffness
     from jounce.recordings.formats import TableFormat
 
-    check_outputs(figure=figure, report=report, force=force)
+    check_outputs(rig=out, figure=figure, report=report, force=force)
+    if (rig is None) != (out is None):
+        raise OutputError("a rate is written from one rig into another file", where="--rig", allowed="--rig and --out")
     choice: dict[str, Any] = {
         "law": law,
         "degree": degree,
@@ -122,6 +127,8 @@ def stiffness(
     result = fit_stiffness(trials, **choice)
     findings = (*notes, *result.findings)
     title = _title(found)
+    if rig is not None and out is not None:
+        _write_rate(result.stiffness, rig, part, f"{result.law} law of {title}", out, force=force)
 
     def picture() -> Figure:
         from jounce.plots import stiffness_fit
@@ -134,8 +141,21 @@ def stiffness(
         return stiffness_page(result, trials, findings, title=title)
 
     written, missing = _written(picture, page, title, figure, report, force=force)
+    written["out"] = out and str(out)
     plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings), **written}
     return Reply(plain, lambda out: _draw_stiffness(out, result, findings, plain), as_json, missing=missing)
+
+
+def _write_rate(rate: Estimate, rig: str, part: str, source: str, out: Path, *, force: bool) -> None:
+    """Write a rig with one of its rates measured, and where it comes from above it."""
+    from jounce.core.writing import write_atomically
+    from jounce.parts import load, rig_path
+    from jounce.parts.files import changed_text
+
+    text = changed_text(rig_path(rig).read_text(encoding="utf-8"), load(rig), {part: rate.value})
+    low, high = rate.interval or (rate.value, rate.value)
+    doubt = f"95 % interval {low:.6g} to {high:.6g} N/m" if rate.interval else "interval unknown"
+    write_atomically(out, f"# {part}: {rate.value:.6g} N/m, {doubt}; {source}\n{text}", force=force)
 
 
 @app.command("decay")
