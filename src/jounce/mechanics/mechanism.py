@@ -33,7 +33,7 @@ from jounce.mechanics.frames import GROUND, Moving
 from jounce.mechanics.joints import Joint, Motion
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.mass import check_inertia
-from jounce.mechanics.mobility import Mobility, free_motions_of
+from jounce.mechanics.mobility import Mobility, mobility_of
 from jounce.mechanics.model import Model
 from jounce.mechanics.outputs import Watch
 from jounce.mechanics.reactions import Reaction, reaction_of
@@ -1013,16 +1013,7 @@ class Mechanism(Structure):
         p, u = self._numbers(model, self.with_values(values or {}), inputs or {})
         pose = assemble(model, p, u, start, redundant="keep")
         refuse_singular(model, pose.x, u, p)
-        return self.mobility_at(model, pose.x, u, p, pose.redundant)
-
-    def mobility_at(
-        self, model: Model, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()
-    ) -> Mobility:
-        """Degrees of freedom of a model of this mechanism at a state with closed loops that is not singular."""
-        every = [equation.name for constraint in self.collection.constraints for equation in constraint.equations]
-        left_out = tuple((name,) for name in every if name not in model.constraints)
-        motions = free_motions_of(self, model, x, u, p)
-        return Mobility(len(motions), len(model.speeds) - len(every), redundant + left_out, motions)
+        return mobility_of(self, model, pose.x, u, p, pose.redundant)
 
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
         """Places (m, design pose) of all bodies, joints, loads and what is watched, by the paths of their numbers."""

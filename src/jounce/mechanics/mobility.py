@@ -111,7 +111,17 @@ def _shown(vector: tuple[float, ...]) -> str:
     return f"({', '.join(f'{round(part, 4) + 0.0:.4g}' for part in vector)})"
 
 
-def free_motions_of(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> tuple[FreeMotion, ...]:
+def mobility_of(
+    mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()
+) -> Mobility:
+    """Degrees of freedom of a mechanism's model at a state with closed loops that is not singular."""
+    every = [equation.name for constraint in mechanism.collection.constraints for equation in constraint.equations]
+    left_out = tuple((name,) for name in every if name not in model.constraints)
+    motions = _free_motions(mechanism, model, x, u, p)
+    return Mobility(len(motions), len(model.speeds) - len(every), redundant + left_out, motions)
+
+
+def _free_motions(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> tuple[FreeMotion, ...]:
     """Motions that the joints leave at a state with closed loops, those that feel a force first."""
     evaluator = Evaluator(model, p, u)
     ways = motions_left(evaluator.at(x)[1])

@@ -19,6 +19,7 @@ from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.facts import moved_by
 from jounce.mechanics.mechanism import BALANCE
+from jounce.mechanics.mobility import mobility_of
 from jounce.parts.advice import size_findings
 from jounce.recordings.schema import recording_of
 from jounce.simulation.compiled import Compiled, compile_model
@@ -153,7 +154,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
             notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
 
-    mobility = mechanism.mobility_at(model, first, u, p)
+    mobility = mobility_of(mechanism, model, first, u, p)
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))

@@ -33,7 +33,7 @@ _NAME = re.compile(r"[\w][\w .+-]{0,80}")
 _MOST, _LONGEST = 500, 1_000_000  # runs that are listed; bytes of what is said of one
 
 
-class Made(BaseModel):
+class _Made(BaseModel):
     """What a run was made of: its ``number`` is greater than those of all before, whatever clocks said ``when``."""
 
     path: str
@@ -116,7 +116,7 @@ def _entry(project: Project, path: str) -> Path:
 def _made(entry: Path) -> dict[str, Any] | None:
     """What a run was made of, as its entry says; None where there is none, or it says something else."""
     try:
-        return Made.model_validate(plain_json(content(entry, _LONGEST))).model_dump()
+        return _Made.model_validate(plain_json(content(entry, _LONGEST))).model_dump()
     except (OSError, ValueError):  # pydantic's are of these
         return None
 

@@ -230,7 +230,5 @@ def test_a_strut_is_known_by_its_everyday_names_and_what_it_lacks_is_said(tmp_pa
     for name in names:
         assert np.allclose(getattr(found.hardpoints, name), getattr(rig.hardpoints, name))
     few = [line for line in lines if line.startswith(("Ball joint", "Strut top", "strut"))]
-    with pytest.raises(
-        DescriptionError, match=r"nearest is a mcpherson, of which .*tie_rod_outer are missing"
-    ):
+    with pytest.raises(DescriptionError, match=r"nearest is a mcpherson, of which .*tie_rod_outer are missing"):
         read(tmp_path, ["name,x [mm],y [mm],z [mm]", *few], name="few.csv")
