@@ -441,35 +441,6 @@ def free_upright(axes: Any) -> None:
     word(axes, (4.6, 5.1), "left wheel, from behind", bold=True)
 
 
-@drawing(10.5, 5.6, parts=1, size=3.6)
-def contact_point(axes: Any) -> None:
-    """A wheel that leans: loaded radius, contact point, and both ways the road may push."""
-    lean, radius = np.radians(14.0), 2.9
-    contact = np.array([3.0, 1.0])
-    down, across = np.array([np.sin(lean), -np.cos(lean)]), np.array([np.cos(lean), np.sin(lean)])
-    centre = contact - radius * down
-    ground(axes, 0.6, 9.6, contact[1])
-    top, half, flat = centre - 1.2 * down, 0.55 * across, np.array([0.55 / np.cos(lean), 0.0])  # pressed flat
-    line(axes, top - half, top + half, contact + flat, contact - flat, top - half, color=GREY)
-    line(axes, top, contact, dashed=True, color=GREY)
-    line(axes, centre - 0.9 * across, centre + 1.6 * across, dashed=True, color=GREY)
-    word(axes, centre + 2.1 * across, "wheel's axis", color=GREY)
-    below = np.array([centre[0], contact[1]])
-    line(axes, centre, below, dashed=True, color=GREY)
-    for point, fill in ((centre, "#ffffff"), (contact, ORANGE)):
-        circle(axes, point, 0.09, fill=fill)
-    word(axes, (contact[0] + 0.2, contact[1] - 0.42), "contact point", color=ORANGE, ha="left")
-    size(axes, below, contact, "r sin γ", at=(-0.9, -0.35))
-    word(axes, centre + 0.5 * radius * down + 0.25 * across, "r", color=BLUE)
-    turn(axes, centre, 1.5, (270.0, 270.0 + np.degrees(lean)), "γ")
-    for x, law, way, force in ((5.6, "vertical", np.array([0.0, 1.0]), "F / cos γ"), (8.0, "radial", -down, "F")):
-        foot = np.array([x, contact[1]])
-        arrow(axes, foot, foot + 1.9 * way, force, color=ORANGE)
-        line(axes, foot, foot - 2.6 * down, dashed=True, color=GREY)
-        circle(axes, foot, 0.09, fill=ORANGE)
-        word(axes, (x, contact[1] - 0.42), f'"{law}"', color=ORANGE)
-
-
 def _chain(axes: Any, boxes: Sequence[tuple[float, float, str]], width: float = 1.9, height: float = 0.75) -> None:
     for x, y, text in boxes:
         box(axes, (x, y), width, height, text)

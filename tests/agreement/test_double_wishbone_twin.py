@@ -58,15 +58,13 @@ def corner(rig, on: str, free_length: float, radius: float):
     bodies["chassis"] = (rig.sprung.mass, (0.0, 0.0, 0.5), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
     law = {"rate": rig.strut.spring.rate, "damping": rig.strut.damper.coefficient, "free_length": free_length}
     system = twin.double_wishbone(points, bodies, law, gravity=rig.gravity, strut_on=on)
-    system.spin_axis = (0.0, np.cos(rig.wheel.camber), -np.sin(rig.wheel.camber))
     return twin.Corner(system, rig.tyre.stiffness, radius, unilateral=True)
 
 
 def resting(rig, on: str):
     """Twin that rests at design: the tyre carries it all, and the body's acceleration is linear in the free length."""
     weight = rig.gravity * (rig.sprung.mass + sum(getattr(rig.bodies, name).mass for name in INERTIA))
-    level = np.cos(rig.wheel.camber)
-    radius = rig.hardpoints.wheel_centre[2] / level + weight * level / rig.tyre.stiffness
+    radius = rig.hardpoints.wheel_centre[2] + weight / rig.tyre.stiffness
     tried = [corner(rig, on, length, radius) for length in (0.4, 0.5)]
     rates = [made.channels(made.system.at_design(), 0.0, touching=True)[2] for made in tried]
     return corner(rig, on, 0.4 - 0.1 * rates[0] / (rates[1] - rates[0]), radius)

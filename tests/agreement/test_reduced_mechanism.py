@@ -175,8 +175,7 @@ def test_the_bound_of_a_table_holds_between_its_points():
         for name, row, wanted in zip(reduction.names[1:], rows, exact.outputs[1:], strict=True):
             size = np.ptp(wanted) if "." in name else np.abs(row[0])  # a length or an angle, or a mass
             bound = table.error * (100.0 if name.startswith("wheel.") else 1.0)  # what nothing feels may be less exact
-            rounding = max(1e-15, 32.0 * np.spacing(np.abs(wanted).max()))
-            assert np.max(np.abs(np.polyval(row[::-1], x) - wanted)) <= bound * size + rounding
+            assert np.max(np.abs(np.polyval(row[::-1], x) - wanted)) <= bound * size + 1e-15
         bounds.append(table.error)
     assert bounds[1] < bounds[0] < 1e-8
     assert reduction.table(p, 0.0, -0.06, 0.06, DEGREES[0]).error > 10.0 * bounds[0]

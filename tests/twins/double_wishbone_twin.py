@@ -148,7 +148,7 @@ def _spring(y, n, ends, places, laws):
 def _accelerations(  # noqa: PLR0917
     y, tyre, n, mass, inertia, gravity, kinds, ends, first, second, lengths, s_ends, s_places, s_laws, wheel, hub
 ):
-    """Accelerations (6 n) and multipliers; ``tyre`` is a vertical force, and how far from the wheel centre it acts."""
+    """Accelerations (6 n) and multipliers; ``tyre`` is the vertical force at the wheel centre."""
     m = len(kinds)
     J, f, gamma = np.zeros((m, 6 * n)), np.zeros(m), np.zeros(m)
     _constraints(y, n, kinds, ends, first, second, lengths, J, f, gamma)
@@ -159,7 +159,7 @@ def _accelerations(  # noqa: PLR0917
         _add_force(Q, y, n, s_ends[i, 1], pb, force * d)
     if wheel > 0:
         centre, _ = _point(y, n, wheel, hub)
-        _add_force(Q, y, n, wheel, centre + tyre[1:], np.array([0.0, 0.0, tyre[0]]))
+        _add_force(Q, y, n, wheel, centre, np.array([0.0, 0.0, tyre]))
     free = np.zeros(6 * n)
     for b in range(n):
         R, omega = _matrix(y[7 * b + 3 : 7 * b + 7]), y[7 * n + 6 * b + 3 : 7 * n + 6 * b + 6]
@@ -220,7 +220,6 @@ class System:
     joints: dict = field(default_factory=dict)  # name to the numbers of its rows
     wheel: int = 0
     hub: tuple = (0.0, 0.0, 0.0)
-    spin_axis: tuple = (0.0, 1.0, 0.0)
 
     def body(self, mass: float, centre, inertia) -> int:
         """Add a body; inertia as six tensor elements xx yy zz xy xz yz about the centre of mass, design axes."""
@@ -330,30 +329,13 @@ class Corner:
         self.hub = self.model[-1]
         self.design_centre = np.array(system.hub, float)
 
-    def pressed(self, y, height: float) -> tuple[float, np.ndarray]:
-        """Deflection in the wheel's plane, and the wheel's vertical force per newton of the tyre, with its lever.
-
-        The tyre touches where the plane of the wheel meets the road below its centre.
-        """
-        body, above = self.model[-2], _point(y, self.model[0], self.model[-2], self.hub)[0][2] - height
-        axis = _matrix(y[7 * body - 4 : 7 * body]) @ np.array(self.system.spin_axis)
-        lean = math.asin(axis[2])
-        aside = above * math.tan(lean) * axis / math.hypot(axis[0], axis[1])
-        return self.radius - above / math.cos(lean), np.array([1.0 / math.cos(lean), aside[0], aside[1], -above])
-
     def deflection(self, y, height: float) -> float:
-        return self.pressed(y, height)[0]
-
-    def tyre(self, y, height: float, touching: bool) -> np.ndarray:
-        """Vertical force, and the place it acts at from the wheel centre."""
-        deflection, tyre = self.pressed(y, height)
-        tyre[0] *= self.stiffness * deflection if touching else 0.0
-        return tyre
+        return self.radius + height - _point(y, self.model[0], self.model[-2], self.hub)[0][2]
 
     def channels(self, y, height: float, touching: bool) -> np.ndarray:
         """zs, zu, as, au, tyre force, strut force, strut length, sprung and unsprung velocity."""
         n, body = self.model[0], self.model[-2]
-        tyre = self.tyre(y, height, touching)
+        tyre = self.stiffness * self.deflection(y, height) if touching else 0.0
         acceleration = _accelerations(y, tyre, *self.model)[0]
         centre, velocity = _point(y, n, body, self.hub)
         omega = y[7 * n + 6 * body - 3 : 7 * n + 6 * body]
@@ -362,12 +344,12 @@ class Corner:
         hub = acceleration[6 * body - 6 : 6 * body - 3] + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
         length, force, *_ = _spring(y, n, *(x[0] for x in self.model[9:12]))
         zs, zu = y[2] - self.system.centre[0][2], centre[2] - self.design_centre[2]
-        return np.array([zs, zu, acceleration[2], hub[2], tyre[0], force, length, y[7 * n + 2], velocity[2]])
+        return np.array([zs, zu, acceleration[2], hub[2], tyre, force, length, y[7 * n + 2], velocity[2]])
 
     def joint_forces(self, y, height: float, touching: bool) -> dict[str, np.ndarray]:
         """Force of each named joint on its second body, ground axes."""
         n, system = self.model[0], self.system
-        tyre = self.tyre(y, height, touching)
+        tyre = self.stiffness * self.deflection(y, height) if touching else 0.0
         multipliers = _accelerations(y, tyre, *self.model)[1]
         found = {}
         for name, rows in system.joints.items():
@@ -415,7 +397,7 @@ class Corner:
         height = road if road.edges[0] < middle < road.edges[1] else (lambda _: 0.0)
 
         def rate(s, x):
-            return _rate(x, self.tyre(x, height(s), touching), *self.model)
+            return _rate(x, self.stiffness * self.deflection(x, height(s)) if touching else 0.0, *self.model)
 
         def gap(s, x):
             return self.deflection(x, height(s))

@@ -12,7 +12,7 @@ import casadi as ca
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
-from jounce.models.attachments import Contact, contact_of
+from jounce.models.attachments import add_tyre, undeformed_radius
 from jounce.models.channels import show_height
 from jounce.models.corner import add_strut, build_linkage, show_wheel
 from jounce.models.linkage import Linkage
@@ -24,12 +24,14 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 
 @dataclass(frozen=True)
 class _Wheel:
-    """A corner on the road; travel against the body in m."""
+    """A corner on the road; travel against the body, undeformed radius and deflection in m, the tyre's load in N."""
 
     linkage: Linkage
     centre: Moving
     travel: ca.SX
-    contact: Contact
+    radius: ca.SX
+    deflection: ca.SX
+    load: ca.SX
 
 
 def full_car_in_ground_axes(vehicle: FullCar3D) -> Model:
@@ -80,10 +82,9 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage)
-        contact = contact_of(linkage, road)
-        text = "tyre deflection from undeformed, compression positive"
-        mechanism.output("tyre.deflection", contact.deflection, "m", text)
-        mechanism.output("tyre.force", contact.force, "N", "contact force, compression positive")
+        deflection, load = add_tyre(linkage, road)
+        mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
+        mechanism.output("tyre.force", load, "N", "contact force, compression positive")
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre
         wheel, above = centre.value[2] - design[2], body.point(design).value[2] - design[2]
@@ -91,7 +92,8 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
         show_height(mechanism, "unsprung", wheel, "wheel centre")
         show_height(mechanism, "sprung", above, "body above the wheel")
         show_wheel(linkage)
-    return _Wheel(linkage, centre, travel, contact)
+        radius = undeformed_radius(linkage)
+    return _Wheel(linkage, centre, travel, radius, deflection, load)
 
 
 def _drive(mechanism: Mechanism, body: Body, wheels: list[_Wheel]) -> None:
@@ -106,16 +108,17 @@ def _drive(mechanism: Mechanism, body: Body, wheels: list[_Wheel]) -> None:
         if part.mass_properties is not None:
             mechanism.apply_force(part, part.mass_properties.mass * inertia, part.mass_properties.centre)
             total += part.mass_properties.mass
-    pushed = sum((wheel.contact.push for wheel in wheels), ca.SX(3, 1))
-    along = -total * inertia - ca.vertcat(pushed[:2], 0.0)  # what is left to hold along the road
+    loads = sum((wheel.load for wheel in wheels), ca.SX(0.0))
     for wheel in wheels:
-        push = wheel.contact.push + along * wheel.contact.push[2] / ca.fmax(pushed[2], 1.0)
-        _push_at_road(wheel, push)
+        grip = -total * inertia * wheel.load / ca.fmax(loads, 1.0)
+        _push_at_road(wheel, grip)
 
 
 def _push_at_road(wheel: _Wheel, force: ca.SX) -> None:
-    """Let a force (N) act on the upright where the tyre touches the road: by a force at its centre and a torque."""
+    """Let a force (N) act on the upright where the tyre touches the road."""
     upright, centre = wheel.linkage.upright, wheel.centre
+    reach = -(wheel.radius - wheel.deflection) * _UP
     mechanism = wheel.linkage.mechanism
-    mechanism.apply_force(upright, force, centre)
-    mechanism.apply_torque(upright, ca.cross(wheel.contact.point.value - centre.value, force))
+    mechanism.apply_force(
+        upright, force, Moving(centre.value + reach, centre.rate + ca.cross(upright.spin, reach), _UP)
+    )

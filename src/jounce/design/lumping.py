@@ -9,7 +9,7 @@ rest obey ``M z'' + C z' + K z = tyre`` with
 - ``C``: the damper's coefficient times its motion ratio squared.
 - ``K``: spring rate times its motion ratio squared, plus the spring's force times the change of its motion ratio, both
   of the damper at rest (its gas), too, plus what the weight of the bodies adds where their centres of mass move along
-  curves. A wheel that leans more as it travels presses its tyre by that, too (:class:`Pressed`).
+  curves.
 
 Two masses without an inertance cannot be the same; those of the quarter car are chosen to give the same two natural
 frequencies.
@@ -17,7 +17,6 @@ frequencies.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,41 +34,6 @@ from jounce.simulation import Mode, equilibrium
 
 _NUDGE = 1e-4
 """Travel in m to either side over which the curve of a centre of mass is measured."""
-_LEANING = 2e-3
-"""Travel in m between poses from which the lean of the wheel is known."""
-
-
-@dataclass(frozen=True)
-class Pressed:
-    """A tyre at rest under a wheel that leans: its loaded radius is ``height`` of its centre (m) times ``stretch``.
-
-    ``stretch`` is 1 over the cosine of the lean, ``slope`` and ``bend`` are its derivatives along travel (1/m, 1/m^2);
-    ``force`` (N) acts along the radius. With the body held a wheel that rises shortens the radius by less or more, and
-    a body that sinks changes it, too.
-    """
-
-    height: float
-    stretch: float
-    slope: float
-    bend: float
-    force: float
-
-    @property
-    def gradient(self) -> Array:
-        """Deflection for a rise of body and wheel centre [1], shape (2,)."""
-        aside = self.height * self.slope
-        return np.array([aside, -self.stretch - aside])
-
-    @property
-    def rate(self) -> Array:
-        """What the force adds to the stiffness of both heights, N/m, shape (2, 2)."""
-        between, aside = -self.height * self.bend, self.slope + self.height * self.bend
-        return self.force * np.array([[between, aside], [aside, between - 2.0 * self.slope]])
-
-    @property
-    def lift(self) -> float:
-        """What the force adds to the wheel's, N: the strut carries it beside the sprung mass."""
-        return self.force * self.height * self.slope
 
 
 @dataclass(frozen=True)
@@ -124,8 +88,6 @@ class Lumping:
         Damping coefficient at the wheel, of the dampers at rest, N s/m.
     tyre_stiffness, tyre_damping : float
         Of the tyre at its static load, N/m and N s/m.
-    pressed : Pressed
-        The tyre at rest.
     body_mass : float
         Mass on the guide, kg.
     shares : dict
@@ -149,7 +111,6 @@ class Lumping:
     wheel_damping: float
     tyre_stiffness: float
     tyre_damping: float
-    pressed: Pressed
     body_mass: float
     shares: dict[str, BodyShare]
     gravity: float
@@ -157,14 +118,7 @@ class Lumping:
     @property
     def wheel_rate(self) -> float:
         """Rate at the wheel, N/m."""
-        struts = self.wheel_rate_spring + self.wheel_rate_preload + self.wheel_rate_weight + self.wheel_rate_across
-        return struts + float(self._tyre[0, 0])
-
-    @property
-    def _tyre(self) -> Array:
-        """Stiffness of the tyre for the heights of body and wheel centre, N/m, shape (2, 2)."""
-        gradient = self.pressed.gradient
-        return self.tyre_stiffness * np.outer(gradient, gradient) + self.pressed.rate
+        return self.wheel_rate_spring + self.wheel_rate_preload + self.wheel_rate_weight + self.wheel_rate_across
 
     @property
     def static_masses(self) -> tuple[float, float]:
@@ -183,23 +137,22 @@ class Lumping:
     @property
     def effective_masses(self) -> tuple[float, float]:
         """Sprung and unsprung mass, kg, that give both natural frequencies without an inertance."""
-        (mass, _, stiffness), k, k_t = self.matrices(), self.wheel_rate, self.tyre_stiffness
-        scale = k * k_t / np.linalg.det(stiffness)
-        product = scale * np.linalg.det(mass)
-        mixed = mass[0, 0] * stiffness[1, 1] + mass[1, 1] * stiffness[0, 0] - 2.0 * mass[0, 1] * stiffness[0, 1]
-        total = scale * mixed
+        (sprung, unsprung), b = self.static_masses, self.inertance
+        k, k_t = self.wheel_rate, self.tyre_stiffness
+        product = sprung * unsprung + b * (sprung + unsprung)
+        total = k * unsprung + (k + k_t) * sprung + k_t * b
         found = float(total + np.sqrt(total**2 - 4.0 * (k + k_t) * k * product)) / (2.0 * (k + k_t))
-        return found, float(product) / found
+        return found, product / found
 
     def matrices(self) -> tuple[Array, Array, Array]:
         """Mass, damping and stiffness of the heights of body and wheel centre, each shape (2, 2)."""
         (sprung, unsprung), b = self.static_masses, self.inertance
         between = np.array([[1.0, -1.0], [-1.0, 1.0]])
-        gradient = self.pressed.gradient
+        at_wheel = np.diag([0.0, 1.0])
         return (
             np.diag([sprung, unsprung]) + b * between,
-            self.wheel_damping * between + self.tyre_damping * np.outer(gradient, gradient),
-            (self.wheel_rate - self._tyre[0, 0]) * between + self._tyre,
+            self.wheel_damping * between + self.tyre_damping * at_wheel,
+            self.wheel_rate * between + self.tyre_stiffness * at_wheel,
         )
 
     def modes(self) -> tuple[Mode, ...]:
@@ -259,7 +212,6 @@ def lump(rig: Rig) -> Lumping:
         values["wheel_damping_coefficient"] + values.get("third_damping_coefficient", 0.0),
         _tyre_slope(corner, rest["tyre.deflection"]),
         corner.tyre.damping_coefficient,
-        _pressed(corner, travel, rest),
         float(corner.sprung.mass) if corner.sprung else 0.0,
         _shares(here),
         corner.gravity,
@@ -316,7 +268,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
     damper = _damper(corner, found)
     gas, gas_rate = still_damper(damper, ratio * found.travel)
     rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2 - gas_rate
-    static = (found.wheel_force - found.pressed.lift - stop_force * found.motion_ratio) / ratio - gas
+    static = (found.wheel_force - stop_force * found.motion_ratio) / ratio - gas
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
     table: dict[str, Any] = {
         "schema": "jounce.rig/1",
@@ -374,16 +326,6 @@ def _weight_rate(below: Corner, above: Corner) -> float:
     shares = [_shares(rig) for rig in (below, above)]
     gained = sum(part.mass * (part.wheel_share - shares[0][name].wheel_share) for name, part in shares[1].items())
     return below.gravity * gained / (2.0 * _NUDGE)
-
-
-def _pressed(rig: Corner, travel: float, rest: Mapping[str, float]) -> Pressed:
-    """The tyre at rest, from the lean of the wheel at rest and a little to either side."""
-    camber = sweep_travel(rig, [travel + step * _LEANING for step in range(-2, 3)])["camber"].values
-    stretch = 1.0 / np.cos(camber)
-    slope = float(np.array([1.0, -8.0, 0.0, 8.0, -1.0]) @ stretch) / (12.0 * _LEANING)
-    bend = float(np.array([-1.0, 16.0, -30.0, 16.0, -1.0]) @ stretch) / (12.0 * _LEANING**2)
-    height = rig.hardpoints.wheel_centre[2] + rest["unsprung.z"]
-    return Pressed(height, float(stretch[2]), slope, bend, rest["tyre.force"] / float(stretch[2]))
 
 
 def _tyre_slope(rig: Corner, deflection: float) -> float:

@@ -341,7 +341,8 @@ class _Writing:
             height = self.rig.hardpoints.wheel_centre[2]
             stiffness, force = self._straightened(tyre.curve, radius - height, "tyre")
             radius = height + force / stiffness
-        self._say("tyre", "its force is vertical and acts at the wheel centre, where the wheel leans, too.")
+        if getattr(tyre, "law", "vertical") == "radial":
+            self._say("tyre.law", "its force is vertical.")
         if tyre.damping_coefficient:
             self._say("tyre.damping_coefficient", "a body that is moved has no velocity: set the rate of the road, too "
                       "(m/s, the control of the actuator tyre).")  # fmt: skip

@@ -21,7 +21,6 @@ from jounce.models.attachments import (
     bar_angle,
     bar_axis,
     bar_stiffness,
-    down_the_wheel,
     link_end,
     spring_law,
     still_third_law,
@@ -194,7 +193,7 @@ class CornerView:
     @cached_property
     def reach(self) -> ca.SX:
         """From the wheel centre to the contact point."""
-        return self.radius * down_the_wheel(self.axis, _UP)
+        return self.radius * unit(self.axis * self.axis[2] - _UP)
 
     @cached_property
     def contact(self) -> ca.SX:
@@ -209,8 +208,8 @@ class CornerView:
     @cached_property
     def design_contact(self) -> ca.SX:
         """Contact point in the design pose."""
-        down = down_the_wheel(self._mirror * self.linkage.spin_axis, _UP)
-        return self._mirror * self.linkage.hardpoint("wheel_centre") + self.radius * down
+        axis = self._mirror * self.linkage.spin_axis
+        return self._mirror * self.linkage.hardpoint("wheel_centre") + self.radius * unit(axis * axis[2] - _UP)
 
     @cached_property
     def camber(self) -> ca.SX:

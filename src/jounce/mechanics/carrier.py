@@ -51,10 +51,6 @@ class MovingCarrier(Carrier):
         """Height of a place over z = 0 of the ground, m."""
         return self._origin.value[2] + ca.dot(self.up, self.arm(place))
 
-    def placed(self, place: ca.SX) -> ca.SX:
-        """Give a place in ground axes, m."""
-        return self._origin.value + self.outward(self.arm(place))
-
     def outward(self, vector: ca.SX) -> ca.SX:
         """Turn a vector into ground axes."""
         return self._turn.rotate(vector)

@@ -188,10 +188,6 @@ class Carrier:
         """Height of a place over z = 0 of the ground, m."""
         return place[2]
 
-    def placed(self, place: ca.SX) -> ca.SX:
-        """Give a place in ground axes, m."""
-        return place
-
     def outward(self, vector: ca.SX) -> ca.SX:
         """Turn a vector into ground axes."""
         return vector

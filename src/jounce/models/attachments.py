@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
 
 import casadi as ca
 
@@ -236,71 +236,39 @@ def undeformed_radius(linkage: Described) -> ca.SX:
     return linkage.number("tyre.undeformed_radius" if given else "wheel.radius")
 
 
-def down_the_wheel(axis: ca.SX, up: ca.SX) -> ca.SX:
-    """Unit vector in the plane of a wheel, from its axis (pointing outboard) towards the road."""
+def wheel_down(linkage: Suspension) -> ca.SX:
+    """Unit vector in the wheel's plane towards the road."""
+    axis, up = linkage.spin_direction.value, linkage.carrier.up
     return unit(axis * ca.dot(axis, up) - up)
 
 
-def wheel_upright(linkage: Suspension) -> ca.SX:
-    """Cosine of the wheel's lean."""
-    up = linkage.carrier.up
-    return -ca.dot(down_the_wheel(linkage.spin_direction.value, up), up)
+def add_tyre(linkage: Suspension, road: Track, actuator: AnyActuator | None = None) -> tuple[ca.SX, ca.SX]:
+    """Let the tyre carry the wheel; give its deflection (m) and force (N), compression positive."""
+    rig, mechanism, centre, carrier = linkage.rig, linkage.mechanism, linkage.wheel_centre, linkage.carrier
+    along = -wheel_down(linkage) if rig.tyre.law == "radial" else carrier.up
+    height, climb = carrier.height(centre.value), ca.dot(carrier.up, carrier.velocity(centre))
+    deflection, force = tyre_law(linkage, road, height, climb, lambda _: ca.dot(along, carrier.up), actuator)
+    mechanism.apply_force(linkage.upright, force * along, centre)
+    return deflection, force
 
 
-@dataclass(frozen=True)
-class Contact:
-    """Where a tyre meets the road: the lowest point of the wheel's disc of loaded radius (ISO 8855, contact centre).
+def tyre_law(
+    linkage: Described,
+    road: Track,
+    height: ca.SX,
+    climb: ca.SX,
+    upright: Callable[[Suspension], ca.SX],
+    actuator: AnyActuator | None = None,
+) -> tuple[ca.SX, ca.SX]:
+    """Deflection (m) and force (N) of the tyre for the height of the wheel's centre (m) and its rate (m/s).
 
-    Vectors are in the axes that the suspension hangs in.
+    ``upright`` gives the cosine of the wheel's lean.
     """
-
-    point: Moving
-    """The contact point as a point of the upright, m."""
-    deflection: ca.SX
-    """Undeformed less loaded radius, m."""
-    rate: ca.SX
-    """Of the deflection, m/s."""
-    elastic: ca.SX
-    """Force along the loaded radius, N."""
-    force: ca.SX
-    """Size of ``push``, N."""
-    push: ca.SX
-    """What the road pushes by for the deflection, N: along z, or in the wheel's plane."""
-
-
-def add_tyre(linkage: Suspension, road: Track, actuator: AnyActuator | None = None) -> Contact:
-    """Let the tyre carry the wheel."""
-    contact = contact_of(linkage, road, actuator)
-    linkage.mechanism.apply_force(linkage.upright, contact.push, contact.point)
-    return contact
-
-
-def contact_of(linkage: Suspension, road: Track, actuator: AnyActuator | None = None) -> Contact:
-    """Give the contact of a tyre, whose force acts on nothing yet."""
-    centre, carrier, upright = linkage.wheel_centre, linkage.carrier, linkage.upright
-    down = down_the_wheel(linkage.spin_direction.value, carrier.up)
-    level = -ca.dot(down, carrier.up)
-    loaded = (carrier.height(centre.value) - road.value) / level
-    reach = loaded * down
-    swept = ca.cross(upright.frame.orientation.ground_spin, reach)
-    point = Moving(centre.value + reach, centre.rate + swept, ca.SX(3, 1))
-    deflection = undeformed_radius(linkage) - loaded
-    rate = (road.rate - ca.dot(carrier.up, carrier.velocity(point))) / level
-    elastic = tyre_law(linkage, deflection, rate, actuator)
-    force = contact_force(linkage, elastic, level)
-    along = -down if linkage.rig.tyre.law == "radial" else carrier.up
-    return Contact(point, deflection, rate, elastic, force, force * along)
-
-
-def tyre_law(linkage: Described, deflection: ca.SX, rate: ca.SX, actuator: AnyActuator | None = None) -> ca.SX:
-    """Force (N) of the tyre along its loaded radius for a deflection (m) and its rate (m/s)."""
-    law = replaced_tyre(linkage.mechanism, actuator, rate)
-    return tyre_force(linkage.mechanism, linkage.rig.tyre, deflection, rate, law)
-
-
-def contact_force(linkage: Described, elastic: ca.SX, level: ca.SX) -> ca.SX:
-    """Force (N) of the road for that along the loaded radius and the cosine of the wheel's lean.
-
-    Where the road pushes along z, a share of its force acts along the wheel's axis and does not deflect the tyre.
-    """
-    return elastic if linkage.rig.tyre.law == "radial" else elastic / level
+    mechanism, tyre, radius = linkage.mechanism, linkage.rig.tyre, undeformed_radius(linkage)
+    if tyre.law == "radial":
+        deflection = radius - (height - road.value) / linkage.of_wheel("tyre.upright", upright)
+        rate = mechanism.rate_of(deflection)
+    else:
+        deflection = radius - (height - road.value)
+        rate = road.rate - climb
+    return deflection, tyre_force(mechanism, tyre, deflection, rate, replaced_tyre(mechanism, actuator, rate))

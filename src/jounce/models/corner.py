@@ -103,17 +103,17 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
     elements = {**add_strut(linkage, actuator), **add_both_alike(linkage)}
-    contact = add_tyre(linkage, road, actuator)
-    show_tyre(mechanism, contact.deflection, contact.force)
+    deflection, force = add_tyre(linkage, road, actuator)
+    show_tyre(mechanism, deflection, force)
     show_motions(linkage, linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]"))
     if detail:
         show_hardpoints(linkage)
         show_reactions(linkage)
         show_bushings(linkage)
-        elements["tyre"] = contact.elastic, contact.rate
+        elements["tyre"] = force, mechanism.rate_of(deflection)
         if linkage.bushings:
             elements["bushings"] = sum((power for _, power in linkage.bushings.values()), ca.SX(0.0)), ca.SX(1.0)
-        show_energy(linkage, elements, contact.push[2] * road.rate)
+        show_energy(linkage, elements, force * road.rate)
     return mechanism.finish()
 
 

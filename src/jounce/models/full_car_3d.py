@@ -16,14 +16,14 @@ from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
 from jounce.models.attachments import (
-    Contact,
+    add_tyre,
     bar_angle,
     bar_stiffness,
-    contact_of,
     t_bar_of,
     third_damper_law,
     third_end,
     third_law,
+    undeformed_radius,
 )
 from jounce.models.channels import show_height, show_turn, show_tyre
 from jounce.models.corner import add_strut, build_linkage, show_bar, show_third_spring, show_wheel
@@ -37,28 +37,14 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 
 @dataclass(frozen=True)
 class _Wheel:
-    """A corner on the road; travel against the body in m."""
+    """A corner on the road; travel against the body, undeformed radius and deflection in m, the tyre's load in N."""
 
     linkage: Suspension
     centre: Moving
     travel: ca.SX
-    contact: Contact
-
-    @property
-    def load(self) -> ca.SX:
-        """What the road carries, N."""
-        contact = self.contact
-        return ca.dot(contact.push, self.linkage.carrier.up) if self.leans else contact.force
-
-    @property
-    def sideways(self) -> ca.SX:
-        """What the tyre pushes along the road for its deflection alone, N, ground axes."""
-        return self.linkage.carrier.outward(self.contact.push) - self.load * _UP if self.leans else ca.SX(3, 1)
-
-    @property
-    def leans(self) -> bool:
-        """Whether the tyre pushes in its plane, not along z."""
-        return self.linkage.rig.tyre.law == "radial"
+    radius: ca.SX
+    deflection: ca.SX
+    load: ca.SX
 
 
 def full_car_3d(
@@ -139,8 +125,8 @@ def _corner(
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)
-        contact = contact_of(linkage, road, actuator)
-        show_tyre(mechanism, contact.deflection, contact.force)
+        deflection, load = add_tyre(linkage, road, actuator)
+        show_tyre(mechanism, deflection, load)
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre
         for which, place, text in (
@@ -149,7 +135,8 @@ def _corner(
         ):
             show_height(mechanism, which, linkage.carrier.height(place) - design[2], text)
         show_wheel(linkage)
-    return _Wheel(linkage, centre, centre.value[2] - design[2], contact)
+        radius = undeformed_radius(linkage)
+    return _Wheel(linkage, centre, centre.value[2] - design[2], radius, deflection, load)
 
 
 def _anti_roll_bar(mechanism: Mechanism, pair: list[_Wheel], rate: ca.SX) -> None:
@@ -204,15 +191,14 @@ def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
 
 
 def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_Wheel]) -> None:
-    """Let the road carry the car, and hold it against the inertia of driving (m/s^2): each wheel by its share of load.
-
-    What tyres that push in their plane push along the road is part of that: otherwise the guide would hold the car.
-    """
+    """Let the road hold the car against the inertia of driving (m/s^2), each wheel by its share of the load."""
     assert body.mass_properties is not None
     mass = sum((wheel.linkage.mass for wheel in wheels), body.mass_properties.mass)
     loads = sum((wheel.load for wheel in wheels), ca.SX(0.0))
-    sideways = sum((wheel.sideways for wheel in wheels), ca.SX(3, 1))
-    needed = (-mass * drive - sideways) / ca.fmax(loads, 1.0)
+    needed = -mass * drive / ca.fmax(loads, 1.0)
     for wheel in wheels:
-        force = wheel.contact.push + wheel.linkage.carrier.inward(needed * wheel.load)
-        mechanism.apply_force(wheel.linkage.upright, force, wheel.contact.point)
+        upright, centre, carrier = wheel.linkage.upright, wheel.centre, wheel.linkage.carrier
+        force = carrier.inward(needed * wheel.load)
+        mechanism.apply_force(upright, force, centre)
+        reach = (wheel.deflection - wheel.radius) * carrier.up
+        mechanism.apply_torque(upright, ca.cross(reach, force))

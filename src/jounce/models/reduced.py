@@ -16,7 +16,7 @@ import casadi as ca
 from jounce.mechanics import Model, System
 from jounce.mechanics.driven import Driven, Quasistatic
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
-from jounce.models.attachments import contact_force, down_the_wheel, tyre_law, undeformed_radius, wheel_upright
+from jounce.models.attachments import tyre_law, wheel_down
 from jounce.models.channels import show_tyre
 from jounce.models.corner import (
     add_both_alike,
@@ -119,9 +119,9 @@ def _see(linkage: Watched) -> None:
     add_torsion_bar(linkage)
     add_both_alike(linkage)
     show_wheel(linkage)
-    linkage.of_pose("tyre.upright", wheel_upright)
     if linkage.rig.tyre.law == "radial":
-        up = -down_the_wheel(linkage.spin_direction.value, linkage.carrier.up)
+        up = -wheel_down(linkage)
+        linkage.of_pose("tyre.upright", lambda _: up[2])
         linkage.of_pose("tyre.lever", lambda whole: ca.dot(up, whole.wheel_centre.rate))
 
 
@@ -199,15 +199,13 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
         system.load(line.rate, force)
     add_torsion_bar(linkage)
     add_both_alike(linkage)
-    level = linkage.quantity("tyre.upright")
-    deflection = undeformed_radius(linkage) - (number("hardpoints.wheel_centre[2]") + centre - road.value) / level
-    rate = system.rate_of(deflection)
-    elastic = tyre_law(linkage, deflection, rate)
+    height = number("hardpoints.wheel_centre[2]") + centre
+    deflection, force = tyre_law(linkage, road, height, climb, lambda whole: -wheel_down(whole)[2])
+    along = climb
     if rig.tyre.law == "radial":
-        system.load(level * rising + linkage.quantity("tyre.lever") * travelling, elastic)
-    else:
-        system.load(rate, -elastic)
-    show_tyre(system, deflection, contact_force(linkage, elastic, level))
+        along = linkage.quantity("tyre.upright") * rising + linkage.quantity("tyre.lever") * travelling
+    system.load(along, force)
+    show_tyre(system, deflection, force)
     show_motions(linkage, centre, heave)
     return system.finish()
 

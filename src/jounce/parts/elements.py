@@ -295,9 +295,8 @@ class SpatialStrut(Description):
 
 
 class CornerTyre(Tyre):
-    """Tyre of a 3-D rig: the road pushes at the contact point, along z (vertical) or in the wheel's plane (radial).
+    """Tyre of a 3-D rig: force vertical at the wheel centre, or radial in the wheel plane through the contact point.
 
-    The contact point is the lowest of the wheel's disc of loaded radius; the deflection is that of the radius.
     ``undeformed_radius`` (m) is the wheel's radius where it is not given.
     """
 

@@ -90,12 +90,12 @@ def _corner(rig: Rig, form: PlateForm) -> System:
     linkage = suspension(rig, mechanism)
     add_strut(linkage)
     rate = mechanism.rate_of(plate.height)
-    contact = add_tyre(linkage, Track(plate.height, rate, ca.SX(0.0)))
-    mechanism.force(plate.height, -contact.push[2])
-    show_tyre(mechanism, contact.deflection, contact.force)
+    deflection, contact = add_tyre(linkage, Track(plate.height, rate, ca.SX(0.0)))
+    mechanism.force(plate.height, -contact)
+    show_tyre(mechanism, deflection, contact)
     _guide(linkage)
     show_wheel(linkage)
-    _show_plate(mechanism, plate, contact.push[2])
+    _show_plate(mechanism, plate, contact)
     return mechanism
 
 
