@@ -33,12 +33,6 @@ def lever(car, corner: str) -> tuple[float, float]:
     return x, side * 0.5 * getattr(axle, "track", 0.0)
 
 
-def leaning(car) -> float:
-    """Moment of the body's weight for each radian of roll about its roll axis, N m."""
-    axis = car.front.roll_centre_height * car.rear.distance + car.rear.roll_centre_height * car.front.distance
-    return car.body.mass * car.gravity * (car.body.height - axis / car.wheelbase)
-
-
 def wheels_each(car) -> float:
     return 1.0 if car.model == "full-car" else 2.0
 
@@ -76,10 +70,8 @@ def test_momentum_of_all_masses(model):
     nose_down = -sum(lever(car, c)[0] * excess[c] for c in car.corners) + found["body.pitch_moment"].values
     assert np.max(np.abs(nose_down - body.pitch_inertia * found["body.pitch_acceleration"].values)) < 1e-6
     if model == "full-car":
-        # the lateral forces act at the road: all of m a h, whatever the roll centres; the leaning body's weight
-        wheels = sum(one.unsprung_mass * one.unsprung_height for one in axle.values())
-        turn = (body.mass * body.height + wheels) * found["body.lateral_acceleration"].values
-        turn = turn + leaning(car) * found["body.roll"].values
+        # the lateral forces act at the road: all of m a h, whatever the roll centres
+        turn = body.mass * body.height * found["body.lateral_acceleration"].values
         rolled = sum(lever(car, c)[1] * excess[c] for c in car.corners) + turn
         assert np.max(np.abs(rolled - body.roll_inertia * found["body.roll_acceleration"].values)) < 1e-6
         assert np.max(np.abs(turn)) > 3000.0
@@ -101,7 +93,6 @@ def test_energy_of_the_full_car():
     dt = float(found["time"][1] - found["time"][0])
     stored = 0.5 * 1636.0 * v["body.vz"] ** 2 + 0.5 * 2500.0 * v["body.pitch_rate"] ** 2
     stored = stored + 0.5 * 600.0 * v["body.roll_rate"] ** 2 + 1636.0 * 9.81 * v["body.z"]
-    stored = stored - 0.5 * leaning(car) * v["body.roll"] ** 2
     lost = moved = 0.0
     for corner in car.corners:
         axle = getattr(car, corner.partition("_")[0])
@@ -124,8 +115,7 @@ def test_energy_of_the_full_car():
     for end, share in (("front", 1.62 / 2.91), ("rear", 1.29 / 2.91)):
         axle = getattr(car, end)
         moved = moved + share * side * (0.55 - axle.roll_centre_height) * v["body.roll_rate"]
-        wheels = 2.0 * axle.unsprung_mass * axle.unsprung_height * v["body.lateral_acceleration"]
-        couple = (share * side * axle.roll_centre_height + wheels) / axle.track
+        couple = share * side * axle.roll_centre_height / axle.track
         moved = moved + couple * (v[f"{end}_left.unsprung.vz"] - v[f"{end}_right.unsprung.vz"])
     power = moved - lost
     work = np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1])) * dt))

@@ -10,15 +10,12 @@ With unsprung masses (``WheelsTwin``; half cars: two equal wheels in the middle 
     d   = zu - (z - x q + y p)                       strut deflection, v its rate
     F   = preload + spring(d) + damper(v) + friction(v) + bump stop(d) - rebound stop(-d)
     B   = anti-roll rate (d - d of the other wheel)
-    S   = y/|y| (roll centre height * Fy + unsprung height * n mu a_y) / track
-                                                     what the links carry: Fy is the axle's share of m a_y
+    S   = y/|y| roll centre height / track * Fy      what the links carry: Fy is the axle's share of m a_y
     T   = tyre force of road - zu and its rate; with lift-off never below 0
     m  z'' = sum n (F + B) - m g
     Iy q'' = -sum n x (F + B) + M_y + m a_x h
-    Ix p'' =  sum n y (F + B) + m (a_y + g p) (h - mean roll centre height under the centre of gravity)
+    Ix p'' =  sum n y (F + B) + m a_y (h - mean roll centre height under the centre of gravity)
     mu zu'' = -mu g - F - B - S' + T
-
-The body's weight leans with it: m g p is its share across the roll axis.
 
 The lateral forces at the road, one axle's share Fy of m a_y, reach the body at the roll centre. Their moment about the
 wheels' contact line, Fy times roll centre height, stands as a couple on the axle's two wheels: S' = -Fy hr / track on
@@ -294,20 +291,20 @@ class WheelsTwin(Twin):
             return np.zeros(len(d))
         return self.bar_rates * (d - d[[1, 0, 3, 2]])
 
-    def cornering(self, t: float, roll: float) -> tuple[float, np.ndarray]:
+    def cornering(self, t: float) -> tuple[float, np.ndarray]:
         """Moment about the x axis on the body (N m), and what the links press each wheel down with (N)."""
-        if not self.full or self.car.body.height is None:
+        lateral = self.value("lateral_acceleration", t)[0] if self.full else 0.0
+        if lateral == 0.0:
             return 0.0, np.zeros(len(self.corners))
-        lateral, mass = self.value("lateral_acceleration", t)[0], self.car.body.mass
+        side = self.car.body.mass * lateral
         a, b = self.car.front.distance, self.car.rear.distance
-        share = {"front": mass * b / (a + b), "rear": mass * a / (a + b)}
-        arm = sum(share[n] * (self.car.body.height - getattr(self.car, n).roll_centre_height) for n in share)
-        moved = [
-            share[corner.split("_")[0]] * axle.roll_centre_height + 2.0 * axle.unsprung_mass * axle.unsprung_height
-            for corner, axle in zip(self.corners, self.axle, strict=True)
+        share = {"front": side * b / (a + b), "rear": side * a / (a + b)}
+        moment = sum(share[n] * (self.car.body.height - getattr(self.car, n).roll_centre_height) for n in share)
+        pressed = [
+            -math.copysign(1.0, y) * share[corner.split("_")[0]] * axle.roll_centre_height / axle.track
+            for corner, axle, y in zip(self.corners, self.axle, self.y, strict=True)
         ]
-        tracks = np.array([axle.track for axle in self.axle])
-        return arm * (lateral + self.car.gravity * roll), -np.sign(self.y) * np.array(moved) * lateral / tracks
+        return moment, np.array(pressed)
 
     def pitching(self, t: float) -> float:
         moment = self.value("pitch_moment", t)[0]
@@ -319,7 +316,7 @@ class WheelsTwin(Twin):
         """Of body heave, pitch and roll (0 for a half car) and of the wheels."""
         body, g = self.car.body, self.car.gravity
         _, _, strut, bar, _, tyre = self.forces(t, x)
-        push, (roll_moment, pressed) = strut + bar, self.cornering(t, x[2])
+        push, (roll_moment, pressed) = strut + bar, self.cornering(t)
         heave = self.wheels * push.sum() / body.mass - g
         pitch = (self.pitching(t) - self.wheels * self.x @ push) / body.pitch_inertia
         roll = (self.wheels * self.y @ push + roll_moment) / body.roll_inertia if self.full else 0.0

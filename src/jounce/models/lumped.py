@@ -205,20 +205,14 @@ def _axle(
 
 
 def _lateral(system: System, body: Body, axles: dict[str, dict[str, _Wheel]]) -> None:
-    """Let a lateral acceleration roll the body about its roll axis; the rest of its moment goes to the wheels.
-
-    A body that leans has its weight beside that axis.
-    """
+    """Let a lateral acceleration roll the body about the roll centres; the rest of its moment goes to the wheels."""
     acceleration = system.track("lateral_acceleration").value
     front, rear = (system.parameter(f"{name}.distance") for name in axles)
-    mass, height, axis = system.parameter("body.mass"), system.parameter("body.height"), ca.SX(0.0)
+    force = system.parameter("body.mass") * acceleration
     for name, share in (("front", rear / (front + rear)), ("rear", front / (front + rear))):
-        centre = share * system.parameter(f"{name}.roll_centre_height")
-        axis += centre
-        wheels = 2.0 * system.parameter(f"{name}.unsprung_mass") * system.parameter(f"{name}.unsprung_height")
-        transfer = (mass * centre + wheels) * acceleration / system.parameter(f"{name}.track")
+        centre = system.parameter(f"{name}.roll_centre_height")
+        system.force(body.roll, share * force * (system.parameter("body.height") - centre))
+        transfer = share * force * centre / system.parameter(f"{name}.track")
         left, right = (axles[name][side].unsprung for side in _SIDES)
         system.force(left - right, transfer)
-    gravity = system.parameter("gravity")
-    system.force(body.roll, mass * (height - axis) * (acceleration + gravity * body.roll))
     system.output("body.lateral_acceleration", acceleration, "m/s^2", "lateral acceleration, to the left positive")

@@ -323,8 +323,7 @@ def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
     wrong = [
         _warn(path, f'{value:g} m: millimetres given as metres? A bare number is in m; write "1290 mm".', value)
         for path, value in lengths.items()
-        if path.endswith((".distance", ".track", ".height", ".roll_centre_height", ".unsprung_height"))
-        and abs(value) > LONGEST
+        if path.endswith((".distance", ".track", ".height", ".roll_centre_height")) and abs(value) > LONGEST
     ]
     if wrong:
         yield from wrong

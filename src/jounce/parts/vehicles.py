@@ -161,14 +161,11 @@ class FullAxle(WheeledAxle):
         Force on a wheel for each metre by which its strut deflects more than the other's, N/m.
     roll_centre_height : float
         Over the road, m; where the axle's share of a lateral force acts on the body.
-    unsprung_height : float
-        Of the centre of gravity of the unsprung masses over the road, m.
     """
 
     track: PositiveLength
     anti_roll_bar_rate: NonNegativeStiffness = 0.0
     roll_centre_height: Length = 0.0
-    unsprung_height: Length = 0.0
 
 
 class Vehicle(Rig):

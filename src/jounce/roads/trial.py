@@ -462,14 +462,14 @@ _AS_FAR = 0.05
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
-def _side_forces(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Report unsprung masses whose side forces act at the road."""
-    if trial.lateral_acceleration is None or not isinstance(rig, FullCar):
-        return
-    for name in ("front", "rear"):
-        if getattr(rig, name).unsprung_height == 0.0:
-            text = "is 0: the side forces of the wheels' own masses move no load. Give about the radius of the wheels."
-            yield Finding(f"{name}.unsprung_height", "note", text)
+def _left_out_in_bends(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
+    """Say what a lumped car does not transfer."""
+    if trial.lateral_acceleration is not None and isinstance(rig, FullCar):
+        text = (
+            "a lumped car leaves out the side forces of its unsprung masses, and its weight that leans out with the "
+            "body: load transfer and roll are too small. A car on 3-D corners has both."
+        )
+        yield Finding("trial: lateral_acceleration", "note", text)
 
 
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
@@ -499,7 +499,7 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
     found = [
         *_loads(trial),
-        *_side_forces(trial, rig),
+        *_left_out_in_bends(trial, rig),
         *(trial.excitation.findings() if trial.excitation is not None else ()),
     ]
     if trial.speed is not None:
