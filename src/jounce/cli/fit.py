@@ -85,7 +85,9 @@ def stiffness(
         str | None, typer.Option(help='Static load of the part, e.g. "206 N": checks that the fit covers it.')
     ] = None,
     rig: Annotated[str | None, typer.Option(help="A rig that takes the rate over: name or file.")] = None,
-    part: Annotated[str, typer.Option(help="Which rate of the rig it is.")] = "strut.spring.rate",
+    part: Annotated[
+        str | None, typer.Option(help="Which rate of the rig it is.", show_default="strut.spring.rate")
+    ] = None,
     out: Annotated[Path | None, typer.Option(help="Write the rig with the rate, RIG.toml.")] = None,
     stroke_positive: StrokeSign = None,
     force_positive: ForceSign = None,
@@ -111,6 +113,8 @@ def stiffness(
     check_outputs(rig=out, figure=figure, report=report, force=force)
     if (rig is None) != (out is None):
         raise OutputError("a rate is written from one rig into another file", where="--rig", allowed="--rig and --out")
+    if part is not None and rig is None:
+        raise OutputError("a part of no rig", where="--part", found=part, allowed="--part with --rig and --out")
     choice: dict[str, Any] = {
         "law": law,
         "degree": degree,
@@ -128,7 +132,9 @@ def stiffness(
     findings = (*notes, *result.findings)
     title = _title(found)
     if rig is not None and out is not None:
-        _write_rate(result.stiffness, rig, part, f"{result.law} law of {title}", out, force=force)
+        _write_rate(
+            result.stiffness, rig, part or "strut.spring.rate", f"{result.law} law of {title}", out, force=force
+        )
 
     def picture() -> Figure:
         from jounce.plots import stiffness_fit

@@ -288,7 +288,8 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
             number *= conversion_factor(match[2], si, where=where)
     if not math.isfinite(number):
         raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
-    if abs(number) > LARGEST or 0.0 < abs(number) < _SMALLEST:
+    is_written = isinstance(value, str)  # what rounding leaves of a zero is no mistake
+    if abs(number) > LARGEST or (is_written and 0.0 < abs(number) < _SMALLEST):
         allowed = f"0, and sizes from {_SMALLEST:g} to {LARGEST:g} {si}".removesuffix(" 1")
         raise DescriptionError("not a size that anything has", where=where, found=value, allowed=allowed)
     return number
@@ -297,7 +298,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
 LARGEST = 1e30
 """Size in SI beyond which nothing of a vehicle lies, and products of a few values are no numbers any more."""
 _SMALLEST = 1e-100
-"""Size below which their quotients are none; what rounding leaves of zeros is larger."""
+"""Size in texts below which their quotients are none."""
 
 
 _MEANT = {

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.descriptions import Given, Vector, place
+from jounce.mechanics.descriptions import Given, Known, Vector, place
 from jounce.mechanics.frames import Frame
-from jounce.mechanics.loads import Action, Between, BetweenPoints
+from jounce.mechanics.loads import Action, Between, refuse_one_point
 from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.rotations import rotation_vector, unit
 from jounce.mechanics.system import System
@@ -76,12 +76,19 @@ class Bushing(Between):
 
 
 @dataclass(frozen=True, eq=False)
-class ElasticRod(BetweenPoints):
+class ElasticRod(Between):
     """A massless rod with a bushing at its first end."""
 
+    at: Given = place()
+    second_at: Given = place()
     stiffness: Given = place(unit="N/m", at_least=0.0)
     damping: Given = place(unit="N*s/m", at_least=0.0)
     kind = "elastic rod"
+
+    def check(self, known: Known) -> None:
+        """Refuse ends in one point: its length and its direction are those of the design pose."""
+        super().check(known)
+        refuse_one_point(self.name, known("second_at") - known("at"), "in the design pose")
 
     def action(self, system: System) -> Action:
         """Give tension (N) and the power taken up (W) to the maker."""

@@ -141,19 +141,6 @@ class Between(Load):
 
 
 @dataclass(frozen=True, eq=False)
-class BetweenPoints(Between):
-    """What acts along the line between two points, its ends in the design pose."""
-
-    at: Given = place()
-    second_at: Given = place()
-
-    def check(self, known: Known) -> None:
-        """Refuse ends in one point: they have no line between them."""
-        super().check(known)
-        refuse_one_point(self.name, known("second_at") - known("at"))
-
-
-@dataclass(frozen=True, eq=False)
 class PushApart(Between):
     """A force (N) that pushes two points apart."""
 
@@ -169,9 +156,11 @@ class PushApart(Between):
 
 
 @dataclass(frozen=True, eq=False)
-class SpringDamper(BetweenPoints):
+class SpringDamper(Between):
     """A spring and damper between two points, or a law of one's own; compression positive."""
 
+    at: Given = place()
+    second_at: Given = place()
     free_length: Given = quantity("m", None, at_least=0.0)
     stiffness: Given = quantity("N/m", None, at_least=0.0)
     damping: Given = quantity("N*s/m", None, at_least=0.0)
@@ -293,13 +282,13 @@ def _units_along(length: str) -> dict[str, str]:
     return {"length": length, "force": "N" if length == "m" else "N*m"}
 
 
-def refuse_one_point(name: str, reach: Array) -> None:
-    """Refuse two ends (m apart by ``reach`` in the design pose) that have no direction between them."""
+def refuse_one_point(name: str, reach: Array, when: str) -> None:
+    """Refuse two ends, m apart by ``reach``, that have no direction between them."""
     if (length := float(np.linalg.norm(reach))) < SAME_POINT:
         raise AssemblyError(
             "both ends lie in one point, so its force has no direction",
             where=name,
-            found=f"{length:g} m in the design pose",
+            found=f"{length:g} m {when}",
             allowed="two points that differ",
             hint="Was a point copied? What holds two bodies in one point is a bushing, or coincident().",
         )

@@ -564,9 +564,6 @@ class Mechanism(Structure):
         name = loads.PushApart.kind
         self._require_placed(name, first, second)
         one, other = self._point_of(first, at, name), self._point_of(second, second_at, name)
-        if isinstance(one, BodyPoint) and isinstance(other, BodyPoint):
-            reach = listing.Reading(self, self.values).numbers(other.design - one.design)
-            loads.refuse_one_point(name, np.array(np.nan) if reach is None else reach)
         self.act(loads.PushApart("", first, second, one, other, self._law(name, force, "N")))
 
     def _require_moving(self, name: str, body: Body) -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from math import comb
 from typing import TYPE_CHECKING
 
+import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError, SimulationError, unknown
@@ -18,6 +19,7 @@ from jounce.kernel.engine import Control, Problem, Status, flatten
 from jounce.mechanics import Mechanism, Model, assemble, constant
 from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.facts import moved_by
+from jounce.mechanics.loads import PushApart, SpringDamper, refuse_one_point
 from jounce.mechanics.mechanism import BALANCE
 from jounce.mechanics.mobility import mobility_of
 from jounce.parts.advice import size_findings
@@ -136,6 +138,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     u = _inputs(model.facts.track_order, tracks)
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
     _check_masses(mechanism, model, pose.x, u, p)
+    _check_reaches(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
     first, notes = pose.x, [_moved(pose), [*size_findings(mechanism.places(every), "points")]]
     if at_rest:
@@ -246,6 +249,25 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
             hint="Give the bodies there mass and inertia (a point mass has no inertia of its own), or fewer joints: "
             "a massless link is a rod().",
         )
+
+
+def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> None:
+    """Refuse forces between two points that are one: without a direction, they would turn over at every step.
+
+    A spring of no free length has no force there, and needs none.
+    """
+    pushing = [
+        (load.name or load.kind, action.power[0][1], action.wrenches)
+        for load, action in mechanism.loads
+        if isinstance(load, SpringDamper | PushApart) and load.first.carrier is load.second.carrier
+    ]
+    if not pushing:
+        return
+    rows = [ca.vertcat(force, second.point - first.point) for _, force, (first, second) in pushing]
+    found = ca.Function("reaches", [model.x, model.u, model.p], [ca.horzcat(*rows)])(x, u, p).full().T
+    for (name, _, _), (force, *reach) in zip(pushing, found, strict=True):
+        if force != 0.0:
+            refuse_one_point(name, np.array(reach), "at the start")
 
 
 def _prepare(

@@ -27,6 +27,7 @@ BASES = {
     "adjust": 'adjust kart-double-wishbone --camber "-2 deg"',
     "kinematics": 'kinematics kart-double-wishbone --travel "-4 mm:4 mm:4 mm"',
     "ride": 'ride audi-a6-quarter-car --road iso:C --speed "20 m/s" --duration "3 s"',
+    "ride-metrics": "ride-metrics ride.csv",
     "compare": 'compare audi-a6-quarter-car --speed "20 m/s" --duration "3 s" --control skyhook',
     "iri": "iri profile.csv",
     "plot": "plot base.csv --figure base.png",
@@ -250,6 +251,7 @@ def prepare() -> None:
     long = np.arange(5000) * 0.005
     sweep = np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2))
     loads = [3.0 * sweep, 4000.0 + 900.0 * np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2) + 0.6)]
+    write("ride.csv", "time [s], seat.az [m/s^2]", long, np.random.default_rng(2).normal(size=len(long)))
     write("lane.csv", "time [s], left.plate.z [mm], left.plate.force [N]", long, *loads)
     Path("empty").write_bytes(b"")
     Path("loop").symlink_to("loop")

@@ -104,7 +104,7 @@ def test_a_trailing_arm_has_no_rack() -> None:
     assert jn.sweep_travel(arm, 0.0, 0.0)["camber"].shape == (1,)
 
 
-@pytest.mark.parametrize("bad", [[0.02, -0.02], [], [np.nan], "wide", [None]])
+@pytest.mark.parametrize("bad", [[0.0, 0.02, 0.01], [], [np.nan], "wide", [None]])
 def test_bad_travel_is_refused(bad: object) -> None:
     with pytest.raises(jn.DescriptionError, match="wheel travel"):
         jn.sweep_travel(RIG, bad)  # type: ignore[arg-type]
