@@ -1013,7 +1013,7 @@ class Mechanism(Structure):
         return mobility_of(self, model, pose.x, u, p, pose.redundant)
 
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
-        """Places (m, design pose) of all bodies, joints, loads and what is watched, by the paths of their numbers."""
+        """Places (m, design pose, at parameter values) of bodies, joints, loads and what is watched, by their paths."""
         reading = listing.Reading(self, values)
         every: list[Description] = [hung.joint for hung in self.hanging.values()]
         every += [closed.joint for closed in self.closing.values()]

@@ -251,6 +251,9 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
         )
 
 
+_NO_FORCE = 1e-6  # N: of a length that is kept above zero
+
+
 def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> None:
     """Refuse forces between two points that are one: without a direction, they would turn over at every step.
 
@@ -266,7 +269,7 @@ def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Ar
     rows = [ca.vertcat(force, second.point - first.point) for _, force, (first, second) in pushing]
     found = ca.Function("reaches", [model.x, model.u, model.p], [ca.horzcat(*rows)])(x, u, p).full().T
     for (name, _, _), (force, *reach) in zip(pushing, found, strict=True):
-        if force != 0.0:
+        if abs(force) > _NO_FORCE:
             refuse_one_point(name, np.array(reach), "at the start")
 
 
