@@ -353,8 +353,10 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
 
 def _separator_of_numbers(line: str, count: int) -> str:
     """Separator of a line of so many numbers; empty where it is none."""
+    if not count:
+        return ""
     rows = ((mark, _row(line.strip(), mark)) for mark in ("\t", ";", ",", " "))
-    return next((mark for mark, row in rows if count and len(row) == count and all(map(_has_number, row))), "")
+    return next((mark for mark, row in rows if len(row) == count and all(map(_has_number, row))), "")
 
 
 def _header_line(lines: list[str], first: int) -> int:
