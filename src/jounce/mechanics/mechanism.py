@@ -1010,7 +1010,7 @@ class Mechanism(Structure):
         p, u = self._numbers(model, self.with_values(values or {}), inputs or {})
         pose = assemble(model, p, u, start, redundant="keep")
         refuse_singular(model, pose.x, u, p)
-        return mobility_of(self, model, pose.x, u, p, pose.redundant)
+        return mobility_of(self, model, self.generalised_force(model), pose.x, u, p, pose.redundant)
 
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
         """Places (m, design pose, at parameter values) of bodies, joints, loads and what is watched, by their paths."""
@@ -1026,17 +1026,6 @@ class Mechanism(Structure):
         found |= {f"{name}.centre_of_mass": mass.centre for name, mass in masses.items()}
         read = {path: reading.numbers(value) for path, value in found.items() if isinstance(value, ca.SX)}
         return {path: value for path, value in read.items() if value is not None}
-
-    def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
-        """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
-        p, numbers = ca.vertcat(*self.collection.parameters.values()), [values[path] for path in self.parameters]
-        found = {}
-        for body in self.bodies.values():
-            if body.mass_properties is not None:
-                properties = [body.mass_properties.mass, body.mass_properties.inertia]
-                mass, inertia = ca.Function("mass", [p], properties)(numbers)
-                found[body.name] = float(mass), inertia.full()
-        return found
 
     def finish(
         self,

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import casadi as ca
 import numpy as np
@@ -17,9 +16,7 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.mechanics.assembly import Evaluator, close_loops, motions_left
 from jounce.mechanics.model import Model
-
-if TYPE_CHECKING:
-    from jounce.mechanics.mechanism import Mechanism
+from jounce.mechanics.structure import Structure
 
 _NUDGE = 1e-4  # m or rad: a motion along which the forces are looked at
 _NOTHING = 1e-6  # force that is rounding beside the largest
@@ -112,22 +109,26 @@ def _shown(vector: tuple[float, ...]) -> str:
 
 
 def mobility_of(
-    mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()
-) -> Mobility:
-    """Degrees of freedom of a mechanism's model at a state with closed loops that is not singular."""
+    mechanism: Structure, model: Model, force: ca.Function, x: Array, u: Array, p: Array,
+    redundant: tuple[tuple[str, ...], ...] = (),
+) -> Mobility:  # fmt: skip
+    """Degrees of freedom of a mechanism's model at a state with closed loops that is not singular.
+
+    ``force`` is that of all loads on the speeds (N, N m), of x, u, p and m.
+    """
     every = [equation.name for constraint in mechanism.collection.constraints for equation in constraint.equations]
     left_out = tuple((name,) for name in every if name not in model.constraints)
-    motions = _free_motions(mechanism, model, x, u, p)
+    motions = _free_motions(mechanism, Evaluator(model, p, u), force, x)
     return Mobility(len(motions), len(model.speeds) - len(every), redundant + left_out, motions)
 
 
-def _free_motions(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> tuple[FreeMotion, ...]:
+def _free_motions(mechanism: Structure, evaluator: Evaluator, force: ca.Function, x: Array) -> tuple[FreeMotion, ...]:
     """Motions that the joints leave at a state with closed loops, those that feel a force first."""
-    evaluator = Evaluator(model, p, u)
+    model, u, p = evaluator.model, evaluator.u, evaluator.p
     ways = motions_left(evaluator.at(x)[1])
     if not ways.shape[1]:
         return ()
-    felt, unfelt = _by_force(mechanism, evaluator, x, ways)
+    felt, unfelt = _by_force(mechanism, evaluator, force, x, ways)
     bodies = [body for body in mechanism.bodies.values() if body.is_placed and body is not mechanism.ground]
     values = dict(zip(model.parameters, p, strict=True))
     masses = mechanism.mass_values(values)
@@ -164,20 +165,19 @@ def _free_motions(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
     return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
 
 
-def _by_force(mechanism: Mechanism, evaluator: Evaluator, x: Array, ways: Array) -> tuple[Array, Array]:
+def _by_force(
+    mechanism: Structure, evaluator: Evaluator, force: ca.Function, x: Array, ways: Array
+) -> tuple[Array, Array]:
     """Motions along which forces act, and those along which none does: now, after a small step, or at a small speed."""
     if any(body.is_placed and body.carrier.moves for body in mechanism.bodies.values()):
         return ways, ways[:, :0]  # weights of what hangs in moving axes are among the inertial forces
     model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
-    load, active = (
-        mechanism.generalised_force(model),
-        np.ones(len(model.switches)),
-    )  # stops count where they are not touched, too
+    active = np.ones(len(model.switches))  # stops count where they are not touched, too
 
     def felt(x: Array) -> Array:
         """Force along the motions that are left at a state."""
         left = motions_left(evaluator.at(x)[1])
-        return np.asarray(left @ (left.T @ load(x, evaluator.u, evaluator.p, active).full()[:, 0]))
+        return np.asarray(left @ (left.T @ force(x, evaluator.u, evaluator.p, active).full()[:, 0]))
 
     rows = [felt(x)]
     for way in ways.T:

@@ -5,11 +5,13 @@ This is what reactions, signals and listings read; :class:`jounce.mechanics.Mech
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import casadi as ca
 
+from jounce.core.types import Array
 from jounce.mechanics.bodies import Body, Poses
 from jounce.mechanics.expressions import expression_of
 from jounce.mechanics.joints import Joint, Motion, Row
@@ -110,6 +112,17 @@ class Structure(System):
         for hung in self.hanging.values():
             if any(hung.parent is body for body in found):
                 found.append(hung.child)
+        return found
+
+    def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
+        """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
+        p, numbers = ca.vertcat(*self.collection.parameters.values()), [values[path] for path in self.parameters]
+        found = {}
+        for body in self.bodies.values():
+            if body.mass_properties is not None:
+                properties = [body.mass_properties.mass, body.mass_properties.inertia]
+                mass, inertia = ca.Function("mass", [p], properties)(numbers)
+                found[body.name] = float(mass), inertia.full()
         return found
 
     def rate_of(self, expression: ca.SX) -> ca.SX:

@@ -157,7 +157,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
             notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
 
-    mobility = mobility_of(mechanism, model, first, u, p)
+    mobility = mobility_of(mechanism, model, mechanism.generalised_force(model), first, u, p)
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
