@@ -9,19 +9,13 @@ import sys
 import time
 
 import pytest
+import small_study
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals are sent otherwise there")
 KINEMATICS = ("kinematics", "hmmwv-front", "--travel", "-50 mm:50 mm:5 mm")
-SWEEP = ("sweep", "study.toml", "--out", "swept", "--workers", "2")
+SWEEP = small_study.COMMAND
 LINE = "jounce: interrupted; no file is left half-written."
 HINT = "jounce: what is finished is kept; the same command with --resume goes on."
-STUDY = """schema = "jounce.sweep/1"
-rig = "kart-quarter-car"
-metrics = ["max sprung.az"]
-trial = {speed = "2 m/s", duration = "1 s", road = {kind = "step", height = "10 mm", start = "1 m"}}
-design = {kind = "monte-carlo", count = 20, seed = 1}
-vary = {"strut.spring.rate" = "20 %"}
-"""
 
 
 BEGUN = """
@@ -38,7 +32,7 @@ if __name__ == "__main__":
 def _begin(folder, words=KINEMATICS):
     for name in ("temporary", "cache"):
         (folder / name).mkdir(exist_ok=True)
-    (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    (folder / "study.toml").write_text(small_study.STUDY, encoding="utf-8")
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache"), "TMPDIR": str(folder / "temporary")}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "start_new_session": True}
     started = subprocess.Popen([sys.executable, "-c", BEGUN, *words], cwd=folder, env=environment, **pipes)

@@ -7,18 +7,12 @@ import subprocess
 import sys
 
 import pytest
+import small_study
 
 from jounce.core.processes import NO_THREAD, NoWorkersError, starting_workers
 
-STUDY = """schema = "jounce.sweep/1"
-rig = "kart-quarter-car"
-metrics = ["max sprung.az"]
-trial = {speed = "2 m/s", duration = "1 s", road = {kind = "step", height = "10 mm", start = "1 m"}}
-design = {kind = "monte-carlo", count = 20, seed = 1}
-vary = {"strut.spring.rate" = "20 %"}
-"""
 COMMAND = [sys.executable, "-m", "jounce"]
-SWEEP = [*COMMAND, "sweep", "study.toml", "--out", "swept", "--workers", "2"]
+SWEEP = [*COMMAND, *small_study.COMMAND]
 GOES_ON = "One process needs none. This process works alone."
 OTHER = 54_321  # a user without an entry, whom limits of processes bind
 CAPABILITIES = "+dac_override,+dac_read_search"  # to read the interpreter, wherever it lies
@@ -26,7 +20,7 @@ CAPABILITIES = "+dac_override,+dac_read_search"  # to read the interpreter, wher
 
 def run(words, folder):
     """Run a command beside a study; give what it ended with."""
-    (folder / "study.toml").write_text(STUDY, encoding="utf-8")
+    (folder / "study.toml").write_text(small_study.STUDY, encoding="utf-8")
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache")}
     return subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True, check=False)
 
