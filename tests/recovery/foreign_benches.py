@@ -144,13 +144,24 @@ SPEEDS = (1.95, 2.86, 3.79, 1.97)
 """Stated speeds (m/s) of three passes of a single obstacle and one of five."""
 
 
+HARSH = 1000
+"""Seeds from here on draw benches whose errors are larger, and further from what is doubted."""
+
+
 def drawn(seed: int) -> Bench:
-    """Draw a bench."""
+    """Draw a bench: errors lie evenly within their bounds, or on harsh benches as often beyond as a normal error does.
+
+    Harsh benches have also springs that bend more, delays of up to 15 ms, lower bandwidths, and belts that lose their
+    speed at once.
+    """
     draw = np.random.default_rng([35, seed])
-    even = draw.uniform
+    even, is_harsh = draw.uniform, seed >= HARSH
+
+    def off(bound: float) -> float:
+        return bound * (draw.standard_normal() if is_harsh else even(-1.0, 1.0))
 
     def about(value: float, share: float) -> float:
-        return value * (1.0 + share * even(-1.0, 1.0))
+        return value * (1.0 + off(share))
 
     masses, angle = (16.0, 5.0), math.radians(26.0)
     place = str(draw.choice(["guide", "both", "strut"], p=[0.55, 0.3, 0.15]))
@@ -160,9 +171,9 @@ def drawn(seed: int) -> Bench:
     rig = Rig(
         sprung=about(masses[0], 0.03),
         unsprung=about(masses[1], 0.03),
-        angle=angle + math.radians(even(-0.5, 0.5)),
+        angle=angle + math.radians(off(0.5)),
         rate=even(20e3, 26e3),
-        growth=even(0.0, 0.06),
+        growth=even(0.0, 0.15 if is_harsh else 0.06),
         bump=bump,
         rebound=bump * even(1.0, 2.2),
         knee=even(0.2, 0.8),
@@ -183,14 +194,14 @@ def drawn(seed: int) -> Bench:
     single = Road(shape, round(height, 4), round(length, 3), ramp=0.02)
     train = replace(single, count=5, pitch=float(draw.choice([0.10, 0.15, 0.20])))
     roads = [single, single, single, train]
-    true_height = single.height * (1.0 + 0.015 * even(-1.0, 1.0))
+    true_height = about(single.height, 0.015)
     more = str(draw.choice(["", "strut.deflection", "sprung.z"], p=[0.6, 0.2, 0.2]))
     channels = (*CHANNELS[:2], *([more] if more else []))
     sizes = {"sprung.az": even(0.08, 0.25), "unsprung.az": even(0.4, 1.2), "strut.deflection": 5e-5, "sprung.z": 5e-5}
     chains = {
         name: Chain(
-            gain=1.0 + 0.01 * even(-1.0, 1.0),
-            corner=math.exp(even(math.log(120.0), math.log(400.0))),
+            gain=about(1.0, 0.01),
+            corner=math.exp(even(math.log(80.0 if is_harsh else 120.0), math.log(400.0))),
             order=int(draw.choice([1, 2])),
             noise=sizes[name],
         )
@@ -199,15 +210,16 @@ def drawn(seed: int) -> Bench:
     rides, slowest = [], even(0.0, 0.02)
     for road, speed in zip(roads, SPEEDS, strict=True):
         whole = road.length + (road.count - 1) * road.pitch
-        late = even(-5e-3, 5e-3)
+        late = even(-15e-3, 15e-3) if is_harsh else even(-5e-3, 5e-3)
+        lost_over = [road.length, whole, *([0.01] if is_harsh else [])]
         rides.append(
             Ride(
                 rig,
                 Pass(
                     replace(road, height=true_height),
-                    speed + even(-5e-3, 5e-3),
+                    speed + off(5e-3),
                     slowing=slowest * even(0.5, 1.0),
-                    over=float(draw.choice([road.length, whole])),
+                    over=float(draw.choice(lost_over)),
                 ),
                 chains,
                 {name: late + even(-0.5e-3, 0.5e-3) for name in channels},

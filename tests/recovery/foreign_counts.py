@@ -3,8 +3,8 @@
 ``OPENBLAS_NUM_THREADS=1 python tests/recovery/foreign_counts.py --benches 0:200 --out after.jsonl`` adds a line to a
 file for each bench that it does not have, and prints the table; ``--starts 4`` gives the updates that many starts
 instead of jounce's own number. ``--show before.jsonl after.jsonl`` prints tables of the benches that all of the files
-have, ``--wrong`` lists the benches with wrong values. An update is called as the campaign to start from calls it:
-normalised weights, a lag for each trial, nothing known of the sensors, default doubts.
+have, ``--wrong`` lists the benches with wrong values. Seeds from 1000 on are harsh benches. An update is called as the
+campaign to start from calls it: normalised weights, a lag for each trial, nothing known of the sensors, default doubts.
 """
 
 from __future__ import annotations
@@ -135,7 +135,17 @@ def table(lines: Sequence[dict[str, Any]]) -> str:
     lines = [line for line in lines if "error" not in line]
     if not lines:
         return f"0 benches, {len(failed)} refused"
-    columns = ("parameter", "covered", "component", "identified", "of them out", "beyond 1.5", "unwarned", "half-width")
+    columns = (
+        "parameter",
+        "covered",
+        "component",
+        "effective",
+        "identified",
+        "of these out",
+        "far out",
+        "unwarned",
+        "width",
+    )
     rows = ["".join(f"{name:>34s}" if name == "parameter" else f"{name:>13s}" for name in columns)]
     for path in (*FREE, "all"):
         some = [(line, one) for line in lines for name, one in line["parameters"].items() if path in (name, "all")]
@@ -147,6 +157,7 @@ def table(lines: Sequence[dict[str, Any]]) -> str:
         rows.append(
             f"{path:>34s}{_share([is_inside(one) for _, one in some]):>13s}"
             f"{_share([is_inside(one, ('component',)) for _, one in some]):>13s}"
+            f"{_share([is_inside(one, ('effective',)) for _, one in some]):>13s}"
             f"{_share([one['identified'] for _, one in some]):>13s}{len(out):>6d} of {len(known):3d}"
             f"{len(far):>13d}{len(quiet):>13d}{100.0 * float(np.median(widths)):>11.1f} %"
         )
