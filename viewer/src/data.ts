@@ -51,7 +51,7 @@ export interface Mechanism {
   contact: ArrayLike<number>[]; // pose, xyz in mm
   parts: Part[];
   brackets: [number, number, number, number, string][];
-  strut: { spring: [number, number]; damper: [number, number]; radius: number; tube: number; coils: number; colour: string };
+  strut: { spring: [number, number] | null; damper: [number, number] | null; radius: number; tube: number; coils: number; colour: string };
   axis: [number, number] | null;
   wheel: { centre: number; radius: number; width: number };
 }

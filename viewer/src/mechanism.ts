@@ -240,7 +240,7 @@ export class MechanismView {
     this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
     this.wide = [];
     this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, tr(m.names[i]!.replaceAll("_", " "))))));
-    this.legend.replaceChildren(...[...m.parts, { words: say("strut"), colour: m.strut.colour }].map((part) => {
+    this.legend.replaceChildren(...[...m.parts, ...(m.strut.spring ? [{ words: say("strut"), colour: m.strut.colour }] : [])].map((part) => {
       const swatch = make("i", { class: "swatch" });
       swatch.style.background = tint(part.colour);
       return make("li", {}, swatch, tr(part.words));
@@ -261,10 +261,12 @@ export class MechanismView {
       if (part.plate && corners.length >= 3) picture.area(corners, name, 0.25);
     }
     for (const [from, first, second, share, name] of m.brackets) picture.rod(at(from), along(at(first), at(second), share), 0.5 * size, tint(name));
-    const [low, high] = m.strut.damper.map(at) as [Point, Point];
-    picture.rod(low, high, 0.6 * size, m.strut.colour);
-    picture.rod(low, add(low, unit(minus(high, low)), m.strut.tube), 1.7 * size, m.strut.colour);
-    coil(picture, ...(m.strut.spring.map(at) as [Point, Point]), m, m.strut.colour);
+    if (m.strut.damper) {
+      const [low, high] = m.strut.damper.map(at) as [Point, Point];
+      picture.rod(low, high, 0.6 * size, m.strut.colour);
+      picture.rod(low, add(low, unit(minus(high, low)), m.strut.tube), 1.7 * size, m.strut.colour);
+    }
+    if (m.strut.spring) coil(picture, ...(m.strut.spring.map(at) as [Point, Point]), m, m.strut.colour);
     places.forEach((place, i) => {
       if (i === m.wheel.centre || m.feet.includes(i)) return;
       if (m.onBody[i]) picture.cube(place, 1.3 * size, colour("muted")); else picture.ball(place, 1.5 * size, colour("ink"));

@@ -520,6 +520,7 @@ def hardpoints(
         from jounce.core.columns import read_columns_csv
         from jounce.core.writing import write_atomically
         from jounce.design.measured_poses import fit_hardpoints
+        from jounce.kinematics.catalogue import require_parts
         from jounce.kinematics.model import check_corner, kinematic_model
         from jounce.parts import load, rig_path
         from jounce.parts.files import updated_text
@@ -529,6 +530,7 @@ def hardpoints(
         columns_found = read_columns_csv(measured)
         for name in columns_found.names:
             if name not in units:
+                require_parts(chosen, name)
                 raise unknown(name, units, what="quantity", where=str(measured))
         poses = {name: columns_found[name].in_si(units[name]) for name in columns_found.names}
         say("searching")

@@ -425,8 +425,8 @@ def _draw_over_travel(console: Console, found: OverTravel, *, changed: bool) -> 
     from jounce.design.adjustments import OVER_TRAVEL
 
     rows = []
-    for name, unit in OVER_TRAVEL.items():
-        factor, people = _FACTORS.get(unit, (1.0, unit))
+    for name in found.before:
+        factor, people = _FACTORS.get(unit := OVER_TRAVEL[name], (1.0, unit))
         for when, values in (("before", found.before), ("after", found.after))[: 2 if changed else 1]:
             label = (name.replace("_", " "), people) if when == "before" else ("", "")
             cells = (_seen(value, unit, factor) for value in values[name])

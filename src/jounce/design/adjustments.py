@@ -16,6 +16,7 @@ from jounce.core.units import to_si
 from jounce.design.poses import spin_axis
 from jounce.design.refitting import Changes, has_rocker, refitted, rod_lengths, rods, triple
 from jounce.kinematics import sweep_travel
+from jounce.kinematics.model import kinematic_model
 from jounce.parts import Corner, DoubleWishbone, FiveLink, McPherson, Rig
 from jounce.parts.leverage import static_spring_force
 from jounce.parts.variants import LARGEST, strut_angle, strut_angle_findings, with_strut_angle
@@ -582,16 +583,17 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
 
 
 def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
-    """Quantities at all travels that the linkage reaches."""
-    rows = []
+    """Quantities of the rig at all travels that the linkage reaches."""
+    has = {row.name for row in kinematic_model(rig).rows}
+    names, rows = [name for name in OVER_TRAVEL if name in has], []
     for travel in _TRAVELS:
         try:
             pose = sweep_travel(rig, [travel]).isel(wheel_travel=0)
         except JounceError:
-            rows.append(dict.fromkeys(OVER_TRAVEL, float("nan")))
+            rows.append(dict.fromkeys(names, float("nan")))
         else:
-            rows.append({name: float(pose[name]) if name in pose else float("nan") for name in OVER_TRAVEL})
-    return {name: tuple(row[name] for row in rows) for name in OVER_TRAVEL}
+            rows.append({name: float(pose[name]) for name in names})
+    return {name: tuple(row[name] for row in rows) for name in names}
 
 
 def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None) -> Lengths:

@@ -24,6 +24,7 @@ from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
 from jounce.kinematics.axle import Axle, Ground, WheelRows, roll_rows, rolled, steering_rows
 from jounce.kinematics.both_wheels import check_pair_of_corners
+from jounce.kinematics.catalogue import require_parts
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
 from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, prepare_sweep, shares, sweep_values
@@ -294,6 +295,9 @@ def quantity_unit(
         if name in ("anti_dive", "anti_lift", "anti_squat"):
             hint = "It needs a table [vehicle] of that axle."
             raise DescriptionError("not known without the car", where=f"{where}.quantity", found=name, hint=hint)
+        require_parts(rig, name.removeprefix("left.").removeprefix("right."))
+        if name in (*_STIFF, "roll_moment"):
+            rig.require("spring", what=name)
         raise unknown(name, known, what="quantity", where=f"{where}.quantity")
     return known[name]
 

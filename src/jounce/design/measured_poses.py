@@ -25,6 +25,7 @@ from jounce.design.free_points import FreeNumbers, Numbering, free_numbers
 from jounce.design.kinematic_study import FreePoint
 from jounce.identify.estimate import Estimate, correlation_time, estimate
 from jounce.kernel.poses import REACHED
+from jounce.kinematics.catalogue import require_parts
 from jounce.kinematics.model import check_corner, has_rack
 from jounce.kinematics.sweeps import path_sweep, path_values
 from jounce.kinematics.tangents import Tangents
@@ -236,6 +237,7 @@ class _Table:
         values = {}
         for name, one in given.items():
             if name not in rows:
+                require_parts(rig, name)
                 raise unknown(name, rows, what="quantity", where="measured")
             unit, where = sweep.model.rows[rows[name]].unit, f"measured: {name}"
             values[name] = one = as_samples(one, unit, where=where, error=DescriptionError).ravel()  # noqa: PLW2901

@@ -51,7 +51,7 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     after = {name: places.get(name, point) for name, point in before.items()}
     table["hardpoints"] = {name: tuple(map(float, point)) for name, point in after.items()}
     known = {} if upright is None else {"upright": upright, "wheel": upright}
-    for name, body in rig.body_masses().items():
+    for name, body in () if "bodies" in rig.without else rig.body_masses().items():
         turn, shift = known.get(name) or _body_motion(rig, name, before, after)
         table["bodies"][name] |= {
             "centre_of_mass": tuple(map(float, turn @ np.array(body.centre_of_mass) + shift)),
@@ -60,8 +60,9 @@ def moved_rig(rig: C, places: Mapping[str, Triple], upright: Motion | None = Non
     turn, _ = known.get("upright") or _body_motion(rig, "upright", before, after)
     camber, toe = wheel_angles(rig, turn @ spin_axis(rig))
     table["wheel"] |= {"camber": camber, "toe": toe}
-    _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))
-    _keep_damper(table["strut"]["damper"], _length(before, "damper"), _length(after, "damper"))
+    if rig.has_strut:
+        _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))
+        _keep_damper(table["strut"].get("damper", {}), _length(before, "damper"), _length(after, "damper"))
     if rig.third_spring is not None:
         lengths = [2.0 * abs(points["third_spring_end"][1]) for points in (before, after)]
         _keep_spring(table["third_spring"], *lengths)
@@ -137,8 +138,8 @@ def _length(points: Mapping[str, Triple], element: str) -> float:
 
 def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:
     """Let spring and stops be what they are while the design length (m) becomes another one."""
-    spring = strut["spring"]
-    if "free_length" not in spring:
+    spring = strut.get("spring")
+    if spring is not None and "free_length" not in spring:
         preload = spring.pop("preload", 0.0)
         if "rate" in spring:
             spring["preload"] = preload - spring["rate"] * (after - before)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.kinematics.view import Axis, CornerView, caster_of
+from jounce.parts.corners import Corner
 
 
 @dataclass(frozen=True)
@@ -33,10 +34,11 @@ class Quantity:
     clause : str
         Where a standard defines it; empty where none does.
     needs : str
-        ``"axis"`` (a steering axis), ``"rack"``, ``"bar"`` (an anti-roll bar), ``"coil"``, ``"torsion"`` (bar),
-        ``"third"`` (spring), ``"third damper"``, ``"damper"``, ``"tyre"`` (each described), ``"spring"`` (a coil or a
-        torsion bar), ``"stiffness"`` (a spring, and a tyre whose deflection is known), ``"heave"`` (a third spring or a
-        Z-bar), ``"rocker"``, ``"rocker strut"`` (a strut on it); empty for what every corner has.
+        ``"axis"`` (a steering axis), ``"rack"``, ``"strut"`` (its ends), ``"rack strut"`` (both), ``"bar"`` (an
+        anti-roll bar), ``"coil"``, ``"torsion"`` (bar), ``"third"`` (spring), ``"third damper"``, ``"damper"``,
+        ``"tyre"`` (each described), ``"spring"`` (a coil or a torsion bar), ``"stiffness"`` (a spring, and a tyre whose
+        deflection is known), ``"heave"`` (a third spring or a Z-bar), ``"rocker"``, ``"rocker strut"`` (a strut on it);
+        empty for what every corner has.
     """
 
     name: str
@@ -267,16 +269,17 @@ CATALOGUE: tuple[Quantity, ...] = (
         lambda v: v.steering_pitch, "positive: upward in a left turn; 0 where rack and travel make a pure turn",
         needs="axis"),
     Quantity("caster_held_spring", "rad", "caster angle of the screw that the rack makes at held spring length",
-        lambda v: caster_of(v.held_axis), "positive: top rearward", needs="rack"),
+        lambda v: caster_of(v.held_axis), "positive: top rearward", needs="rack strut"),
     Quantity("kingpin_inclination_held_spring", "rad",
         "kingpin inclination of the screw that the rack makes at held spring length",
-        lambda v: _inclination_of(v.held_axis), "positive: top inboard", needs="rack"),
+        lambda v: _inclination_of(v.held_axis), "positive: top inboard", needs="rack strut"),
     Quantity("caster_trail_held_spring", "m",
         "caster trail, vehicle's axes, of the screw that the rack makes at held spring length",
-        lambda v: _held_lead(v)[0], "positive: axis meets the ground ahead of the contact point", needs="rack"),
+        lambda v: _held_lead(v)[0], "positive: axis meets the ground ahead of the contact point", needs="rack strut"),
     Quantity("scrub_radius_held_spring", "m",
         "kingpin offset at the ground, vehicle's axes, of the screw that the rack makes at held spring length",
-        lambda v: -_held_lead(v)[1], "positive: axis meets the ground inboard of the contact point", needs="rack"),
+        lambda v: -_held_lead(v)[1], "positive: axis meets the ground inboard of the contact point",
+        needs="rack strut"),
     Quantity("wheel_centre_x", "m", "wheel centre, x", lambda v: v.centre.value[0], "positive: forward"),
     Quantity("wheel_centre_y", "m", "wheel centre, y", lambda v: v.side * v.centre.value[1], "positive: left"),
     Quantity("wheel_centre_z", "m", "wheel centre, z", lambda v: v.centre.value[2], "positive: up"),
@@ -321,18 +324,18 @@ CATALOGUE: tuple[Quantity, ...] = (
         lambda v: v.centre.rate[0] / v.patch[2], "positive: forward in bump"),
     Quantity("wheel_centre_lateral_slope", "1", "lateral motion of the wheel centre over its rise",
         lambda v: v.centre.rate[1] / v.centre.rate[2], "positive: outward in bump"),
-    Quantity("spring_length", "m", "spring length", lambda v: v.spring.length, "never negative"),
-    Quantity("damper_length", "m", "damper length", lambda v: v.damper.length, "never negative"),
+    Quantity("spring_length", "m", "spring length", lambda v: v.spring.length, "never negative", needs="strut"),
+    Quantity("damper_length", "m", "damper length", lambda v: v.damper.length, "never negative", needs="strut"),
     Quantity("motion_ratio", "1", "motion ratio: spring compression over wheel travel", lambda v: v.motion_ratio,
-        "positive: bump compresses the spring"),
+        "positive: bump compresses the spring", needs="strut"),
     Quantity("motion_ratio_contact", "1", "motion ratio at the contact patch: spring compression over its rise",
-        lambda v: v.contact_ratio, "positive: bump compresses the spring"),
+        lambda v: v.contact_ratio, "positive: bump compresses the spring", needs="strut"),
     Quantity("motion_ratio_gradient", "1/m", "motion-ratio gradient", lambda v: v.slope(v.motion_ratio),
-        "positive: the ratio grows in bump"),
+        "positive: the ratio grows in bump", needs="strut"),
     Quantity("motion_ratio_contact_gradient", "1/m", "motion-ratio gradient at the contact patch", _contact_ratio_rate,
-        "positive: the ratio grows in bump"),
+        "positive: the ratio grows in bump", needs="strut"),
     Quantity("damper_motion_ratio", "1", "damper motion ratio: damper compression over wheel travel",
-        lambda v: v.damper_ratio, "positive: bump compresses the damper"),
+        lambda v: v.damper_ratio, "positive: bump compresses the damper", needs="strut"),
     Quantity("spring_force", "N", "spring force", lambda v: v.springs.force, "positive: compression",
         needs="coil"),
     Quantity("stop_force", "N", "force of bump and rebound stops", lambda v: v.stops.force, "positive: compression",
@@ -421,6 +424,22 @@ CATALOGUE: tuple[Quantity, ...] = (
 # fmt: on
 
 
+_PARTS: dict[str, tuple[str, ...]] = {
+    **{name: (name,) for name in ("strut", "spring", "damper", "tyre")},
+    "rack strut": ("strut",),
+    "rocker strut": ("strut",),
+    "coil": ("spring",),
+    "stiffness": ("spring", "tyre"),
+}
+"""Parts of the description that ``needs`` stands for."""
+
+
+def require_parts(rig: Corner, name: str) -> None:
+    """Refuse a quantity of the catalogue for which the description of a corner lacks parts, by what is missing."""
+    needs = next((row.needs for row in CATALOGUE if row.name == name), "")
+    rig.require(*_PARTS.get(needs, ()), what=name)
+
+
 def quantities(view: CornerView) -> tuple[Quantity, ...]:
     """Rows that a corner has."""
     rig = view.linkage.rig
@@ -428,6 +447,8 @@ def quantities(view: CornerView) -> tuple[Quantity, ...]:
         "": True,
         "axis": view.steers,
         "rack": view.rack is not None,
+        "strut": rig.has_strut,
+        "rack strut": view.rack is not None and rig.has_strut,
         "bar": rig.anti_roll_bar is not None,
         "coil": "spring" not in rig.without,
         "spring": "spring" not in rig.lacks,
@@ -436,7 +457,7 @@ def quantities(view: CornerView) -> tuple[Quantity, ...]:
         "third damper": rig.third_spring is not None and rig.third_spring.damper is not None,
         "heave": {"third_spring", "anti_roll_bar"} & set(rig.besides_strut) != set(),
         "rocker": getattr(rig.hardpoints, "rocker_pivot", None) is not None,
-        "rocker strut": rig.strut.on == "rocker",
+        "rocker strut": rig.has_strut and rig.strut.on == "rocker",
         "damper": "damper" not in rig.without,
         "tyre": "tyre" not in rig.without,
         "stiffness": view.has_tyre_stiffness and not {"spring", "tyre"} & set(rig.lacks),

@@ -281,6 +281,7 @@ def balanced(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array],
 
 def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]) -> Joints:
     """Put the parts of a corner into balance."""
+    rig.require("strut", what="what the joints carry")
     model = str(getattr(rig, "model", ""))
     parts, build = _TEMPLATES[model]
     extra = ("rocker",) if getattr(rig.hardpoints, "rocker_pivot", None) is not None else ()

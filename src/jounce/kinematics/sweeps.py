@@ -375,7 +375,8 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
         for t in range(tracks)
     }
     ratio = "the motion ratio of the spring is {ratio:.3g} times the one"
-    speeds[ratio] = np.abs(found.outputs[names.index("motion_ratio")])
+    if "motion_ratio" in names:
+        speeds[ratio] = np.abs(found.outputs[names.index("motion_ratio")])
     findings = []
     for text, speed in speeds.items():
         for side in (1.0, -1.0):

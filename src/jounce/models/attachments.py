@@ -40,7 +40,7 @@ def add_rocker(linkage: Linkage) -> None:
     linkage.owners.update({"rocker_pivot": linkage.chassis, "rocker_axis": linkage.chassis, "pushrod_inner": rocker})
     linkage.owners["pushrod_outer"] = linkage.carriers[foot]
     linkage.lines["pushrod"] = ("pushrod_outer", "pushrod_inner")
-    linkage.lines["rocker"] = ("pushrod_inner", "rocker_pivot", "strut_bottom")
+    linkage.lines["rocker"] = ("pushrod_inner", "rocker_pivot", *(["strut_bottom"] if rig.has_strut else []))
 
 
 def add_strut_points(linkage: Linkage) -> None:
@@ -51,7 +51,8 @@ def add_strut_points(linkage: Linkage) -> None:
         for end, body in (("bottom", carrier), ("top", linkage.chassis)):
             if getattr(rig.hardpoints, f"{element}_{end}") is not None:
                 linkage.owners[f"{element}_{end}"] = body
-    linkage.lines["strut"] = ("strut_bottom", "strut_top")
+    if rig.has_strut:
+        linkage.lines["strut"] = ("strut_bottom", "strut_top")
     if rig.third_spring is not None:
         linkage.owners["third_spring_end"] = linkage.carriers[rig.third_spring.on]
 

@@ -6,7 +6,7 @@ import sys
 from itertools import combinations
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, Union
 
-from pydantic import Field, create_model, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer, model_validator
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description, misplaced
@@ -34,8 +34,15 @@ ON_ONE_LINE = 1e-3
 _NO_BODY = {"mass": 1.0, "centre_of_mass": (0.0, 0.0, 0.0), "inertia": {"xx": 1.0, "yy": 1.0, "zz": 1.0}}
 _NO_SPRING = {"rate": 1.0}
 _ON_ROCKER = {"on": "rocker"}
+_OWN_ENDS = ("spring_bottom", "spring_top", "damper_bottom", "damper_top")
 _STANDING_IN = {"bodies": "bodies.", "spring": "strut.spring.", "damper": "strut.damper.", "tyre": "tyre."}
-_TABLES = {"bodies": "[bodies] and [sprung]", "spring": "strut.spring", "damper": "strut.damper", "tyre": "[tyre]"}
+_TABLES = {
+    "bodies": "[bodies] and [sprung]",
+    "strut": "the ends of the strut (hardpoints.strut_bottom and strut_top)",
+    "spring": "strut.spring",
+    "damper": "strut.damper",
+    "tyre": "[tyre]",
+}
 Groups = tuple[tuple[str, ...], ...]
 Axes = tuple[tuple[str, str, str], ...]
 Rods = tuple[tuple[str, str], ...]
@@ -44,12 +51,12 @@ Rods = tuple[tuple[str, str], ...]
 class Hardpoints(Description):
     """What all suspensions have: positions at design in m, x forward, y left, z up; the road is z = 0.
 
-    Spring and damper lie on the strut's line unless their own ends are given.
+    Spring and damper lie on the strut's line unless their own ends are given; kinematics needs none of these ends.
     """
 
     wheel_centre: Point
-    strut_bottom: Point
-    strut_top: Point
+    strut_bottom: Point | None = None
+    strut_top: Point | None = None
     spring_bottom: Point | None = None
     spring_top: Point | None = None
     damper_bottom: Point | None = None
@@ -73,7 +80,7 @@ class Hardpoints(Description):
     """Groups in which no two points may be the same."""
     turning: ClassVar[Axes] = (("arb_pivot", "arb_axis", "arb_arm_end"),)
     """Two points of an axis, and a point that rotates about it."""
-    together: ClassVar[Groups] = (("arb_pivot", "arb_arm_end", "arb_link_end"),)
+    together: ClassVar[Groups] = (("strut_bottom", "strut_top"), ("arb_pivot", "arb_arm_end", "arb_link_end"))
     """Groups of which all points are given or none."""
     rods: ClassVar[Rods] = ()
     """Links of constant length between wheel carrier and car body: outer and inner point."""
@@ -258,6 +265,8 @@ class Corner(Rig):
         """
         if not isinstance(table, dict):
             return table
+        if "without" in table:
+            raise misplaced(("without",), "follows from what the file leaves out; leave it out, too")
         if table.get("bodies") and table.get("torsion_bar") and isinstance(table.get("strut"), dict):
             coil = "spring" in table["strut"]  # without it the torsion bar carries the car alone
             strut = {"spring": _NO_SPRING, **table["strut"]}
@@ -287,6 +296,17 @@ class Corner(Rig):
             "without": missing,
         }
 
+    @model_serializer(mode="wrap")
+    def _as_given(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Leave out what stands in for what the file leaves out: that is how it is read again, and changed."""
+        table: dict[str, Any] = dump(self)
+        found = {key: value for key, value in table.items() if key not in ("without", *self.without)}
+        if "bodies" in self.without:
+            found.pop("guide", None)
+        if "strut" in found and self.without:
+            found["strut"] = {key: value for key, value in table["strut"].items() if key not in self.without}
+        return found
+
     def parameters(self) -> dict[str, float]:
         """Give every number of the rig by its path, SI; without those that stand in for what the file leaves out."""
         found = super().parameters()
@@ -296,7 +316,14 @@ class Corner(Rig):
     @property
     def lacks(self) -> tuple[str, ...]:
         """What it leaves out that nothing else does the work of, as a torsion bar does that of the strut's spring."""
+        if not self.has_strut:
+            return ("strut", *self.without)
         return tuple(name for name in self.without if name != "spring" or self.torsion_bar is None)
+
+    @property
+    def has_strut(self) -> bool:
+        """Whether its points hold the ends of a strut, of which spring and damper are."""
+        return self.hardpoints.strut_bottom is not None
 
     @property
     def only_travels(self) -> bool:
@@ -312,15 +339,20 @@ class Corner(Rig):
         return tuple(name for name, there in has.items() if there)
 
     def require(self, *parts: str, what: str) -> None:
-        """Refuse what cannot be known of a rig that leaves out one of these parts (bodies, spring, damper, tyre)."""
-        missing = [name for name in parts if name in self.lacks]
+        """Refuse what cannot be known of a rig that leaves out one of these parts (bodies, spring, damper, tyre).
+
+        The ends of the strut are those of spring and damper.
+        """
+        asked = {*parts, *(("strut",) if {"spring", "damper"} & {*parts} else ())}
+        missing = [name for name in self.lacks if name in asked]
         if missing:
+            tables = [_TABLES[name] for name in missing]
             raise DescriptionError(
                 f"{what} cannot be had from hardpoints alone",
                 where=self.source or "rig",
                 found=f"a rig without {', '.join(missing)}",
                 allowed="sweeps of its kinematics",
-                hint=f"Describe {' and '.join(_TABLES[name] for name in missing)}.",
+                hint=f"Describe {' and '.join(filter(None, (', '.join(tables[:-1]), tables[-1])))}.",
             )
 
     @property
@@ -404,6 +436,7 @@ class Corner(Rig):
 
     def _check_attachments(self) -> None:
         """Refuse elements on bodies that the rig does not have."""
+        self._check_strut()
         self._require_body("strut", self.strut.on)
         rocker = getattr(self.hardpoints, "rocker_pivot", None)
         if self.strut.on == "rocker" and rocker is None:
@@ -430,6 +463,22 @@ class Corner(Rig):
         if self.torsion_bar is not None:
             self._require_body("torsion_bar", self.torsion_bar.on)
         self._check_third_spring()
+
+    def _check_strut(self) -> None:
+        """Refuse what needs the ends of a strut, where the points do not hold them."""
+        if self.has_strut:
+            return
+        laws = [name for name in ("spring", "damper") if name not in self.without]
+        laws += [name for name in ("friction", "bump_stop", "rebound_stop") if getattr(self.strut, name) is not None]
+        needing = [] if "bodies" in self.without else ["[bodies]"]
+        needing += [f"strut.{name}" for name in laws]
+        needing += [f"hardpoints.{name}" for name in _OWN_ENDS if getattr(self.hardpoints, name) is not None]
+        if needing:
+            raise misplaced(
+                ("hardpoints", "strut_bottom"),
+                f"missing, and strut_top with it; found {', '.join(needing)}, which need the ends of the strut. "
+                "Give both ends, or only the other points and [wheel], which are enough for kinematics",
+            )
 
     def _check_stem(self) -> None:
         """Refuse T-bars whose stem is not in the middle of the car."""
@@ -572,6 +621,8 @@ class DoubleWishbone(Corner):
 class McPhersonHardpoints(ArmHardpoints):
     """One arm, a strut that guides the upright along the line from ``strut_bottom`` to ``strut_top``, a tie rod."""
 
+    strut_bottom: Point
+    strut_top: Point
     tie_rod_inner: Point
     tie_rod_outer: Point
 

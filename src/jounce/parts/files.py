@@ -49,25 +49,13 @@ def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
     >>> rig_text(load("kart-quarter-car"), ["A kart."]).splitlines()[:2]
     ['# A kart.', 'schema = "jounce.rig/1"']
     """
-    table = _as_given(rig, rig.model_dump(by_alias=True, exclude_none=True, exclude_unset=True))
+    table = rig.model_dump(by_alias=True, exclude_none=True, exclude_unset=True)
     table = {"schema": getattr(rig, "schema_", "jounce.rig/1"), "model": getattr(rig, "model", ""), **table}
     keys = [*(key for key in _ORDER if key in table), *(key for key in table if key not in _ORDER)]
     head = [f"# {line}" for comment in comments for line in textwrap.wrap(in_one_line(comment), _WIDTH - 2)]
     plain = [f"{key} = {_value(rig, key, table[key])}" for key in keys if not isinstance(table[key], Mapping)]
     body = [line for key in keys if isinstance(table[key], Mapping) for line in _section(rig, key, table[key])]
     return "\n".join([*head, *plain, *body, ""])
-
-
-def _as_given(rig: Rig, table: dict[str, Any]) -> dict[str, Any]:
-    """Table of a rig without what stands in for what its file leaves out."""
-    missing = getattr(rig, "without", ())
-    if not missing:
-        return table
-    found = {key: value for key, value in table.items() if key not in ("without", *missing)}
-    if "bodies" in missing:
-        found.pop("guide", None)
-    found["strut"] = {key: value for key, value in table["strut"].items() if key not in missing}
-    return found
 
 
 def _section(rig: Rig, path: str, table: Mapping[str, Any]) -> list[str]:
@@ -279,7 +267,8 @@ def updated_text(text: str, rig: Rig, where: str = "") -> str:
 
 
 def _table(rig: Rig) -> dict[str, Any]:
-    return _as_given(rig, rig.model_dump(by_alias=True, exclude_none=True))
+    table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
+    return table
 
 
 def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:

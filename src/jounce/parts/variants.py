@@ -104,6 +104,7 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
     if not isinstance(rig, Corner):
         raise DescriptionError("this rig has no strut that could be turned", where="strut angle")
     points, moved, allowed = rig.hardpoints, "strut_top", ""
+    rig.require("strut", what="the angle of the strut")
     own = [name for name in _OWN_ENDS if getattr(points, name) is not None]
     if isinstance(rig, McPherson):
         found = 'model = "mcpherson"'
@@ -116,7 +117,7 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
         problem = "spring and damper are not on one line, so that no single angle describes them"
         allowed = "rigs that give strut_bottom and strut_top only"
     else:
-        return points.strut_bottom, points.strut_top
+        return cast(Triple, points.strut_bottom), cast(Triple, points.strut_top)
     hint = f'Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.'
     raise DescriptionError(problem, where="strut angle", found=found, allowed=allowed, hint=hint)
 

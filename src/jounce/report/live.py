@@ -385,8 +385,8 @@ def mechanism_data(one: Mechanism, add: Callable[[Array], int] | None = None) ->
         ],
         "brackets": [[index[b.point], index[b.first], index[b.second], round(b.share, 4), b.colour] for b in brackets],
         "strut": {
-            "spring": [index[name] for name in drawing.spring],
-            "damper": [index[name] for name in drawing.damper],
+            "spring": drawing.spring and [index[name] for name in drawing.spring],
+            "damper": drawing.damper and [index[name] for name in drawing.damper],
             "radius": _mm(np.array(drawing.coil_radius)),
             "tube": _mm(np.array(DAMPER_BODY * drawing.damper_length)),
             "coils": COILS,

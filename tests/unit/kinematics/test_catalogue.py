@@ -12,6 +12,7 @@ from jounce.kinematics.model import kinematic_model
 
 SI = {"m", "s", "kg", "rad", "N", "J", "W", "Pa", "Hz"}
 
+STEERED = {"rack", "rack strut"}
 SOME_HAVE = {"bar", "torsion", "third", "third damper", "heave", "rocker", "rocker strut"}
 
 
@@ -22,7 +23,7 @@ def test_every_row_says_what_it_is(row) -> None:
     assert set(re.findall("[A-Za-z]+", row.unit)) <= SI
     assert row.long_name
     assert row.sign.startswith(("positive: ", "never negative"))
-    assert row.needs in {"", "axis", "rack", "spring", "damper", "tyre", "stiffness", "coil"} | SOME_HAVE
+    assert row.needs in {"", "axis", "strut", "spring", "damper", "tyre", "stiffness", "coil"} | STEERED | SOME_HAVE
 
 
 def test_names_are_unique() -> None:
@@ -34,7 +35,7 @@ def test_rows_that_a_corner_cannot_have_are_absent() -> None:
     full = {row.name for row in kinematic_model(jn.load("reference-double-wishbone")).rows}
     assert names - full == {row.name for row in CATALOGUE if row.needs in SOME_HAVE}
     arm = {row.name for row in kinematic_model(jn.load("semi-trailing-arm")).rows}
-    assert names - arm == {row.name for row in CATALOGUE if row.needs in SOME_HAVE | {"axis", "rack"}}
+    assert names - arm == {row.name for row in CATALOGUE if row.needs in SOME_HAVE | STEERED | {"axis"}}
 
 
 def test_a_curved_tyre_has_its_slope_at_the_deflection_given() -> None:

@@ -284,3 +284,13 @@ def test_inches_pounds_and_radians_are_the_same_rig(changed) -> None:
     assert set(before) == set(after)
     for path, value in after.items():
         assert value == pytest.approx(before[path], rel=1e-5, abs=2e-6), path  # the rig's file has six digits
+
+
+def test_without_a_strut_it_is_a_rig_for_kinematics(changed) -> None:
+    struts = ("'lwr_strut_mount             '", "'nobody_knows_me             '"), ("'top_mount", "'top_of_it")
+    rig, findings, text = import_adams(changed(*struts), wheel_radius=RIG.wheel.radius)
+    assert rig.lacks == ("strut", "bodies", "spring", "damper", "tyre")
+    assert any("no strut is in it" in finding.message for finding in findings)
+    assert "[bodies" not in text
+    found, expected = (jn.sweep_travel(one, [-0.03, 0.0, 0.03]) for one in (rig, import_adams(DATABASE / SUB)[0]))
+    np.testing.assert_allclose(found["toe"], expected["toe"], rtol=0.0, atol=1e-12)

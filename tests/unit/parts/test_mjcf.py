@@ -93,6 +93,15 @@ def test_names_of_nobody_follow_from_the_structure(tmp_path: Path, frames: dict[
     assert np.isfinite(jn.sweep_travel(rig, [0.0])["camber"].values).all()
 
 
+def test_without_a_spring_it_is_a_rig_for_kinematics(tmp_path: Path) -> None:
+    file = tmp_path / "corner.xml"
+    file.write_text(ARMS.format(**PLAIN).replace("30000", "0"))
+    rig, findings, _ = import_mjcf(file)
+    assert rig.lacks == ("strut", "bodies", "spring", "damper", "tyre")
+    assert any("for kinematics alone: " in finding.message for finding in findings)
+    assert np.isfinite(jn.sweep_travel(rig, [-0.01, 0.0, 0.01])["camber"]).all()
+
+
 def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -> None:
     file = tmp_path / "corner.xml"
     file.write_text(

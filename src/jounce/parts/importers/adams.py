@@ -20,10 +20,12 @@ from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
 from jounce.parts.importers.drafts import (
     SPRUNG_MASS,
+    WHEEL_RADIUS,
     Draft,
     add_wheel,
     as_table,
     joined,
+    raised,
     rig_of,
     set_on_the_road,
     tensor_of,
@@ -176,6 +178,8 @@ class _Subsystem:
         self.draft.estimated += reading.estimated
         kind = RIGS[model]
         assert issubclass(kind, Corner)
+        if "strut_bottom" not in self.points:
+            return self._of_points(model, strut, radius)
         strut.setdefault("on", kind.strut_on[0])
         names = [*kind.needed_bodies, *(("rocker",) if "rocker_pivot" in self.points else ())]
         found = self._bodies((*kind.needed_bodies, *kind.further_bodies), model)
@@ -194,6 +198,21 @@ class _Subsystem:
         add_wheel(self.draft, table, spindle, self._angles(), (radius, mass, stiffness))
         self._note_rest()
         set_on_the_road(self.draft, table, sprung_mass)
+        return table
+
+    def _of_points(self, model: str, strut: dict[str, Any], radius: float | None) -> dict[str, Any]:
+        """Table of a rig for kinematics alone: without a strut nothing carries the car."""
+        text = "no strut is in it, so the rig is for kinematics alone: masses, springs and dampers are left out."
+        self.draft.note(self.draft.at("HARDPOINT"), text)
+        if radius is None:
+            self.draft.estimated.append("wheel.radius")
+            radius = WHEEL_RADIUS
+        table: dict[str, Any] = {
+            "schema": "jounce.rig/1", "model": model, "source": "", "estimated": [], "side": "left",
+            "wheel": {"radius": radius, **self._angles()}, "strut": strut,
+            "hardpoints": dict(self.points), "bodies": {},
+        }  # fmt: skip
+        raised(table, radius - float(self.points["wheel_centre"][2]))
         return table
 
     def _hardpoints(self) -> PointTable:

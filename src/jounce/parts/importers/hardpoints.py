@@ -85,6 +85,7 @@ _HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
 _RADIUS = (0.08, 0.8)  # m
 _NESTED = (".yaml", ".yml", ".json")
 _LARGEST, _ROWS, _COLUMNS = 20_000_000, 20_000, 200
+_STRUT = ("strut_bottom", "strut_top")
 _ADVICE = "Give names with --name THEIRS=OURS."
 
 
@@ -401,7 +402,9 @@ def _needed(model: str) -> list[str]:
 
 
 def _missing(model: str, points: Mapping[str, Array]) -> list[str]:
-    return [name for name in _needed(model) if name not in points]
+    """Points that it needs and has not; a strut has two ends or none."""
+    needed = [*_needed(model), *(_STRUT if any(end in points for end in _STRUT) else ())]
+    return [name for name in dict.fromkeys(needed) if name not in points]
 
 
 class PointReading:
@@ -585,6 +588,8 @@ class PointReading:
         if further:
             self.note(f"points that a {model} does not have are left out: {', '.join(further)}.")
             self.points = {name: point for name, point in self.points.items() if name not in further}
+        if "strut_bottom" not in self.points:
+            self.note("no strut is in the table: motion ratios and wheel rates need strut_bottom and strut_top.")
 
     def turn(self, axes: str | None) -> None:
         """Our axes from those of the table."""
@@ -708,6 +713,8 @@ class PointReading:
     def strut(self, model: str) -> dict[str, str]:
         """Which body carries the strut, or the push rod: the arm that its end is nearest to."""
         end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
+        if end not in self.points:
+            return {}
         key = "pushrod_on" if end == "pushrod_outer" else "on"
         rocker = {"on": "rocker"} if key == "pushrod_on" else {}
         if self.table.carrier in cast(type[Corner], RIGS[model]).needed_bodies:

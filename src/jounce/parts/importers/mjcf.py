@@ -450,8 +450,9 @@ class _Tree:
         masses = {name: body.mass for name, body in self.bodies.items() if body.mass is not None}
         needed = [name for name in kind.needed_bodies if name not in masses]
         spring = self._spring()
-        if needed or spring is None:
-            lacking = [*needed, *([] if spring is not None else ["a spring"])]
+        if needed or spring is None or not rig.has_strut:
+            strut = [] if rig.has_strut else ["strut_bottom", "strut_top"]
+            lacking = [*needed, *([] if spring is not None else ["a spring"]), *strut]
             text = f"not in the file under our names, so the rig is for kinematics alone: {', '.join(lacking)}."
             self.draft.note(self.draft.at("bodies"), text)
             return None

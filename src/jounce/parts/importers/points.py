@@ -231,7 +231,7 @@ def from_vsusp(file: Path, text: str) -> PointTable | None:
     """Points of a double wishbone drawn in VSUSP, from the address of the project; None for what is no such address.
 
     VSUSP draws the front view alone: the knuckle is turned until the tyre stands on the road. Pivots of the arms lie
-    before and behind their places, and a tie rod that steers nowhere and a strut are made up.
+    before and behind their places, and a tie rod that steers nowhere is made up.
     """
     blocks = {
         name: dict(pair.partition(":")[::2] for pair in body.split("|")) for name, body in _VSUSP.findall(unquote(text))
@@ -242,8 +242,8 @@ def from_vsusp(file: Path, text: str) -> PointTable | None:
     for axle, block in blocks.items():
         _add_front_view(table, axle, block)
     table.notes.append(
-        "VSUSP draws a front view: how far apart the pivots of an arm are along the car, the tie rod (it steers "
-        "nowhere) and the strut are estimated."
+        "VSUSP draws a front view: how far apart the pivots of an arm are along the car and the tie rod (it steers "
+        "nowhere) are estimated."
     )
     return table
 
@@ -316,8 +316,6 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
     for arm in ("lower", "upper"):
         places |= {f"{arm}_arm_{end}": (s * span, inner[arm]) for end, s in (("front", 1.0), ("rear", -1.0))}
     places |= {"tie_rod_inner": (-0.5 * span, inner["lower"]), "tie_rod_outer": (-0.5 * span, low)}
-    top = 0.5 * (inner["lower"] + low) + np.array([0.0, 0.8 * length["lower"]])
-    places |= {"strut_bottom": (0.0, 0.5 * (inner["lower"] + low)), "strut_top": (0.0, top)}
     # The tie rod is the lower arm once more, behind it, so that it steers nowhere.
     table.rows += [
         PointRow(f"{axle} {name}", np.array([x, *place]), f"{table.file}: {axle}")

@@ -201,6 +201,8 @@ def _draw_wheel(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look, *,
 
 
 def _draw_strut(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look) -> None:
+    if scene.spring is None or scene.damper is None:
+        return
     colour = look.colour or scene.strut_colour
     bottom, top = (pose.points[name] for name in scene.damper)
     along = (top - bottom) / np.linalg.norm(top - bottom)

@@ -106,8 +106,8 @@ class Scene:
     parts: tuple[Part, ...]  # links, arms, upright in the order of drawing; not the strut
     brackets: tuple[Bracket, ...]
     on_body: frozenset[str]  # hardpoints that stand on the car's body
-    spring: tuple[str, str]  # hardpoints at its bottom and its top
-    damper: tuple[str, str]
+    spring: tuple[str, str] | None  # hardpoints at its bottom and its top; None where the points hold no strut
+    damper: tuple[str, str] | None
     steering_axis: tuple[str, str] | None  # lower and upper hardpoint; None where no two points mark the axis
     radius: float  # of the wheel at design
     undeformed_radius: float
@@ -117,14 +117,16 @@ class Scene:
     @property
     def damper_length(self) -> float:
         """Design length of the damper in m."""
-        bottom, top = (self.design.points[name] for name in self.damper)
-        return float(np.linalg.norm(top - bottom))
+        return self._length(self.damper)
 
     @property
     def coil_radius(self) -> float:
-        """Radius in m with which the spring is drawn."""
-        bottom, top = (self.design.points[name] for name in self.spring)
-        return min(0.1 * float(np.linalg.norm(top - bottom)), 0.3 * self.radius)
+        """Radius in m with which springs are drawn: a third spring, too, and alone where there is no strut."""
+        widest = 0.3 * self.radius
+        return widest if self.spring is None else min(0.1 * self._length(self.spring), widest)
+
+    def _length(self, ends: tuple[str, str] | None) -> float:
+        return 0.0 if ends is None else float(np.linalg.norm(np.subtract(*(self.design.points[name] for name in ends))))
 
     @property
     def strut_colour(self) -> str:
@@ -184,8 +186,8 @@ def scene_of(rig: Corner) -> Scene:
         parts,
         _brackets(parts, owners, names),
         frozenset(on_body | ({MIDDLE["arb_pivot"]} & design.points.keys())),
-        _ends(names, "spring"),
-        _ends(names, "damper"),
+        _ends(names, "spring") if rig.has_strut else None,
+        _ends(names, "damper") if rig.has_strut else None,
         _STEERING_AXES.get(model),
         rig.wheel.radius,
         rig.undeformed_radius,
