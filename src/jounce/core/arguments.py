@@ -153,14 +153,25 @@ def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]
 
 def _options(hint: Any) -> tuple[Any, ...]:
     """Members of a union, or the hint itself; what NumPy calls like an array is one of them."""
-    if get_origin(hint) not in (typing.Union, types.UnionType):
-        return (hint,)
+    parts = _members(hint)
+    if len(parts) == 1:
+        return parts
     from numpy.typing import ArrayLike
 
-    parts, arrays = get_args(hint), get_args(ArrayLike)
+    arrays = _members(ArrayLike)
     if not set(arrays) <= set(parts):
         return parts
     return (Numbers, *(part for part in parts if part not in arrays))
+
+
+def _members(hint: Any) -> tuple[Any, ...]:
+    """Members of a union and of those in it; NumPy 2.5 names its unions by ``type`` statements (PEP 695)."""
+    origin = get_origin(hint) or hint
+    if hasattr(origin, "__value__"):
+        return _members(origin.__value__)
+    if origin not in (typing.Union, types.UnionType):
+        return (hint,)
+    return tuple(dict.fromkeys(member for part in get_args(hint) for member in _members(part)))
 
 
 class Numbers:
