@@ -77,7 +77,7 @@ def spring_files(tmp_path: Path) -> list[Path]:
 @pytest.fixture
 def decay_file(tmp_path: Path) -> Path:
     """Free decay of 16 kg: damping ratio 0.11, 14.71 N of dry friction, 33.9 rad/s."""
-    from jounce.identify.decay import DecayParameters, decay_response
+    from jounce.identify.free_response import DecayParameters, decay_response
 
     time = np.arange(0.0, 2.0, 1e-3)
     height = decay_response(time, DecayParameters(33.9, 0.11, 0.8e-3, 0.0, 0.2, 0.020), "displacement")

@@ -325,3 +325,58 @@ def test_a_rate_is_written_into_a_rig_with_its_interval_and_source(cli, spring_f
     assert (alone.exit_code, "--rig and --out" in alone.err) == (2, True)
     wrong = cli(*asked, "--out", "other.toml", "--part", "strut.spring.rat")
     assert (wrong.exit_code, Path("other.toml").exists()) == (2, False)
+
+
+def _turned(tmp_path: Path) -> list[Path]:
+    """A rate gyro on a pendulum, and a part that is twisted three times."""
+    import numpy as np
+
+    from jounce.identify.free_response import DecayParameters, decay_response
+
+    t = np.arange(0.0, 3.0, 2e-3)
+    rate = decay_response(t, DecayParameters(23.0, 0.03, 1.4e-3, 0.0, 0.1, 0.2), "angular_velocity")
+    files = [tmp_path / "gyro.csv", *(tmp_path / f"twist_{k}.csv" for k in range(3))]
+    np.savetxt(
+        files[0], np.column_stack([t, np.degrees(rate)]), "%.9g", ",", header="time [s],arm.rate [deg/s]", comments=""
+    )
+    angle = np.linspace(0.0, 8.0, 40)
+    for k, file in enumerate(files[1:]):
+        torque = (5200.0 + 10.0 * k) * np.radians(angle)
+        head = "angle [deg],torque [N*m]"
+        np.savetxt(file, np.column_stack([angle, torque]), "%.9g", ",", header=head, comments="")
+    return files
+
+
+def test_a_rate_gyro_has_an_inertia(cli, tmp_path: Path) -> None:
+    gyro = _turned(tmp_path)[0]
+    asked = ("fit", "decay", gyro, "--channel", "arm.angular_velocity", "--columns", "arm.angular_velocity=arm.rate")
+    found = cli(*asked, "--inertia", "0.8 kg*m^2", "--stiffness", "423.2 N*m/rad", "--json").json
+    assert found["motion"] == "rotation"
+    assert found["coulomb_torque"]["value"] == pytest.approx(0.8 * 23.0**2 * 1.4e-3, rel=1e-3)
+    assert found["stiffness"]["value"] == pytest.approx(0.8 * 23.0**2, rel=1e-4)
+    assert "coulomb_force" not in found
+    shown = cli(*asked, "--inertia", "0.8 kg*m^2", "--report", "gyro.html", "--figure", "gyro.svg")
+    assert "N*m*s/rad" in shown.out
+    page = Path("gyro.html").read_text(encoding="utf-8")
+    assert "dry friction torque" in page
+    assert "stiffness from inertia" in page
+    for wrong in (("--mass", "1 kg"), (), ("--mass", "1 kg", "--inertia", "1 kg*m^2"), ("--inertia", "1 kg")):
+        refused = cli(*asked, *wrong)
+        assert refused.exit_code == 2
+        assert "kg*m^2" in refused.err
+
+
+def test_torque_over_angle_on_the_command_line(cli, tmp_path: Path, spring_files: list[Path]) -> None:
+    twists = _turned(tmp_path)[1:]
+    asked = ("fit", "stiffness", *twists, "--discard-below", "1 deg", "--load", "400 N*m")
+    found = cli(*asked, "--json").json
+    assert (found["motion"], found["stiffness"]["value"]) == ("rotation", pytest.approx(5210.0, rel=1e-6))
+    shown = cli(*asked, "--report", "twist.html", "--figure", "twist.svg")
+    assert "stiffness N m/rad" in shown.out
+    assert "Torque against angle" in Path("twist.html").read_text(encoding="utf-8")
+    mixed = cli("fit", "stiffness", twists[0], spring_files[0])
+    assert (mixed.exit_code, "not fitted together" in mixed.err) == (2, True)
+    rig = cli(*asked, "--rig", "kart-quarter-car", "--out", "rig.toml")
+    assert (rig.exit_code, "this one is in N/m" in rig.err) == (2, True)
+    mapped = cli("fit", "stiffness", twists[0], "--columns", "angle=angle [rad]")
+    assert (mapped.exit_code, "another unit" in mapped.err) == (2, True)

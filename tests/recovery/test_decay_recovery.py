@@ -6,7 +6,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from jounce.identify.decay import DecayParameters, decay_response, fit_decay
+from jounce.identify.decay import fit_decay
+from jounce.identify.free_response import DecayParameters, decay_response
 
 MASS, STIFFNESS = 16.0, 18362.0
 FREQUENCY = math.sqrt(STIFFNESS / MASS) / (2 * math.pi)

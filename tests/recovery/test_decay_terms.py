@@ -10,8 +10,9 @@ import pytest
 from scipy.linalg import expm
 
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.decay import DecayParameters, combine_decays, decay_response, fit_decay
+from jounce.identify.decay import combine_decays, fit_decay
 from jounce.identify.decay_path import drag_path
+from jounce.identify.free_response import DecayParameters, decay_response
 
 MASS, OMEGA = 16.0, 33.9
 TIME = np.arange(0.0, 3.0, 2e-3)

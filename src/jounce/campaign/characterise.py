@@ -25,6 +25,7 @@ from jounce.design.lumping import lump
 from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
 from jounce.identify.estimate import Estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
+from jounce.identify.motion import TRANSLATION, Motion, MotionName
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
 from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
 from jounce.identify.update import UpdatedParameter
@@ -184,19 +185,29 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
     return found
 
 
+_COLUMNS: dict[MotionName, dict[str, str]] = {
+    "translation": {"displacement": "m", "force": "N"},
+    "rotation": {"angle": "rad", "torque": "N*m"},
+}
+
+
 def read_force_deflection(
     files: list[Path],
     table: TableFormat,
     stroke_positive: StrokePositive | None = None,
     force_positive: ForcePositive | None = None,
+    motions: Sequence[Motion] = (TRANSLATION,),
 ) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
-    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive if unsaid."""
+    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive if unsaid.
+
+    With ``ROTATION`` among the ``motions``, files with ``angle`` (rad) and ``torque`` (N m) are read, too.
+    """
     trials, findings = [], []
     for file in files:
-        values, notes = table.read_columns(file, {"displacement": "m", "force": "N"})
-        trials.append(
-            ForceDeflectionTrial(values["displacement"], values["force"], file.name, stroke_positive, force_positive)
-        )
+        values, notes = table.read_columns(file, [_COLUMNS[one.name] for one in motions])
+        motion = next(one for one in motions if set(_COLUMNS[one.name]) == set(values))
+        deflection, force = values.values()
+        trials.append(ForceDeflectionTrial(deflection, force, file.name, stroke_positive, force_positive, motion.name))
         findings += notes
     return trials, findings
 

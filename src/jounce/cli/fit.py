@@ -33,8 +33,7 @@ from jounce.cli.options import (
     write_report,
 )
 from jounce.cli.reply import Reply, estimates, number, progress, show_findings, show_written, table
-from jounce.core.display import shown_as
-from jounce.core.errors import OutputError, RecordingError, nearest, unknown
+from jounce.core.errors import DescriptionError, OutputError, RecordingError, nearest, unknown
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -48,32 +47,38 @@ if TYPE_CHECKING:
     from jounce.identify.damper import DamperCurve, DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.estimate import Estimate
+    from jounce.identify.motion import Motion, Quantity
     from jounce.identify.stiffness import StiffnessResult
     from jounce.report import Page
 
 
 app = typer.Typer(no_args_is_help=True, help="Find stiffness, damping and damper laws from measurements.")
 
-_QUANTITIES = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration"}
-_DECAY_ESTIMATES = (
-    ("damping_ratio", "1"),
-    ("damping_coefficient", "N*s/m"),
-    ("coulomb_force", "N"),
-    ("quadratic_drag", "N*s^2/m^2"),
-    ("natural_frequency_hz", "Hz"),
-    ("equilibrium", "m"),
-    ("stiffness", "N/m"),
-)
+
+def _decay_estimates(motion: Motion) -> tuple[tuple[str, str, str], ...]:
+    """Names of the numbers of a decay: as they are told, as the result has them, and their units."""
+    return (
+        ("damping_ratio", "damping_ratio", "1"),
+        ("damping_coefficient", "damping_coefficient", motion.damping),
+        (f"coulomb_{motion.force_word}", "coulomb_force", motion.force),
+        ("quadratic_drag", "quadratic_drag", motion.drag),
+        ("natural_frequency_hz", "natural_frequency_hz", "Hz"),
+        ("equilibrium", "equilibrium", motion.deflection),
+        ("stiffness", "stiffness", motion.stiffness),
+    )
 
 
 @app.command("stiffness")
 def stiffness(
     measured: Annotated[
-        list[str], typer.Argument(metavar="FILES", help="Force-deflection trials: columns displacement and force.")
+        list[str],
+        typer.Argument(metavar="FILES", help="Trials: columns displacement and force, or angle and torque."),
     ],
     law: Annotated[str, typer.Option(help="linear, polynomial, power or monotone-spline.")] = "linear",
     degree: Annotated[int, typer.Option(min=1, max=9, help="Degree of the polynomial.")] = 3,
-    discard_below: Annotated[str, typer.Option(help='Ignore smaller deflections, e.g. "2 mm".')] = "0 mm",
+    discard_below: Annotated[
+        str | None, typer.Option(help='Ignore smaller deflections, e.g. "2 mm", or angles.')
+    ] = None,
     intercept: Annotated[
         str,
         typer.Option(
@@ -82,7 +87,8 @@ def stiffness(
     ] = "drop",
     branch: Annotated[str, typer.Option(help="loading, unloading or both.")] = "loading",
     load: Annotated[
-        str | None, typer.Option(help='Static load of the part, e.g. "206 N": checks that the fit covers it.')
+        str | None,
+        typer.Option(help='Static load of the part, e.g. "206 N", or torque: checks that the fit covers it.'),
     ] = None,
     rig: Annotated[str | None, typer.Option(help="A rig that takes the rate over: name or file.")] = None,
     part: Annotated[
@@ -98,14 +104,16 @@ def stiffness(
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
-    """Fit the stiffness of a spring or a tyre to repeated force-deflection trials.
+    """Fit the stiffness of a spring, a tyre or a part that is twisted to repeated trials.
 
-    Stroke and force are positive in compression, unless the options or the record say otherwise.
+    Stroke and force are positive in compression, unless the options or the record say otherwise. Files with the columns
+    angle and torque give a rate in N m/rad.
 
     Example: jounce fit stiffness tyre_031_*.csv --discard-below "2 mm" --intercept drop --load "206 N"
     """
     from jounce.campaign.characterise import read_force_deflection
     from jounce.core.serialise import to_plain
+    from jounce.identify.motion import MOTIONS
     from jounce.identify.signs import sign_of
     from jounce.identify.stiffness import fit_stiffness
     from jounce.recordings.formats import TableFormat
@@ -115,26 +123,29 @@ def stiffness(
         raise OutputError("a rate is written from one rig into another file", where="--rig", allowed="--rig and --out")
     if part is not None and rig is None:
         raise OutputError("a part of no rig", where="--part", found=part, allowed="--part with --rig and --out")
-    choice: dict[str, Any] = {
-        "law": law,
-        "degree": degree,
-        "discard_below": quantity(discard_below, "m", "--discard-below", most=LENGTH),
-        "intercept": intercept,
-        "branch": branch,
-        "operating_force": optional_quantity(load, "N", "--load"),
-    }
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     sign_of(force_positive, "force", where="--force-positive")
     found = files(measured, "FILES")
     told = TableFormat(columns=columns(columns_) or {}, variable=variable)
-    trials, notes = read_force_deflection(found, told, stroke_positive, force_positive)  # type: ignore[arg-type]
-    result = fit_stiffness(trials, **choice)
+    trials, notes = read_force_deflection(found, told, stroke_positive, force_positive, tuple(MOTIONS.values()))  # type: ignore[arg-type]
+    motion = MOTIONS[trials[0].motion]
+    discard = 0.0
+    if discard_below is not None:
+        most = LENGTH if motion.name == "translation" else None
+        discard = quantity(discard_below, motion.deflection, "--discard-below", most=most)
+    result = fit_stiffness(
+        trials,
+        law=law,  # type: ignore[arg-type]
+        degree=degree,
+        discard_below=discard,
+        intercept=intercept,  # type: ignore[arg-type]
+        branch=branch,  # type: ignore[arg-type]
+        operating_force=optional_quantity(load, motion.force, "--load"),
+    )
     findings = (*notes, *result.findings)
     title = _title(found)
     if rig is not None and out is not None:
-        _write_rate(
-            result.stiffness, rig, part or "strut.spring.rate", f"{result.law} law of {title}", out, force=force
-        )
+        _write_rate(result, rig, part or "strut.spring.rate", f"{result.law} law of {title}", out, force=force)
 
     def picture() -> Figure:
         from jounce.plots import stiffness_fit
@@ -152,16 +163,27 @@ def stiffness(
     return Reply(plain, lambda out: _draw_stiffness(out, result, findings, plain), as_json, missing=missing)
 
 
-def _write_rate(rate: Estimate, rig: str, part: str, source: str, out: Path, *, force: bool) -> None:
+def _write_rate(result: StiffnessResult, rig: str, part: str, source: str, out: Path, *, force: bool) -> None:
     """Write a rig with one of its rates measured, and where it comes from above it."""
     from jounce.core.writing import write_atomically
+    from jounce.identify.motion import MOTIONS, spoken
     from jounce.parts import load, rig_path
     from jounce.parts.files import changed_text
+    from jounce.parts.rig import unit_of
 
-    text = changed_text(rig_path(rig).read_text(encoding="utf-8"), load(rig), {part: rate.value})
+    rate, motion, described = result.stiffness, MOTIONS[result.motion], load(rig)
+    if part in described.parameters() and (takes := unit_of(described, part)) != motion.stiffness:
+        raise OutputError(
+            "the part takes no such rate",
+            where="--part",
+            found=f"{spoken(motion.stiffness)} for {part}",
+            allowed=f"a part in {spoken(motion.stiffness)}; this one is in {spoken(takes)}",
+        )
+    text = changed_text(rig_path(rig).read_text(encoding="utf-8"), described, {part: rate.value})
     low, high = rate.interval or (rate.value, rate.value)
-    doubt = f"95 % interval {low:.6g} to {high:.6g} N/m" if rate.interval else "interval unknown"
-    write_atomically(out, f"# {part}: {rate.value:.6g} N/m, {doubt}; {source}\n{text}", force=force)
+    unit = spoken(motion.stiffness)
+    doubt = f"95 % interval {low:.6g} to {high:.6g} {unit}" if rate.interval else "interval unknown"
+    write_atomically(out, f"# {part}: {rate.value:.6g} {unit}, {doubt}; {source}\n{text}", force=force)
 
 
 @app.command("decay")
@@ -169,8 +191,13 @@ def decay(
     measured: Annotated[
         list[str], typer.Argument(metavar="FILE...", help="Recording of a free decay; several are combined.")
     ],
-    channel: Annotated[str, typer.Option(help="Displacement, velocity or acceleration, e.g. sprung.z.")],
-    mass: Annotated[str, typer.Option(help='Oscillating mass, e.g. "16 kg".')],
+    channel: Annotated[
+        str, typer.Option(help="Displacement, velocity or acceleration, e.g. sprung.z, or an angle or its rate.")
+    ],
+    mass: Annotated[str | None, typer.Option(help='Oscillating mass, e.g. "16 kg".')] = None,
+    inertia: Annotated[
+        str | None, typer.Option(help='Inertia about the axis of what turns (angle, rate gyro), e.g. "0.8 kg*m^2".')
+    ] = None,
     stiffness_: Annotated[
         str | None, typer.Option("--stiffness", help="Known stiffness, compared with that from mass and frequency.")
     ] = None,
@@ -193,19 +220,20 @@ def decay(
 ) -> Reply:
     """Separate viscous damping, dry friction and quadratic drag in a free decay.
 
-    Damping does not depend on the sign of the record; the equilibrium of a deflection is positive in compression.
+    Of a pendulum or another part that turns, give --inertia in place of --mass: numbers are then in N m, N m s/rad and
+    N m/rad. Damping does not depend on the sign of the record; the equilibrium of a deflection is positive in
+    compression.
 
     Example: jounce fit decay decay_1.csv --channel sprung.z --mass "16 kg"
     """
     from jounce.identify.decay import combine_decays, fit_decay
+    from jounce.identify.motion import motion_of
     from jounce.identify.signs import check_stroke, compression_positive, sign_of
     from jounce.recordings import read_recording
 
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     check_stroke(channel, stroke_positive, where="--stroke-positive")  # type: ignore[arg-type]
     check_outputs(figure=figure, report=report, force=force)
-    moving = positive_quantity(mass, "kg", "--mass")
-    known = optional_positive(stiffness_, "N/m", "--stiffness")
     told = reading(columns_, sample_time, variable, resample, database)
     window = optional_quantity(begin, "s", "--from"), optional_quantity(end, "s", "--to")
     results: list[DecayResult] = []
@@ -223,14 +251,16 @@ def decay(
             notes += found
             data = compression_positive(data, stroke_positive, None)  # type: ignore[arg-type]
             record, kind = _decay_record(data, channel, str(file))
+            motion = motion_of(kind)
+            moving = _inertia(mass, inertia, motion, channel)
             records.append((data["time"].to_numpy(), record))
             results.append(
                 fit_decay(
                     data["time"].to_numpy(),
                     record,
-                    mass=moving,
-                    stiffness=known,
-                    quantity=kind,  # type: ignore[arg-type]
+                    **moving,
+                    stiffness=optional_positive(stiffness_, motion.stiffness, "--stiffness"),
+                    quantity=kind,
                     begin=window[0],
                     end=window[1],
                     quadratic_drag=drag,  # type: ignore[arg-type]
@@ -258,8 +288,26 @@ def decay(
     return Reply(plain, lambda out: _draw_decay(out, result, findings, plain), as_json, missing=missing)
 
 
-def _decay_record(data: xr.Dataset, channel: str, file: str) -> tuple[Any, str]:
-    """Samples of the channel, and whether they are displacement, velocity or acceleration."""
+def _inertia(mass: str | None, inertia: str | None, motion: Motion, channel: str) -> dict[str, float]:
+    """What swings: the mass of a motion along a line, the inertia of one about an axis."""
+    given = {"mass": mass, "inertia": inertia}
+    text = given.pop(motion.inertia_word)
+    ((other, wrong),) = given.items()
+    unit = motion.inertia
+    if text is None or wrong is not None:
+        raise DescriptionError(
+            f"the {motion.inertia_word} of what swings is needed" if text is None else f"no {other} swings here",
+            where=f"--{motion.inertia_word if text is None else other}",
+            found=f"{channel} is {'an angle or its rate' if motion.name == 'rotation' else 'a motion along a line'}",
+            allowed=f'--{motion.inertia_word} "NUMBER {unit}"',
+        )
+    return {motion.inertia_word: positive_quantity(text, unit, f"--{motion.inertia_word}")}
+
+
+def _decay_record(data: xr.Dataset, channel: str, file: str) -> tuple[Any, Quantity]:
+    """Samples of the channel, and what motion they are."""
+    from jounce.identify.motion import QUANTITY_OF_UNIT
+
     names = [str(name) for name in data.data_vars]
     if channel not in names:
         raise RecordingError(
@@ -269,24 +317,30 @@ def _decay_record(data: xr.Dataset, channel: str, file: str) -> tuple[Any, str]:
             hint=nearest(channel, names) or "See --columns.",
         )
     unit = data[channel].attrs["units"]
-    if unit not in _QUANTITIES:
+    if unit not in QUANTITY_OF_UNIT:
         raise RecordingError(
-            "not a motion", where=f"{file}: {channel}", found=unit, allowed="a displacement, velocity or acceleration"
+            "not a motion",
+            where=f"{file}: {channel}",
+            found=unit,
+            allowed="a displacement, velocity or acceleration, or an angle and its derivatives",
         )
-    return data[channel].to_numpy(), _QUANTITIES[unit]
+    return data[channel].to_numpy(), QUANTITY_OF_UNIT[unit]
 
 
 def _decay_plain(
     result: DecayResult | CombinedDecay, measured: list[str], channel: str, findings: tuple[Finding, ...]
 ) -> dict[str, Any]:
     from jounce.core.serialise import to_plain
+    from jounce.identify.motion import MOTIONS
 
     unknown = {"value": None, "standard_error": None, "interval": None}
-    plain = {name: to_plain(getattr(result, name)) or unknown for name, _ in _DECAY_ESTIMATES}
+    names = _decay_estimates(MOTIONS[result.motion])
+    plain = {name: to_plain(getattr(result, own)) or unknown for name, own, _ in names}
     naive = result.logarithmic_decrement
     return {
         "files": list(measured),
         "channel": channel,
+        "motion": result.motion,
         **plain,
         "logarithmic_decrement": naive.value,
         "logarithmic_decrement_standard_error": naive.standard_error,
@@ -301,15 +355,23 @@ def _decay_plain(
 def _draw_stiffness(
     out: Console, result: StiffnessResult, findings: tuple[Finding, ...], plain: dict[str, Any]
 ) -> None:
-    unit = shown_as("mm")
-    low, high = (1e3 * unit.factor * end for end in result.fitted_range)
-    rows = [("stiffness", result.stiffness, "N/m"), (f"intercept ({result.intercept_choice})", result.intercept, "N")]
+    from jounce.core.display import display_unit
+    from jounce.identify.motion import MOTIONS, spoken
+
+    motion = MOTIONS[result.motion]
+    unit = display_unit(motion.deflection)
+    low, high = (unit.factor * end for end in result.fitted_range)
+    rows = [
+        ("stiffness", result.stiffness, motion.stiffness),
+        (f"intercept ({result.intercept_choice})", result.intercept, motion.force),
+    ]
     if result.tangent_stiffness is not None:
-        rows.append(("local stiffness at the static load", result.tangent_stiffness, "N/m"))
+        rows.append(("local stiffness at the static load", result.tangent_stiffness, motion.stiffness))
     if result.law != "linear":
         rows += [(f"coefficient {i}", item, "SI") for i, item in enumerate(result.coefficients, 1)]
     out.print(estimates(f"{result.law} law, {low:.4g} to {high:.4g} {unit.name}, R2 = {result.r2:.6f}", rows))
-    header = ("trial", "stiffness N/m", "intercept N", "loss factor", "rms residual N", "points")
+    rate, force = spoken(motion.stiffness), spoken(motion.force)
+    header = ("trial", f"stiffness {rate}", f"intercept {force}", "loss factor", f"rms residual {force}", "points")
     trials: list[tuple[object, ...]] = [
         (
             trial.name,
@@ -330,11 +392,12 @@ def _draw_stiffness(
 def _draw_decay(
     out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...], plain: dict[str, Any]
 ) -> None:
-    named = {name: getattr(result, name) for name, _ in _DECAY_ESTIMATES}
+    from jounce.identify.motion import MOTIONS
+
     rows = [
-        (name.replace("_hz", "").replace("_", " "), named[name], unit)
-        for name, unit in _DECAY_ESTIMATES
-        if name != "quadratic_drag" or named[name] is not None
+        (name.replace("_hz", "").replace("_", " "), getattr(result, own), unit)
+        for name, own, unit in _decay_estimates(MOTIONS[result.motion])
+        if own != "quadratic_drag" or result.quadratic_drag is not None
     ]
     rows.append(("logarithmic decrement (friction neglected)", result.logarithmic_decrement, "1"))
     rows.append(("equivalent damping ratio (friction neglected)", result.equivalent_damping_ratio, "1"))

@@ -15,9 +15,10 @@ from jounce.core.findings import Finding, Severity
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.identify.decay import lost_samples, noise_of, quantum_of, zigzag
+from jounce.identify.decay import zigzag
 from jounce.identify.estimate import Estimate, central_differences, linear_least_squares, r_squared, uncertainty
 from jounce.identify.low_pass import low_pass_corner
+from jounce.identify.noise import lost_samples, noise_of, quantum_of
 from jounce.identify.signs import ForcePositive, Signs, StrokePositive, closed_part, damper_signs, sign_of
 from jounce.recordings.carried import as_recording, clock_of, damper_channels
 from jounce.recordings.quality import clipped_share, frozen_samples

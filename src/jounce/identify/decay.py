@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -16,6 +16,14 @@ from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import as_number, to_si
+from jounce.identify.decay_doubts import (
+    EXACT,
+    drift_of,
+    low_pass_of,
+    spring_that_is_no_line,
+    what_is_left,
+    without_dropouts,
+)
 from jounce.identify.estimate import (
     Estimate,
     Uncertainty,
@@ -27,212 +35,18 @@ from jounce.identify.estimate import (
     r_squared,
     uncertainty,
 )
-from jounce.identify.low_pass import low_pass_corner
+from jounce.identify.free_response import DecayParameters, alternating, decay_response, decay_slopes
+from jounce.identify.motion import MOTIONS, QUANTITIES, Motion, MotionName, Quantity, motion_of, order_of, spoken
+from jounce.identify.noise import lost_samples, noise_of, quantum_of
 from jounce.recordings.carried import carried_channel, clock_of
-from jounce.recordings.quality import frozen_samples
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-# closed-form response -------------------------------------------------------------------------------------------------
 
-
-Quantity = Literal["displacement", "velocity", "acceleration"]
-QUANTITIES: tuple[Quantity, ...] = ("displacement", "velocity", "acceleration")
 Drag = Literal["auto", "yes", "no"]
 DRAG_CHOICES: tuple[Drag, ...] = ("auto", "yes", "no")
-_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
-
-_MOST_HALF_CYCLES = 5000
-
-
-@dataclass(frozen=True)
-class DecayParameters:
-    """What a free decay of ``m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0`` depends on.
-
-    Attributes
-    ----------
-    angular_frequency : float
-        Undamped natural angular frequency sqrt(k/m) [rad/s].
-    damping_ratio : float
-        c / (2 sqrt(k m)) [1], below 1.
-    friction_deflection : float
-        x_k = F_c / k [m]: at rest within +-x_k of the equilibrium the mass stays where it is.
-    offset : float
-        Equilibrium x_eq of a displacement [m]; zero offset of a velocity [m/s] or acceleration [m/s^2] record.
-    release_time : float
-        Time of the turning point from which the decay is counted [s]; it may lie before the record.
-    release_deflection : float
-        Displacement from equilibrium at that turning point [m], signed.
-    quadratic_drag : float
-        d / m [1/m]: what a force that grows with the square of the velocity takes; 0 where there is none.
-    """
-
-    angular_frequency: float
-    damping_ratio: float
-    friction_deflection: float
-    offset: float
-    release_time: float
-    release_deflection: float
-    quadratic_drag: float = 0.0
-
-    @property
-    def half_cycle_ratio(self) -> float:
-        """What viscous damping alone leaves of an amplitude after half a cycle [1]."""
-        return math.exp(-math.pi * self.damping_ratio / math.sqrt(1.0 - self.damping_ratio**2))
-
-
-def turning_points(parameters: DecayParameters, count: int) -> Array:
-    """Displacement from equilibrium at successive turning points (m, signed), the release first; without drag.
-
-    It ends where the mass sticks, or after ``count`` half cycles.
-
-    >>> k, m, c, friction = 18362.0, 16.0, 120.0, 15.0
-    >>> system = DecayParameters((k / m) ** 0.5, c / (2 * (k * m) ** 0.5), friction / k, 0.0, 0.0, 0.020)
-    >>> (1e3 * turning_points(system, 20)).round(4).tolist()
-    [20.0, -12.7024, 7.5594, -3.9349, 1.3805, 0.4197]
-    """
-    q = parameters.half_cycle_ratio
-    points = [parameters.release_deflection]
-    while len(points) <= count and abs(points[-1]) > parameters.friction_deflection and points[-1] != 0.0:
-        shifted = parameters.friction_deflection * math.copysign(1.0, points[-1])
-        points.append(shifted - q * (points[-1] - shifted))
-    return np.array(points)
-
-
-def alternating(away: Array) -> Array:
-    """Amplitudes of turning points given from equilibrium, up to the first that is not on its own side.
-
-    >>> alternating(np.array([-20.0, 12.0, -7.0, -1.0])).tolist()
-    [20.0, 12.0, 7.0]
-    """
-    turned = away * np.sign(away[0]) * (-1.0) ** np.arange(len(away))
-    wrong = np.flatnonzero(turned <= 0.0)
-    kept: Array = turned[: int(wrong[0]) if len(wrong) else len(turned)]
-    return kept
-
-
-@dataclass(frozen=True)
-class _Swings:
-    """Turning points, and of each sample: the last one before it, whether the mass moves, and the time since (s)."""
-
-    points: Array
-    which: NDArray[np.int_]
-    moving: NDArray[np.bool_]
-    local: Array
-
-
-def _swings(time: Array, parameters: DecayParameters) -> _Swings:
-    since = time - parameters.release_time
-    damped = parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2)
-    halves = int(min(max(float(since.max()) * damped / math.pi, 0.0) + 2.0, _MOST_HALF_CYCLES))
-    points = turning_points(parameters, halves)
-    last = len(points) - 1
-    which = np.clip(np.floor(since * damped / math.pi), 0.0, last).astype(int)
-    moving = (since >= 0.0) & ((which < last) | (abs(points[last]) > parameters.friction_deflection))
-    return _Swings(points, which, moving, np.where(moving, since - which * (math.pi / damped), 0.0))
-
-
-class _Shape:
-    """A swing from 1 towards 0 without friction: its derivatives in time, and how they depend on the damping ratio."""
-
-    def __init__(self, parameters: DecayParameters, local: Array) -> None:
-        self.omega, self.ratio = parameters.angular_frequency, parameters.damping_ratio
-        self.root = math.sqrt(1.0 - self.ratio**2)
-        self.phase = self.omega * local
-        self.fall = np.exp(-self.ratio * self.phase)
-        self.cosine, self.sine = np.cos(self.root * self.phase), np.sin(self.root * self.phase)
-
-    def derivative(self, order: int) -> Array:
-        """Derivative of order 0 to 3 in time."""
-        omega, share = self.omega, self.ratio / self.root
-        if order == 0:
-            return np.asarray(self.fall * (self.cosine + share * self.sine))
-        if order == 1:
-            return np.asarray(-omega / self.root * self.fall * self.sine)
-        if order == 2:
-            return np.asarray(-(omega**2) * self.fall * (self.cosine - share * self.sine))
-        return -2.0 * self.ratio * omega * self.derivative(2) - omega**2 * self.derivative(1)
-
-    def by_ratio(self, order: int) -> Array:
-        """Slope of a derivative of order 0 to 2 by the damping ratio, at the same time since the turning point."""
-        omega, ratio, root, sine = self.omega, self.ratio, self.root, self.sine
-        turn = self.phase * ratio / root
-        bent = turn * ratio / root * self.cosine
-        if order == 0:
-            moved = (turn + root**-3) * sine - bent
-        elif order == 1:
-            moved = -omega * (ratio / root**3 * sine - turn / root * self.cosine)
-        else:
-            moved = -(omega**2) * ((turn - root**-3) * sine + bent)
-        return np.asarray(self.fall * moved - self.phase * self.derivative(order))
-
-
-def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
-    """Decay at given times (s): displacement (m, offset included), velocity (m/s) or acceleration (m/s^2).
-
-    Before ``release_time`` the mass is held at the release; once it sticks, it stays where it is.
-    """
-    if parameters.quadratic_drag != 0.0:
-        return _drag_response(time, parameters, quantity)
-    swings, order = _swings(time, parameters), QUANTITIES.index(quantity)
-    start = swings.points[swings.which]
-    shifted = parameters.friction_deflection * np.sign(start)
-    moved = (start - shifted) * _Shape(parameters, swings.local).derivative(order)
-    if order == 0:
-        return np.where(swings.moving, shifted + moved, start) + parameters.offset
-    return np.where(swings.moving, moved, 0.0) + parameters.offset
-
-
-def decay_slopes(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
-    """Slopes of ``decay_response`` without drag by all parameters but the drag, in their order; shape (n, 6).
-
-    A jump (of the acceleration, at a turning point with friction) has none: the slopes are those of the swing.
-    """
-    omega, ratio = parameters.angular_frequency, parameters.damping_ratio
-    swings, order = _swings(time, parameters), QUANTITIES.index(quantity)
-    points, which = swings.points, swings.which
-    shape = _Shape(parameters, swings.local)
-    value, rate = shape.derivative(order), shape.derivative(order + 1)
-    side = np.sign(points)
-    swing = (points - parameters.friction_deflection * side)[which]
-    by_ratio, by_friction, by_release = _slopes_of_points(points, parameters)
-    reached = which * (math.pi / omega) / shape.root  # how long the mass took to this turning point
-    at_start = 1.0 if order == 0 else 0.0
-    slopes = np.ones((len(time), 6))
-    slopes[:, 0] = swing * (order * value + (swings.local + reached) * rate) / omega
-    slopes[:, 1] = by_ratio[which] * value + swing * (shape.by_ratio(order) - rate * reached * ratio / shape.root**2)
-    slopes[:, 2] = (by_friction - side)[which] * value + at_start * side[which]
-    slopes[:, 4] = -swing * rate
-    slopes[:, 5] = by_release[which] * value
-    still = ~swings.moving
-    for column, of_point in ((0, None), (1, by_ratio), (2, by_friction), (4, None), (5, by_release)):
-        slopes[still, column] = 0.0 if of_point is None else at_start * of_point[which[still]]
-    return slopes
-
-
-def _slopes_of_points(points: Array, parameters: DecayParameters) -> tuple[Array, Array, Array]:
-    """Slopes of the turning points by damping ratio, friction deflection and release deflection."""
-    q, friction = parameters.half_cycle_ratio, parameters.friction_deflection
-    slope_of_q = -math.pi * q / (1.0 - parameters.damping_ratio**2) ** 1.5
-    by_ratio, by_friction = [0.0], [0.0]
-    for point in points[:-1].tolist():
-        side = math.copysign(1.0, point)
-        by_ratio.append(-q * by_ratio[-1] - slope_of_q * (point - friction * side))
-        by_friction.append((1.0 + q) * side - q * by_friction[-1])
-    return np.array(by_ratio), np.array(by_friction), np.asarray((-q) ** np.arange(len(points)), dtype=np.float64)
-
-
-def _drag_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
-    from jounce.identify.decay_path import drag_path
-
-    since = np.ascontiguousarray(time - parameters.release_time)
-    names = ("angular_frequency", "damping_ratio", "friction_deflection", "quadratic_drag", "release_deflection")
-    path = drag_path(since, *(float(getattr(parameters, name)) for name in names))
-    response: Array = path[QUANTITIES.index(quantity)] + parameters.offset
-    return response
-
 
 # turning points -------------------------------------------------------------------------------------------------------
 
@@ -254,52 +68,6 @@ class Peaks:
 
 
 _SUDDEN, _GROWS, _FEWEST = 2.0, 1.02, 20
-
-
-def noise_of(signal: Array) -> float:
-    """Standard deviation of the white noise in a smooth signal, unit of the signal.
-
-    Third differences remove the motion; their median absolute value is not disturbed by single jumps.
-
-    >>> noise_of(np.sin(np.linspace(0.0, 6.0, 2000))) < 1e-6
-    True
-    """
-    return float(np.median(np.abs(np.diff(signal, 3))) / (0.6745 * math.sqrt(20.0)))
-
-
-def quantum_of(x: Array) -> float:
-    """Step of the values of a signal, its unit; 0 where they are not quantised."""
-    values = np.unique(x)
-    gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
-    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):
-        return 0.0
-    counts = gaps / gaps.min()
-    return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
-
-
-def lost_samples(time: Array, signal: Array) -> int:
-    """Count places where a smooth signal goes on as if samples were missing, though the time goes on evenly.
-
-    There one step is larger by half and more than two on either side, which are alike and far above the noise.
-
-    >>> t = np.arange(400) * 1e-3
-    >>> lost_samples(t, np.sin(20.0 * t)), lost_samples(t, np.sin(20.0 * np.append(t[:9], t[9:] + 2e-3)))
-    (0, 1)
-    """
-    rates = np.diff(signal) / np.diff(time)
-    if len(rates) < 5:
-        return 0
-    step = float(np.median(np.diff(time)))
-    middle, beside = rates[2:-2], np.stack([rates[:-4], rates[1:-3], rates[3:-1], rates[4:]])
-    side = np.sign(middle)
-    sizes = side * beside
-    least, most = sizes.min(axis=0), sizes.max(axis=0)
-    least_step = max(_CLEAR * max(noise_of(signal), quantum_of(signal)), 1e-9 * float(np.ptp(signal)))
-    found = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
-    return int(np.count_nonzero(found))
-
-
-_CLEAR, _LIKE, _TORN = 10.0, 1.3, 1.5  # times the noise, the least and the most of the steps beside
 
 
 def find_release(signal: Array, noise: float) -> int:
@@ -498,9 +266,9 @@ def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, cent
     damped = math.pi / peaks.half_period()
     omega = damped / math.sqrt(1.0 - ratio**2)
     top = float(peaks.value[0]) - centre
-    if quantity == "displacement":
+    if order_of(quantity) == 0:
         return np.array([omega, ratio, friction, centre, float(peaks.time[0]) - 0.1 / omega, top])
-    if quantity == "velocity":
+    if order_of(quantity) == 1:
         late = math.acos(ratio) / damped
         factor = math.exp(-ratio * omega * late) * omega
         deflection, begin = -top / factor, float(peaks.time[0]) - late
@@ -517,12 +285,12 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
     swing = np.abs(np.diff(peaks.value))
     naive = ratio_from_decrement(max(1e-3, 2.0 * math.log(swing[0] / swing[1])))
     dry = float(swing[0] - swing[1]) / 4.0
-    is_zeroed = quantity != "displacement" and abs(guess.equilibrium) < _ZEROED * swing[0]
+    is_zeroed = order_of(quantity) > 0 and abs(guess.equilibrium) < _ZEROED * swing[0]
     centre = 0.0 if is_zeroed else guess.equilibrium
     pairs = [(guess.damping_ratio, guess.friction_deflection)]
     pairs += [((1.0 - share) * naive, share * dry) for share in (0.0, 0.25, 0.5, 0.75, 1.0)]
     starts = [_start(peaks, quantity, ratio, friction, centre) for ratio, friction in pairs]
-    if quantity == "acceleration":  # its largest value may be just before a turning point: count from the one before
+    if order_of(quantity) == 2:  # its largest value may be just before a turning point: count from the one before
         starts += [_one_half_earlier(start) for start in starts]
     return starts
 
@@ -561,7 +329,6 @@ _RATIO, _FRICTION, _OFFSET, _RELEASE_TIME, _DRAG = 1, 2, 3, 4, 6  # places in a 
 _WITHOUT_DRAG = (True, True, True, True, True, True, False)
 _EVERYTHING = (True,) * 7
 _FAR = 1e6  # of the range: as bad as can be
-_EXACT = 1e-6  # of the range: a misfit below this leaves nothing to explain
 _CLEAR_GAIN = 12.0  # of twice the log-likelihood: about 3.5 standard errors
 
 
@@ -592,7 +359,7 @@ def _fit(
     values = begin.copy()
     values[which] = solution.x * scale[which]
     residual, jacobian = -reach * solution.fun, reach * solution.jac / scale[which]
-    if quantity == "acceleration":
+    if order_of(quantity) == 2:
         jacobian = jacobian * _off_jumps(t, _unpack(values))[:, None]
     spread = uncertainty(jacobian, residual)
     covariance = np.zeros((7, 7))
@@ -663,7 +430,7 @@ def _descend(
 def _slopes_with_drag(t: Array, values: Array, quantity: Quantity, steps: Array) -> Array:
     """Slopes of the response by all parameters, shape (n, 7): by differences where they are not known."""
     slopes = np.ones((len(t), 7))
-    known = [_OFFSET] if quantity == "acceleration" else [_OFFSET, _RELEASE_TIME]
+    known = [_OFFSET] if order_of(quantity) == 2 else [_OFFSET, _RELEASE_TIME]
     others = np.delete(np.arange(7), known)
 
     def response(some: Array) -> Array:
@@ -672,8 +439,8 @@ def _slopes_with_drag(t: Array, values: Array, quantity: Quantity, steps: Array)
         return decay_response(t, _unpack(moved), quantity)
 
     slopes[:, others] = central_differences(response, values[others], steps[others])
-    if quantity != "acceleration":  # a later release is the same motion later
-        following = QUANTITIES[QUANTITIES.index(quantity) + 1]
+    if order_of(quantity) < 2:  # a later release is the same motion later
+        following = motion_of(quantity).quantities[order_of(quantity) + 1]
         slopes[:, _RELEASE_TIME] = values[_OFFSET] - decay_response(t, _unpack(values), following)
     return slopes
 
@@ -736,13 +503,13 @@ def search_decay(
     values, spread, residual = _fit(t, signal, starts, quantity)
     rest = _at_rest(t, signal, peaks)
     used = np.ones(len(t), bool)
-    if quantity == "displacement" and np.count_nonzero(rest) >= 10:
+    if order_of(quantity) == 0 and np.count_nonzero(rest) >= 10:
         alone = _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
         gap, doubt = _rest_gap(t[rest], signal[rest], alone[0], alone[1])
         if abs(gap) >= max(4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])):
             text = (
-                f"the mass comes to rest {1e3 * gap:.3g} mm from where sliding friction would have stopped it: static "
-                "and sliding friction differ; the time at rest was left out of the fit."
+                f"the mass comes to rest {motion_of(quantity).say(gap)} from where sliding friction would have stopped "
+                "it: static and sliding friction differ; the time at rest was left out of the fit."
             )
             findings.append(Finding(name, "note", text, gap))
             used, (values, spread, residual) = ~rest, alone
@@ -762,7 +529,7 @@ def _with_drag(
     """Fit quadratic drag as well; None where it is not wanted, or is to be told by the data and they do not show it."""
     values, _, residual = without
     before = float(np.sqrt(np.mean(residual**2)))
-    if drag == "no" or (drag == "auto" and before <= _EXACT * float(np.ptp(signal))):
+    if drag == "no" or (drag == "auto" and before <= EXACT * float(np.ptp(signal))):
         return None
     starts = []
     for share in (0.0, 0.5, 0.9):  # of the energy that drag takes in place of viscous damping, at half the amplitude
@@ -776,7 +543,7 @@ def _with_drag(
     found = _not_negative(t, signal, free, spread, quantity, _EVERYTHING)
     if drag == "yes":
         return found
-    after = max(float(np.sqrt(np.mean(found[2] ** 2))), 1e-3 * _EXACT * float(np.ptp(signal)))
+    after = max(float(np.sqrt(np.mean(found[2] ** 2))), 1e-3 * EXACT * float(np.ptp(signal)))
     gain = 2.0 * len(t) / correlation_time(found[2]) * math.log(max(before / after, 1.0))
     return found if found[0][_DRAG] > 0.0 and gain > _CLEAR_GAIN else None
 
@@ -826,18 +593,20 @@ class DecayResult(Shown):
     damping_ratio : Estimate
         Viscous part only, c / (2 sqrt(k m)) [1].
     damping_coefficient : Estimate
-        Viscous part only, c [N s/m].
+        Viscous part only, c [N s/m]; of a rotation [N m s/rad].
     coulomb_force : Estimate
-        Dry friction F_c [N]; not negative.
+        Dry friction F_c [N]; of a rotation its torque [N m]; not negative.
     quadratic_drag : Estimate or None
-        d [N s^2/m^2] of a force ``d x' |x'|``, not negative; None where the record shows none.
+        d [N s^2/m^2] of a force ``d x' |x'|``, of a rotation [N m s^2/rad^2], not negative; None where the record shows
+        none.
     natural_frequency_hz : Estimate
         Undamped natural frequency [Hz].
     equilibrium : Estimate or None
-        Displacement at which the spring carries the mass [m]; not where it came to rest, which friction decides.
+        Displacement [m] or angle [rad] at which the spring carries the mass; not where it came to rest, which friction
+        decides.
         None for velocity and acceleration records.
     stiffness : Estimate
-        Mass times squared natural angular frequency [N/m].
+        Mass or inertia times squared natural angular frequency [N/m or N m/rad].
     logarithmic_decrement : Estimate
         The naive one: slope of ln(amplitude) per full cycle about the equilibrium, all turning points [1]. Friction
         makes it larger than the viscous damping alone would.
@@ -857,7 +626,7 @@ class DecayResult(Shown):
         First and last time used [s].
     parameters : DecayParameters
         The fitted response; ``decay_response(time, parameters, quantity)`` draws it.
-    quantity : {"displacement", "velocity", "acceleration"}
+    quantity : {"displacement", "velocity", "acceleration", "angle", "angular_velocity", "angular_acceleration"}
         What was fitted.
     findings : tuple of Finding
         What weakens the result.
@@ -887,12 +656,18 @@ class DecayResult(Shown):
         """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
         return _equivalent(self.logarithmic_decrement)
 
+    @property
+    def motion(self) -> MotionName:
+        """Whether a mass moves along a line ("translation") or an inertia about an axis ("rotation")."""
+        return motion_of(self.quantity).name
+
 
 def fit_decay(
     time: ArrayLike | xr.Dataset | pd.DataFrame,
     displacement: ArrayLike | None = None,
     *,
-    mass: float,
+    mass: float | None = None,
+    inertia: float | None = None,
     stiffness: float | None = None,
     quantity: Quantity = "displacement",
     begin: float | str | None = None,
@@ -910,20 +685,25 @@ def fit_decay(
     and so is what follows a second one, with findings. Displacement is best; an acceleration jumps at every turning
     point where there is friction, and its intervals for the friction come out some 10 % too narrow.
 
+    A pendulum or another part that turns is the same with its inertia and torques: state ``inertia`` in place of
+    ``mass``, and the angle, or what a rate gyro records, as ``quantity``.
+
     Parameters
     ----------
     time : array (n,), DataArray, Dataset or DataFrame
         Increasing times [s]; or, without ``displacement``, a channel with its own time, a recording or a table
         (``name [unit]``) with one channel of the ``quantity``.
     displacement : array (n,), optional
-        The record: displacement [m], or velocity [m/s] or acceleration [m/s^2] as ``quantity`` says; any zero, any
-        sign.
+        The record: displacement [m], or velocity [m/s] or acceleration [m/s^2], angle [rad], angular velocity [rad/s]
+        or acceleration [rad/s^2] as ``quantity`` says; any zero, any sign.
     mass : float
-        Oscillating mass [kg].
+        Oscillating mass [kg], of a displacement, velocity or acceleration.
+    inertia : float
+        Moment of inertia about the axis [kg m^2], of an angle or its derivatives.
     stiffness : float or None
-        Known stiffness [N/m]: compared with the one that mass and frequency give, and "auto" finds no drag that leads
-        away from it.
-    quantity : {"displacement", "velocity", "acceleration"}
+        Known stiffness [N/m or N m/rad]: compared with the one that mass and frequency give, and "auto" finds no drag
+        that leads away from it.
+    quantity : {"displacement", "velocity", "acceleration", "angle", "angular_velocity", "angular_acceleration"}
         What the record holds.
     begin, end : float or str or None
         First and last time to look at, s; None: the whole record.
@@ -940,7 +720,8 @@ def fit_decay(
     Raises
     ------
     FitError
-        Unequal lengths, NaN, time that does not increase, a mass that is not positive, no oscillation.
+        Unequal lengths, NaN, time that does not increase, no mass (or inertia, where the record is one of a rotation),
+        one that is not positive, no oscillation.
 
     References
     ----------
@@ -957,21 +738,24 @@ def fit_decay(
     """
     if quadratic_drag not in DRAG_CHOICES:
         raise unknown(str(quadratic_drag), DRAG_CHOICES, what="quadratic_drag", where=name)
+    if quantity not in QUANTITIES:
+        raise unknown(str(quantity), QUANTITIES, what="quantity", where=name)
+    motion = motion_of(quantity)
     if displacement is None:
-        displacement = carried_channel(time, _UNITS.get(quantity, ""), where=name)
+        displacement = carried_channel(time, motion.units[order_of(quantity)], where=name)
         time = clock_of([displacement], where=name)
-    mass = as_number(mass, "kg", where=f"{name}: mass")
-    stiffness = None if stiffness is None else as_number(stiffness, "N/m", where=f"{name}: stiffness")
-    t, signal = _checked(time, displacement, mass, stiffness, quantity, name)
+    mass = _inertia(mass, inertia, motion, quantity, name)
+    stiffness = None if stiffness is None else as_number(stiffness, motion.stiffness, where=f"{name}: stiffness")
+    t, signal = _checked(time, displacement, stiffness, quantity, name)
     t, signal = _in_window(t, signal, begin, end, name)
-    t, signal, logged = _without_dropouts(t, signal, name)
+    t, signal, logged = without_dropouts(t, signal, name)
     part = _best_part(t, signal, quantity, name, look_on=begin is None)
     known = None if stiffness is None else math.sqrt(stiffness / mass)
     drifted, reach = 0.0, float(np.ptp(part.signal))
     for attempt in range(_DETRENDED + 1):
         findings, peaks = list(part.findings), part.peaks
         parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings, known)
-        drift = _drift(part.time, residual, parameters, reach)
+        drift = drift_of(part.time, residual, parameters, reach)
         if drift is None or attempt == _DETRENDED or spread.correlation_time <= _ALIKE_FOR:
             break
         drifted += float(drift(part.time[-1]) - drift(part.time[0]))
@@ -992,7 +776,7 @@ def fit_decay(
     result = DecayResult(
         **estimates,
         quadratic_drag=drag if has_drag else None,
-        equilibrium=centre if quantity == "displacement" else None,
+        equilibrium=centre if order_of(quantity) == 0 else None,
         logarithmic_decrement=_naive_decrement(amplitudes),
         amplitudes=tuple(map(float, amplitudes)),
         decrements=decrements,
@@ -1008,126 +792,114 @@ def fit_decay(
     findings += [*logged, *_advice(result, spread, float(np.median(np.diff(t))), stiffness, name)]
     if stiffness is None:
         text = (
-            f"the mass at this frequency hangs on {result.stiffness.value:.4g} N/m; no stiffness was given to compare "
-            "it with, so that a wrong mass or sample rate goes unseen: damping is wrong by as much."
+            f"the {motion.inertia_word} at this frequency hangs on {result.stiffness.value:.4g} "
+            f"{spoken(motion.stiffness)}; no stiffness was given to compare it with, so that a wrong "
+            f"{motion.inertia_word} or sample rate goes unseen: damping is wrong by as much."
         )
         findings.append(Finding(name, "note", text, result.stiffness.value))
-    if quantity != "acceleration" and (lost := lost_samples(t, signal)) > _FEW_LOST:
+    is_alike = spread.correlation_time > _ALIKE_FOR
+    findings += _doubts(result, replace(part, time=t, signal=signal), residual, name, is_alike=is_alike)
+    return replace(result, findings=tuple(findings))
+
+
+def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *, is_alike: bool) -> list[Finding]:
+    """What a record shows of its own defects beside the fit, whose residuals may resemble each other (``is_alike``)."""
+    t, signal, peaks, p, order = part.time, part.signal, part.peaks, result.parameters, order_of(result.quantity)
+    findings: list[Finding] = []
+    if order < 2 and (lost := lost_samples(t, signal)) > _FEW_LOST:
         text = (
             f"the record jumps at {lost} places as if samples were missing there, though the time goes on: frequency "
             "and damping are wrong; give the recorded time."
         )
         findings.append(Finding(name, "problem", text, float(lost)))
-    if quantity == "displacement":
-        findings += _spring_that_is_no_line(peaks, parameters, noise_of(signal), name)
-    if spread.correlation_time > _ALIKE_FOR:
-        findings += _what_is_left(t, signal, residual, parameters, name)
-    return replace(result, findings=tuple(findings))
-
-
-def _without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, list[Finding]]:
-    """Leave out what the logger lost, and tell steps that are too coarse."""
-    lost, findings = frozen_samples(signal), []
-    if lost.any():
+    if order == 0:
+        findings += spring_that_is_no_line(peaks.time, peaks.value, p, noise_of(signal), name)
+    held, step = p.friction_deflection * p.angular_frequency**order, quantum_of(signal)
+    if step > _STEPS * held and _is_clear(result.coulomb_force):
         text = (
-            f"the record stands still at {np.count_nonzero(lost)} samples while the motion goes on: dropouts of the "
-            "logger, which were left out."
-        )
-        findings.append(Finding(name, "warning", text, float(np.count_nonzero(lost))))
-    step, reach = quantum_of(signal), float(np.ptp(signal))
-    if step > _COARSE * reach:
-        text = (
-            f"the record is in steps of {step:.3g} (SI), {100.0 * step / reach:.2g} % of its range: rounding is no "
-            "noise, and what friction and damping do to small swings is lost in it."
+            f"the record is in steps of {step:.3g} (SI), and friction moves it by {held:.3g} only: how large it is, is "
+            "lost in the rounding; record with a finer resolution, or with some noise."
         )
         findings.append(Finding(name, "warning", text, step))
-    return t[~lost], signal[~lost], findings
+    if result.rms_residual <= EXACT * float(np.ptp(signal)):
+        return findings
+    low = low_pass_of(t, signal, residual, p, name, is_alike=is_alike)
+    told = what_is_left(t, signal, residual, p, result.quantity, name) if is_alike else []
+    if is_alike and not told:
+        told = _read_otherwise(part, residual, result, name, is_smooth=bool(low))
+    return [*findings, *told, *low]
 
 
-_COARSE = 0.05  # of the range: larger steps are told
+def _is_clear(friction: Estimate) -> bool:
+    """Whether a friction is surely there."""
+    return friction.standard_error is not None and friction.value > _CLEARLY * friction.standard_error
+
+
+def _read_otherwise(
+    part: DecayPart, residual: Array, result: DecayResult, name: str, *, is_smooth: bool
+) -> list[Finding]:
+    """Name what a record rather is, where that leaves much less: another quantity, or one behind a high pass.
+
+    A record that ``is_smooth`` by a low pass looks like one that was integrated, but less so.
+    """
+    t, signal, left = part.time, part.signal, float(residual @ residual)
+    parameters, quantity = result.parameters, result.quantity
+
+    def leaves(record: Array, starts: list[Array], other: Quantity) -> float:
+        """What a fit leaves, of what the record as it stands does [1]."""
+        try:
+            rest = _fit(t, record, starts, other)[2]
+        except FitError:
+            return math.inf
+        return float(rest @ rest) / left
+
+    others = [other for other in motion_of(quantity).quantities if other != quantity]
+    shares = {other: leaves(signal, _starts(part.peaks, other), other) for other in others}
+    other = min(shares, key=lambda one: shares[one])
+    if shares[other] < (_SURELY if is_smooth else _RATHER):
+        text = (
+            f"the record is rather one of {_spaced(other)} than of {_spaced(quantity)}, of which "
+            f"{1.0 / shares[other]:.2g} times as much is left: friction and drag are wrong; are name and unit right?"
+        )
+        return [Finding(name, "warning", text, 1.0 / shares[other])]
+    if is_smooth:
+        return []
+    frequency = parameters.angular_frequency / (2.0 * math.pi)
+    summed = np.concatenate([[0.0], np.cumsum(0.5 * (signal[1:] + signal[:-1]) * np.diff(t))])
+    start = np.array([getattr(parameters, one) for one in _NAMES])
+
+    def uncoupled(corner: float) -> float:
+        return leaves(signal + 2.0 * math.pi * corner * summed, [start], quantity)
+
+    corner = float(min(frequency * _CORNERS, key=uncoupled))
+    corner = float(min(corner * _BESIDE, key=uncoupled))
+    if (least := uncoupled(corner)) < _COUPLED:
+        text = (
+            f"the record looks as if it came through a high pass of some {corner:.2g} Hz (a coupling of sensor or "
+            f"logger), without which {100.0 * least:.0f} % of the misfit are left: friction and damping are off by "
+            "more than their intervals; record without it."
+        )
+        return [Finding(name, "warning", text, corner)]
+    return []
+
+
+def _spaced(quantity: Quantity) -> str:
+    """A quantity as people write it."""
+    return quantity.replace("_", " ")
+
+
+_RATHER, _SURELY, _COUPLED = 0.2, 0.05, 0.35  # of what is left, that another reading leaves: a fifth is no chance
+_CORNERS = np.geomspace(0.01, 0.5, 10)  # of the natural frequency; then beside the best of them
+_BESIDE = np.array([0.75, 0.87, 1.0, 1.15, 1.33])
+_NAMES = tuple(one.name for one in fields(DecayParameters) if one.name != "quadratic_drag")
 _OFF = 0.03  # of the stiffness: more is told
 _FEW_LOST = 2  # places: fewer change nothing
 _ALIKE_FOR = 4.0  # samples over which residuals resemble each other, where more than noise is left
-_BENT, _CAUSE = 0.05, 0.5  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
-
-
-def _spring_that_is_no_line(peaks: Peaks, parameters: DecayParameters, noise: float, name: str) -> list[Finding]:
-    """Tell a frequency that changes with the amplitude: neither damping nor dry friction does that."""
-    swing = np.abs(np.diff(peaks.value))
-    clear = swing > max(20.0 * noise, 0.05 * swing[0], 6.0 * parameters.friction_deflection)
-    count = int(np.argmin(clear)) if not clear.all() else len(clear)
-    times, sizes = peaks.time[1 : count + 1], swing[1:count]
-    if len(times) < 6:
-        return []
-    periods = times[2:] - times[:-2]
-    squares = (0.5 * (sizes[:-1] + sizes[1:]) / swing[0]) ** 2
-    rates = (2.0 * math.pi / periods) ** 2
-    found, _, spread = linear_least_squares(np.column_stack([squares, np.ones_like(squares)]), rates)
-    share = float(found[0]) * float(squares[0]) / float(found[1])
-    if abs(share) < _BENT or not (bend := spread.estimates(found)[0]).interval or bend.has(0.0):
-        return []
-    text = (
-        f"the frequency changes from {1.0 / periods[0]:.3g} to {1.0 / periods[-1]:.3g} Hz as the amplitude falls: the "
-        f"spring is {'stiffer' if share > 0.0 else 'softer'} at large deflections, which neither damping nor friction "
-        "is; both make up for it and may be off by more than their intervals. Begin later, where swings are small."
-    )
-    return [Finding(name, "warning", text, share)]
-
-
-def _what_is_left(t: Array, signal: Array, residual: Array, parameters: DecayParameters, name: str) -> list[Finding]:
-    """Name what residuals look like: a damper that is firmer in one direction, a low pass of the logger."""
-    left = float(residual @ residual)
-    if math.sqrt(left / len(t)) <= _EXACT * float(np.ptp(signal)):
-        return []
-    findings = []
-    place = np.linspace(-0.5, 0.5, len(t))
-    since = t - parameters.release_time
-    fall = np.exp(-parameters.damping_ratio * parameters.angular_frequency * np.maximum(since, 0.0))
-    turn = 2.0 * parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2) * since
-    even = np.column_stack([fall, fall * np.cos(turn), fall * np.sin(turn), np.ones_like(t)])
-    slope, kept, _ = linear_least_squares(np.column_stack([place, np.ones_like(t)]), residual)
-    drifts = 1.0 - float(kept @ kept) / left
-    _, kept, _ = linear_least_squares(even, residual)
-    lopsided = 1.0 - float(kept @ kept) / left
-    if drifts > max(lopsided, _CAUSE):
-        text = (
-            f"the zero of the record drifts by {float(slope[0]):.3g} (SI) in it, which makes {100.0 * drifts:.0f} % of "
-            "what is left: take the drift off; the intervals are wide for it."
-        )
-        findings.append(Finding(name, "warning", text, float(slope[0])))
-    elif lopsided >= _CAUSE:
-        text = (
-            f"what is left lies on one side twice a cycle ({100.0 * lopsided:.0f} % of it): a damper that is firmer in "
-            "one direction; damping is the mean of both, and the intervals are wide for it. Trials tell the two apart."
-        )
-        findings.append(Finding(name, "warning", text, lopsided))
-    rate, frequency = 1.0 / float(np.median(np.diff(t))), parameters.angular_frequency / (2.0 * math.pi)
-    reach, step = float(np.ptp(signal)), quantum_of(signal)
-    if corner := low_pass_corner(residual, rate, frequency, reach=reach, step=step, near=_NEAR):
-        text = (
-            f"the noise of the record ends at some {corner:.2g} Hz, near the {frequency:.3g} Hz of the decay: a low "
-            "pass of the logger, which blurs what tells friction from damping; record with a wider one."
-        )
-        findings.append(Finding(name, "warning", text, corner))
-    return findings
-
-
-def _drift(t: Array, residual: Array, parameters: DecayParameters, reach: float) -> np.polynomial.Polynomial | None:
-    """A cubic in time that explains most of what is left, and more than a damper firmer in one direction moves."""
-    used = np.isfinite(residual)
-    left = float(residual[used] @ residual[used])
-    if left == 0.0 or t[-1] - t[0] < _SLOW * 2.0 * math.pi / parameters.angular_frequency:
-        return None
-    slow = np.polynomial.Polynomial.fit(t[used], residual[used], 3)
-    without, moved = residual[used] - slow(t[used]), slow(t[used])
-    is_large = float(np.ptp(moved)) > _DRIFTS * reach
-    return slow if is_large and float(without @ without) < (1.0 - _CAUSE) * left else None
-
-
-_DETRENDED, _SLOW = 4, 4.0  # times a drift is taken off; cycles that a drift spans at least
-_DRIFTS = 0.03  # of the range of the record, as no damper moves its centre
-_NEAR = 8.0  # times the natural frequency, below which a low pass changes what friction leaves
+_STEPS = 2.0  # times what friction moves: larger steps hide it
+_DETRENDED = 4  # times a drift is taken off
+_MOST_ACCELERATION = 500.0  # m/s^2: wheels that are struck reach some 40 g
 _SAME = 0.02  # of a logarithmic decrement: less is no change
+_CLEARLY = 4.0  # standard errors of a friction: of intervals alone one decay in forty would show some
 _TRIES = 5
 _EXPLAINED, _STILL_HIT = 0.98, 6.0
 
@@ -1217,17 +989,43 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
     opening = t[early] <= t[0] + peaks.half_period()
     misfit = 1.0
     if opening.any() and not opening.all():
-        least = (_EXACT * float(np.ptp(signal))) ** 2
+        least = (EXACT * float(np.ptp(signal))) ** 2
         misfit = math.sqrt(float(np.mean(residual[opening] ** 2)) / max(float(np.mean(residual[~opening] ** 2)), least))
     return DecayPart(t, signal, peaks, values, r_squared(signal[early], residual), misfit, tuple(findings))
 
 
+def _inertia(mass: float | None, inertia: float | None, motion: Motion, quantity: Quantity, name: str) -> float:
+    """The mass of a translation or the inertia of a rotation; the other one, and none, are refused."""
+    given = {"mass": mass, "inertia": inertia}
+    stated = given.pop(motion.inertia_word)
+    (other,) = given
+    if given[other] is not None:
+        raise FitError(
+            f"{_AN[motion.inertia_word]} {motion.inertia_word} swings in a record of this quantity",
+            where=name,
+            found=f"{other} = {given[other]}, quantity {quantity}",
+            allowed=f"{motion.inertia_word} in {spoken(motion.inertia)}",
+        )
+    if stated is None:
+        raise FitError(
+            f"no {motion.inertia_word} of what swings: a decay knows only ratios to it",
+            where=name,
+            found=f"quantity {quantity}",
+            allowed=f"{motion.inertia_word} in {spoken(motion.inertia)}",
+        )
+    value = as_number(stated, motion.inertia, where=f"{name}: {motion.inertia_word}")
+    if not (math.isfinite(value) and value > 0.0):
+        raise FitError(f"the {motion.inertia_word} is not positive", where=name, found=value, allowed="above 0")
+    return value
+
+
+_AN = {"mass": "a", "inertia": "an"}
+
+
 def _checked(
-    time: ArrayLike, record: ArrayLike, mass: float, stiffness: float | None, quantity: str, name: str
+    time: ArrayLike, record: ArrayLike, stiffness: float | None, quantity: Quantity, name: str
 ) -> tuple[Array, Array]:
-    if quantity not in QUANTITIES:
-        raise unknown(str(quantity), QUANTITIES, what="quantity", where=name)
-    si = _UNITS[quantity]
+    si = motion_of(quantity).units[order_of(quantity)]
     t = as_samples(time, "s", where=f"{name}: time", error=FitError)
     signal = as_samples(record, si, where=f"{name}: {quantity}", error=FitError)
     if t.ndim != 1 or t.shape != signal.shape:
@@ -1242,9 +1040,8 @@ def _checked(
     if np.any(np.diff(t) <= 0.0):
         place = int(np.argmax(np.diff(t) <= 0.0)) + 2
         raise FitError("the time does not increase", where=name, found=f"sample {place}")
-    for value, what in ((mass, "mass"), (stiffness, "stiffness")):
-        if value is not None and not (math.isfinite(value) and value > 0.0):
-            raise FitError(f"the {what} is not positive", where=name, found=value, allowed="above 0")
+    if stiffness is not None and not (math.isfinite(stiffness) and stiffness > 0.0):
+        raise FitError("the stiffness is not positive", where=name, found=stiffness, allowed="above 0")
     if np.ptp(signal) == 0.0:
         raise FitError("the record never changes", where=name, hint="Is this the right channel?")
     return t, signal
@@ -1274,7 +1071,7 @@ def _estimates(p: DecayParameters, spread: Uncertainty, mass: float) -> dict[str
 def _amplitudes(peaks: Peaks, parameters: DecayParameters, quantity: Quantity) -> Array:
     """Turning points as positive amplitudes, up to the first that is not on its own side."""
     away = peaks.value - parameters.offset
-    if quantity == "displacement":
+    if order_of(quantity) == 0:
         away[0] = parameters.release_deflection  # the fitted release is better than one sample
     return alternating(away)
 
@@ -1290,32 +1087,40 @@ def _naive_decrement(amplitudes: Array) -> Estimate:
 
 
 def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: float | None, name: str) -> list[Finding]:
-    p, friction, cycles = result.parameters, result.coulomb_force, result.cycles
+    p, friction, cycles, motion = result.parameters, result.coulomb_force, result.cycles, MOTIONS[result.motion]
     findings: list[Finding] = []
 
     def add(severity: Severity, text: str, value: float) -> None:
         findings.append(Finding(name, severity, text, value))
 
     changed = abs(result.decrements[-1] / result.decrements[0] - 1.0) if len(result.decrements) > 1 else 0.0
-    if friction.interval is not None and friction.interval[0] > 0.0 and changed > _SAME:
+    if _is_clear(friction) and changed > _SAME:
         text = (
             f"the logarithmic decrement changes from {result.decrements[0]:.3f} to {result.decrements[-1]:.3f} as the "
             f"amplitude falls: dry friction; use the combined estimate (viscous {result.damping_coefficient.value:.4g} "
-            f"N s/m and {friction.value:.3g} N), not the decrement. A damper that is firmer in one "
-            "direction can look the same: trials tell the two apart."
+            f"{spoken(motion.damping)} and {friction.value:.3g} {spoken(motion.force)}), not the decrement. A damper "
+            "that is firmer in one direction can look the same: trials tell the two apart."
         )
         add("warning", text, friction.value)
     drag = result.quadratic_drag
-    for value, what, unit in ((p.friction_deflection, "dry friction", " N"), (p.damping_ratio, "viscous damping", "")):
+    for value, what in ((p.friction_deflection, "dry friction"), (p.damping_ratio, "viscous damping")):
         if value == 0.0:
-            text = f"the decay shows no {what}: its best fit would not be above 0{unit}, where the others were fitted."
+            text = f"the decay shows no {what}: its best fit would not be above 0, where the others were fitted."
             add("note", text, value)
     if drag is not None and drag.value > 0.0:
         text = (
-            f"the decay shows quadratic drag, {drag.value:.4g} N s^2/m^2, which makes the logarithmic decrement grow "
-            "with the amplitude: damping coefficient and dry friction hold beside it."
+            f"the decay shows quadratic drag, {drag.value:.4g} {spoken(motion.drag)}, which makes the logarithmic "
+            "decrement grow with the amplitude: damping coefficient and dry friction hold beside it."
         )
         add("warning", text, drag.value)
+    reach, begins = abs(p.release_deflection), abs(p.release_deflection) * p.angular_frequency**2
+    if reach > math.pi if motion.name == "rotation" else begins > _MOST_ACCELERATION:
+        how = motion.say(reach) if motion.name == "rotation" else f"{reach:.3g} m and {begins / 9.81:.0f} g"
+        text = (
+            f"the decay begins with {how}, as no suspension is let go: check the unit of the "
+            "record; friction and drag depend on it, damping does not."
+        )
+        add("warning", text, reach)
     if cycles < 1.5:
         text = f"only {cycles:g} cycles: viscous damping and dry friction can hardly be told apart; see the intervals."
         add("warning", text, cycles)
@@ -1334,8 +1139,10 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
     if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > _OFF:
         share = result.stiffness.value / stiffness - 1.0
         text = (
-            f"mass and frequency give {result.stiffness.value:.5g} N/m, {100 * share:+.1f} % from the given "
-            f"{stiffness:.5g} N/m: check mass, stiffness at the wheel, and what else moves."
+            f"{motion.inertia_word} and frequency give {result.stiffness.value:.5g} {spoken(motion.stiffness)}, "
+            f"{100 * share:+.1f} % from the given {stiffness:.5g} {spoken(motion.stiffness)}: check "
+            f"{motion.inertia_word}, stiffness{'' if motion.name == 'rotation' else ' at the wheel'}, clock, and what "
+            "else moves."
         )
         add("warning", text, share)
     return findings
@@ -1355,11 +1162,13 @@ class CombinedDecay:
     damping_ratio, damping_coefficient, coulomb_force, natural_frequency_hz, stiffness, logarithmic_decrement : Estimate
         As in :class:`DecayResult`, over all runs; the intervals honour the scatter between runs.
     equilibrium : Estimate or None
-        [m]; None when a run has none.
+        [m or rad]; None when a run has none.
     cycles : float
         Sum over the runs [1].
     runs : int
         Number of decays.
+    motion : {"translation", "rotation"}
+        As in :class:`DecayResult`, of all runs.
     findings : tuple of Finding
         Those of the runs, and runs that contradict or copy each other.
     """
@@ -1374,6 +1183,7 @@ class CombinedDecay:
     logarithmic_decrement: Estimate
     cycles: float
     runs: int
+    motion: MotionName
     findings: tuple[Finding, ...]
 
     @property
@@ -1390,6 +1200,12 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
     """
     if not results:
         raise FitError("no decays to combine", allowed="at least one")
+    if len({result.motion for result in results}) > 1:
+        raise FitError(
+            "decays of a translation and of a rotation do not combine",
+            found=", ".join(result.quantity for result in results),
+            allowed="one of the two",
+        )
     names = (
         "damping_ratio",
         "damping_coefficient",
@@ -1430,5 +1246,6 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
         equilibrium=combine(centres) if len(centres) == len(results) else None,
         cycles=float(sum(result.cycles for result in results)),
         runs=len(results),
+        motion=results[0].motion,
         findings=tuple(findings),
     )

@@ -9,13 +9,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.errors import FitError
+from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.decay import zigzag
 from jounce.identify.estimate import linear_least_squares
+from jounce.identify.motion import MOTIONS, Motion, MotionName, spoken
 from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 
 Branch = Literal["loading", "unloading", "both"]
@@ -34,15 +35,17 @@ class ForceDeflectionTrial(Shown):
     Attributes
     ----------
     deflection : array (n,)
-        Imposed deflection, compression positive [m].
+        Imposed deflection, compression positive [m]; of a rotation the angle [rad].
     force : array (n,)
-        Measured force, compression positive [N].
+        Measured force, compression positive [N]; of a rotation the torque [N m].
     name : str
         File or number of the trial, used in results and messages.
     stroke_positive : {"compression", "extension"} or None
         Which way the deflection counts; None: compression, unless the trial shows the other.
     force_positive : {"compression", "tension"} or None
         Which way the force counts, likewise: a spring pushes back.
+    motion : {"translation", "rotation"}
+        Whether it is a force over a deflection or a torque over an angle.
     """
 
     deflection: ArrayLike
@@ -50,14 +53,19 @@ class ForceDeflectionTrial(Shown):
     name: str = "trial"
     stroke_positive: StrokePositive | None = None
     force_positive: ForcePositive | None = None
+    motion: MotionName = "translation"
 
     def arrays(self) -> tuple[Array, Array]:
-        """Deflection [m] and force [N] as float arrays of shape (n,), checked."""
-        deflection = as_samples(self.deflection, "m", where=f"{self.name}: deflection", error=FitError)
-        force = as_samples(self.force, "N", where=f"{self.name}: force", error=FitError)
+        """Deflection [m or rad] and force [N or N m] as float arrays of shape (n,), checked."""
+        if self.motion not in MOTIONS:
+            raise unknown(str(self.motion), MOTIONS, what="motion", where=self.name)
+        motion = MOTIONS[self.motion]
+        at = f"{self.name}: {motion.deflection_word}", f"{self.name}: {motion.force_word}"
+        deflection = as_samples(self.deflection, motion.deflection, where=at[0], error=FitError)
+        force = as_samples(self.force, motion.force, where=at[1], error=FitError)
         if deflection.ndim != 1 or deflection.shape != force.shape:
             raise FitError(
-                "deflection and force are not two columns of the same length",
+                f"{motion.deflection_word} and {motion.force_word} are not two columns of the same length",
                 where=self.name,
                 found=f"shapes {deflection.shape} and {force.shape}",
             )
@@ -74,10 +82,10 @@ class ForceDeflectionTrial(Shown):
             raise FitError("too few points", where=self.name, found=len(deflection), allowed="at least 3")
         if np.ptp(deflection) == 0.0:
             raise FitError(
-                "the deflection never changes",
+                f"the {motion.deflection_word} never changes",
                 where=self.name,
-                found=f"{deflection[0]:g} m throughout",
-                hint="Is the column the imposed deflection?",
+                found=f"{deflection[0]:g} {motion.deflection} throughout",
+                hint=f"Is the column the imposed {motion.deflection_word}?",
             )
         return deflection, force
 
@@ -87,7 +95,7 @@ class SeatedTrial:
     """A trial with compression positive and its zero at first contact.
 
     The loading branch ends and the unloading branch begins at index ``turn``, the largest deflection; ``zero`` is what
-    was subtracted from deflection [m] and force [N].
+    was subtracted from deflection [m or rad] and force [N or N m].
     """
 
     name: str
@@ -95,9 +103,10 @@ class SeatedTrial:
     force: Array
     turn: int
     zero: tuple[float, float]
+    motion: Motion
 
     def branch(self, which: Branch) -> tuple[Array, Array]:
-        """Deflection [m] and force [N] of the loading, the unloading or both branches, as measured in time."""
+        """Deflection [m or rad] and force [N or N m] of the loading, the unloading or both branches, in time."""
         back = int(np.flatnonzero(self.deflection == self.deflection[self.turn])[-1])
         part = {"loading": slice(0, self.turn + 1), "unloading": slice(back, None), "both": slice(None)}[which]
         return self.deflection[part], self.force[part]
@@ -126,29 +135,43 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     findings: list[Finding] = []
     deflection, force = _compression_positive(trial, deflection, force, findings)
     shift, offset, start = 0.0, 0.0, 0
+    motion = MOTIONS[trial.motion]
     begin, end, first = _farthest_cycle(deflection, trial.name, findings)
     if zero == "first-contact":
-        shift, offset, start = _first_contact(deflection[:first], force[:first], trial.name, findings)
+        shift, offset, start = _first_contact(deflection[:first], force[:first], motion, trial.name, findings)
     part = slice(max(begin, start), end)
     deflection, force = deflection[part] - shift, force[part] - offset
-    seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset))
-    if deflection[seated.turn] > 1.0:
-        text = "the deflection exceeds 1 m: check that it was read in the right unit."
+    seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset), motion)
+    if deflection[seated.turn] > _FARTHEST[motion.name]:
+        text = (
+            f"the {motion.deflection_word} reaches {motion.say(float(deflection[seated.turn]))}: check that it was "
+            "read in the right unit."
+        )
         findings.append(Finding(trial.name, "problem", text, float(deflection[seated.turn])))
     findings += _slip(seated) or _falls(seated)
     back = float((np.maximum.accumulate(deflection[: seated.turn + 1]) - deflection[: seated.turn + 1]).max())
     if back > 0.02 * float(np.ptp(deflection)):
-        text = f"the deflection reverses by {1e3 * back:.3g} mm within the loading branch; all its points are used."
+        text = (
+            f"the {motion.deflection_word} reverses by {motion.say(back)} within the loading branch; all its points "
+            "are used."
+        )
         findings.append(Finding(trial.name, "note", text, back))
     findings += [*_out_of_range(seated), *_drift(seated)]
     return seated, findings
 
 
+_FARTHEST: dict[MotionName, float] = {"translation": 1.0, "rotation": math.pi}
+"""No spring of a vehicle is deflected by a metre, and nothing in it is twisted by half a turn."""
+
+
 def _compression_positive(
     trial: ForceDeflectionTrial, deflection: Array, force: Array, findings: list[Finding]
 ) -> tuple[Array, Array]:
+    motion = MOTIONS[trial.motion]
+    loaded = "compression" if motion.name == "translation" else "the direction of loading"
+
     def turned(what: str, stated: str | None, key: str, wrong: str) -> None:
-        text = f"the {what} was recorded negative in compression; its sign was reversed."
+        text = f"the {what} was recorded negative in {loaded}; its sign was reversed."
         if stated is not None:
             text = f"{wrong} with {key} = {stated!r} as stated; its sign was reversed: check the statement."
         findings.append(Finding(trial.name, "note" if stated is None else "warning", text))
@@ -158,12 +181,12 @@ def _compression_positive(
     away = deflection - deflection[0]
     if -away.min() > away.max():
         deflection = -deflection
-        turned("deflection", trial.stroke_positive, "stroke_positive", "the trial goes into extension")
+        turned(motion.deflection_word, trial.stroke_positive, "stroke_positive", "the trial goes into extension")
     turn = int(np.argmax(deflection))
     loading = slice(0, max(turn, 1) + 1)
     if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
         force = -force
-        turned("force", trial.force_positive, "force_positive", "the force pulls where a spring pushes back")
+        turned(motion.force_word, trial.force_positive, "force_positive", "the force pulls where a spring pushes back")
     return deflection, force
 
 
@@ -183,7 +206,9 @@ def _farthest_cycle(deflection: Array, name: str, findings: list[Finding]) -> tu
     return begin, end, turns[2] + 1
 
 
-def _first_contact(deflection: Array, force: Array, name: str, findings: list[Finding]) -> tuple[float, float, int]:
+def _first_contact(
+    deflection: Array, force: Array, motion: Motion, name: str, findings: list[Finding]
+) -> tuple[float, float, int]:
     turn = int(np.argmax(deflection))
     largest = float(np.abs(force).max())
     head = max(3, int(0.01 * turn))
@@ -198,17 +223,20 @@ def _first_contact(deflection: Array, force: Array, name: str, findings: list[Fi
         met = (offset - level) / slope if slope > 0.0 else deflection[last]
         contact = float(np.clip(met, deflection[last - 1], deflection[last + 1]))
         travel = contact - float(deflection[0])
-        text = f"{1e3 * travel:.3g} mm of free travel before first contact and a load-cell zero of "
-        findings.append(Finding(name, "note", text + f"{offset:.3g} N were removed.", travel))
+        text = (
+            f"{motion.say(travel)} of free travel before first contact and a load-cell zero of {offset:.3g} "
+            f"{spoken(motion.force)} were removed."
+        )
+        findings.append(Finding(name, "note", text, travel))
         return contact, offset, last + 1
     if force[0] < 0.0 and force.min() < -_TENSION * force.max() and deflection.min() < -_TENSION * deflection.max():
-        text = "the trial goes from tension into compression: its zeros are the recorded ones."
+        text = f"the trial goes from {motion.pulled} into {motion.pushed}: its zeros are the recorded ones."
         findings.append(Finding(name, "note", text, float(force[0])))
         return 0.0, 0.0, 0
     if abs(force[0]) > 0.02 * largest:
         text = (
-            f"the trial starts already loaded with {force[0]:.3g} N, so first contact was not "
-            "seen and the deflection zero is the recorded one."
+            f"the trial starts already loaded with {force[0]:.3g} {spoken(motion.force)}, so first contact was not "
+            f"seen and the zero of the {motion.deflection_word} is the recorded one."
         )
         findings.append(Finding(name, "warning", text, float(force[0])))
         return 0.0, 0.0, 0
@@ -235,7 +263,11 @@ def _falls(trial: SeatedTrial) -> list[Finding]:
     drop = float((np.maximum.accumulate(below) - below).max(initial=0.0))
     if drop <= 0.03 * float(np.ptp(force)):
         return []
-    text = f"the force falls by {drop:.3g} N while the deflection grows: slip, buckling or a loose seat?"
+    motion = trial.motion
+    text = (
+        f"the {motion.force_word} falls by {drop:.3g} {spoken(motion.force)} while the {motion.deflection_word} grows: "
+        "slip, buckling or a loose seat?"
+    )
     return [Finding(trial.name, "warning", text, drop)]
 
 
@@ -260,11 +292,12 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
     lost, noise = -float(step), math.sqrt(slid / len(x))
     if slid > _SLIPPED * bent or lost < max(_LEAST_SLIP * float(np.ptp(f)), 3.0 * noise) or slope <= 0.0:
         return []
-    stroke = float(np.ptp(deflection))
-    rate, begin = float(slope) / stroke, 1e3 * (float(deflection[0]) + place * stroke)
+    stroke, motion = float(np.ptp(deflection)), trial.motion
+    rate, begin = float(slope) / stroke, float(deflection[0]) + place * stroke
     text = (
-        f"the force is {lost:.3g} N lower from {begin:.3g} mm on, as after a slip of {1e3 * lost / rate:.2g} mm in the "
-        f"grip: the slope without it is {rate:.4g} N/m, which the fit does not give. Measure again."
+        f"the {motion.force_word} is {lost:.3g} {spoken(motion.force)} lower from {motion.say(begin)} on, as after a "
+        f"slip of {motion.say(lost / rate, 2)} in the grip: the slope without it is {rate:.4g} "
+        f"{spoken(motion.stiffness)}, which the fit does not give. Measure again."
     )
     return [Finding(trial.name, "warning", text, lost)]
 
@@ -284,10 +317,11 @@ def _out_of_range(trial: SeatedTrial) -> list[Finding]:
     over = float(np.ptp(deflection[top]))
     if len(top) < _FEWEST_FLAT or over < _FLAT * float(np.ptp(deflection)):
         return []
+    motion = trial.motion
     text = (
-        f"the force stays at {force.max():.4g} N over {1e3 * over:.3g} mm: the load cell or its amplifier was out of "
-        "range, and no law fits what it shows there; leave out what lies beyond "
-        f"{1e3 * float(deflection[top].min()):.3g} mm."
+        f"the {motion.force_word} stays at {force.max():.4g} {spoken(motion.force)} over {motion.say(over)}: the load "
+        "cell or its amplifier was out of range, and no law fits what it shows there; leave out what lies beyond "
+        f"{motion.say(float(deflection[top].min()))}."
     )
     return [Finding(trial.name, "problem", text, over)]
 
@@ -302,7 +336,8 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     back = trial.turn + int(np.argmin(np.abs(end - deflection[0])))
     if abs(float(deflection[back] - deflection[0])) > _TOP * stroke or len(force) - trial.turn < _FEWEST_FLAT:
         return []
-    slope = float(np.ptp(force)) / stroke
+    slope, (unit, rate) = float(np.ptp(force)) / stroke, (spoken(trial.motion.force), spoken(trial.motion.stiffness))
+    at_same = f"than it began with at the same {trial.motion.deflection_word}"
     less = force - slope * (deflection - deflection[0])
     gained = float(np.median(less[max(back - 2, trial.turn + 1) : back + 3]) - np.median(less[:5]))
     if abs(gained) < _NO_DRIFT * float(force.max()):
@@ -313,15 +348,15 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
         if float(np.interp(middle, *up) - np.interp(middle, *down)) > -_ON_THE_WAY * gained:
             return []
         text = (
-            f"the trial ends with {-gained:.3g} N less than it began with at the same deflection, more than hysteresis "
-            "takes on the way: the zero of the load cell drifts. If evenly, the slope of the loading branch is off by "
-            f"about {0.5 * gained / stroke:.3g} N/m, and that of both branches together is not."
+            f"the trial ends with {-gained:.3g} {unit} less {at_same}, more than hysteresis takes on the way: the zero "
+            "of the load cell drifts. If evenly, the slope of the loading branch is off by about "
+            f"{0.5 * gained / stroke:.3g} {rate}, and that of both branches together is not."
         )
         return [Finding(trial.name, "warning", text, gained)]
     text = (
-        f"the trial ends with {gained:.3g} N more than it began with at the same deflection, where hysteresis would "
-        "take some: the zero of the load cell drifts. If evenly, the slope of the loading branch is off by about "
-        f"{0.5 * gained / stroke:.3g} N/m, and that of both branches together is not."
+        f"the trial ends with {gained:.3g} {unit} more {at_same}, where hysteresis would take some: the zero of the "
+        f"load cell drifts. If evenly, the slope of the loading branch is off by about {0.5 * gained / stroke:.3g} "
+        f"{rate}, and that of both branches together is not."
     )
     return [Finding(trial.name, "warning", text, gained)]
 

@@ -9,6 +9,7 @@ from jounce.core.types import Array
 _FALL, _STEADY = 25.0, 6.0  # power of the noise over that at the top: all in all, and two octaves below it
 _EXACT = 1e-6  # of the range: no noise at all
 _ROUNDING = 4.0  # times the power of rounding: no noise is left there
+_MORE = 1.5  # times the power of a record: a low pass leaves half at its corner, and the fit makes up for some
 _HARMONIC, _LEAST = 0.3, 4  # of the frequency, beside multiples of it; octaves that show a fall
 
 
@@ -42,3 +43,20 @@ def low_pass_corner(
     octave = next(k for k, power in enumerate(powers) if power > 0.25 * most)
     corner = 0.48 * rate * 0.5**octave / np.sqrt(2.0)
     return float(corner) if corner < near * frequency else None
+
+
+def smoother_corner(signal: Array, response: Array, rate: float, *, near: float) -> float | None:
+    """Find from where on (Hz) a record lacks what its own fitted response has; None where nowhere below ``near``.
+
+    A response with dry friction has corners, a record behind a low pass has none. Both are sampled at ``rate`` (Hz).
+    """
+    window = np.hanning(len(signal))
+    measured, fitted = (np.abs(np.fft.rfft(window * (one - one.mean()))) ** 2 for one in (signal, response))
+    at = np.fft.rfftfreq(len(signal), 1.0 / rate)
+    corner, top, lacks = None, 0.48 * rate, _STEADY  # noise makes a record richer than its response, never poorer
+    while np.count_nonzero(inside := (at > 0.5 * top) & (at <= top)) >= _LEAST:
+        if float(np.median(fitted[inside])) <= lacks * float(np.median(measured[inside])):
+            break
+        corner = top = 0.5 * top
+        lacks = _MORE
+    return corner if corner is not None and corner < near else None

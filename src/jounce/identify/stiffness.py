@@ -33,6 +33,7 @@ from jounce.identify.force_deflection import (
     renamed,
     seat,
 )
+from jounce.identify.motion import MOTIONS, Motion, MotionName, spoken
 
 # force laws -----------------------------------------------------------------------------------------------------------
 
@@ -129,7 +130,7 @@ class CurveFit:
 
 
 def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, intercept: str, where: str) -> CurveFit:
-    """Fit one law to one set of points (deflection [m], force [N], both (n,)); ``where`` names it in errors."""
+    """Fit one law to one set of points (deflection, force, both (n,), SI); ``where`` names it in errors."""
     needed = {"linear": 2, "polynomial": degree, "power": 2, "monotone-spline": 4}[law]
     if len(np.unique(deflection)) <= needed:
         raise FitError(
@@ -156,7 +157,7 @@ def _linear(deflection: Array, force: Array, intercept: str, where: str) -> Curv
         raise FitError(
             "the force does not grow with the deflection",
             where=where,
-            found=f"{slope:g} N/m",
+            found=f"a slope of {slope:g} (SI)",
             hint="Check the columns and their signs.",
         )
     preload = level if intercept == "keep" else 0.0
@@ -254,10 +255,13 @@ class TrialStiffness:
 
 @dataclass(frozen=True)
 class StiffnessResult(Shown):
-    """Stiffness of a spring or a tyre.
+    """Stiffness of a spring, a tyre, or a part that is twisted.
 
     Attributes
     ----------
+    motion : {"translation", "rotation"}
+        Along a line or about an axis. For a rotation read angle [rad] for deflection, torque [N m] for force, and
+        N m/rad for N/m below.
     law : str
         Force law that was fitted.
     stiffness : Estimate
@@ -296,6 +300,7 @@ class StiffnessResult(Shown):
         What weakens the result.
     """
 
+    motion: MotionName
     law: Law
     stiffness: Estimate
     intercept: Estimate | None
@@ -340,15 +345,16 @@ def fit_stiffness(
     Parameters
     ----------
     trials : sequence of ForceDeflectionTrial
-        Deflection [m] and force [N], compression positive (records with the other sign are reversed, with a finding).
+        Deflection [m] and force [N], compression positive (records with the other sign are reversed, with a finding);
+        or angle [rad] and torque [N m], with ``motion="rotation"``.
     law : {"linear", "polynomial", "power", "monotone-spline"}
         F = k x + b; F = sum of a_i x^i for i = 1...``degree`` (no constant); F = a x^b; or a monotone cubic through bin
         means that starts at the origin.
     degree : int
         Degree of the polynomial law [1], 1 to 9.
     discard_below : float
-        Points with a smaller deflection after the zero correction are not fitted [m], e.g. 0.002 for a tyre that
-        first settles on its support.
+        Points with a smaller deflection after the zero correction are not fitted [m or rad], e.g. 0.002 for a tyre
+        that first settles on its support.
     intercept : {"drop", "shift", "keep"}
         Linear law only: k and b are always both fitted. ``drop``: the curve is F = k x, only the slope goes on into a
         model. ``shift``: the curve is F = k (x - x0) with x0 = -b/k, deflection is counted from there.
@@ -356,20 +362,20 @@ def fit_stiffness(
     branch : {"loading", "unloading", "both"}
         Which part of each trial is fitted; loading ends at the largest deflection.
     operating_force : float or None
-        Static force the part will carry [N]; a finding tells when that point lies outside the fitted range.
+        Static force the part will carry [N or N m]; a finding tells when that point lies outside the fitted range.
     zero : {"first-contact", "none"}
         See :func:`jounce.identify.force_deflection.seat`.
 
     Returns
     -------
     StiffnessResult
-        Stiffness in N/m with a 95 % interval.
+        Stiffness in N/m, or N m/rad, with a 95 % interval.
 
     Raises
     ------
     FitError
-        No trials, fewer points than the law needs, NaN, unequal lengths, ``discard_below`` beyond the data, a force
-        that does not grow, rows from the largest deflection down to the zero.
+        No trials, trials of forces and of torques, fewer points than the law needs, NaN, unequal lengths,
+        ``discard_below`` beyond the data, a force that does not grow, rows from the largest deflection to the zero.
     DescriptionError
         An unknown law, branch or intercept.
 
@@ -383,11 +389,18 @@ def fit_stiffness(
     (22730, 30)
     """
     trials = [trials] if isinstance(trials, ForceDeflectionTrial) else trials
-    discard_below = as_number(discard_below, "m", where="discard_below")
-    _check(trials, law, degree, discard_below, intercept, branch, zero)
-    operating_force = None if operating_force is None else as_number(operating_force, "N", where="operating_force")
+    motion = _motion_of(trials)
+    discard_below = as_number(discard_below, motion.deflection, where="discard_below")
+    _check(motion, law, degree, discard_below, intercept, branch, zero)
+    if operating_force is not None:
+        operating_force = as_number(operating_force, motion.force, where="operating_force")
     if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
-        raise FitError("not a static force", where="operating_force", found=f"{operating_force} N", allowed="above 0 N")
+        raise FitError(
+            f"not a static {motion.force_word}",
+            where="operating_force",
+            found=f"{operating_force} {spoken(motion.force)}",
+            allowed="above 0",
+        )
     seated, findings = [], []
     for trial in renamed(list(trials)):
         one, notes = seat(trial, zero=zero)
@@ -404,7 +417,7 @@ def fit_stiffness(
     low, reach = float(x.min()), float(x.max())
     operating, tangent = None, None
     if operating_force is not None:
-        operating, tangent = _operating_point(seated, pooled.curve, operating_force, low, reach, findings)
+        operating, tangent = _operating_point(seated, pooled.curve, operating_force, (low, reach), motion, findings)
     at = operating if operating is not None else 0.5 * (low + reach)
     rows = []
     for one, fit in zip(seated, alone, strict=True):
@@ -414,19 +427,20 @@ def fit_stiffness(
             TrialStiffness(one.name, _stiffness(fit, at), _intercept(fit), loss, energy, rms, len(fit.residual))
         )
     line = _intercept(pooled)
-    findings += _no_spring(_stiffness(pooled, at).value)
-    findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows)
+    findings += _no_spring(_stiffness(pooled, at).value, motion)
+    findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows, motion)
     several = len(rows) > 1
     values = [row.stiffness.value for row in rows]
     own = _stiffness(pooled, at)
     stiffness = mean_of_replicates(values, value=own.value) if several else own
     if law in _DEGREES:
-        stiffness, lack = _with_law(stiffness, x, force, at, degree if law == "polynomial" else _DEGREES[law])
+        stiffness, lack = _with_law(stiffness, x, force, at, degree if law == "polynomial" else _DEGREES[law], motion)
         findings += lack
     if line is not None and several:
         line = mean_of_replicates([float(fit.parameters[-1]) for fit in alone], value=line.value)
     losses = [(row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None]
     return StiffnessResult(
+        motion=motion.name,
         law=law,
         stiffness=stiffness,
         intercept=line,
@@ -448,8 +462,20 @@ def fit_stiffness(
     )
 
 
+def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> Motion:
+    """What all trials are of: forces over deflections, or torques over angles."""
+    if not trials:
+        raise FitError("no trials to fit", allowed="at least one force-deflection trial")
+    for trial in trials:
+        if trial.motion not in MOTIONS:
+            raise unknown(str(trial.motion), MOTIONS, what="motion", where=trial.name)
+    if len(found := {trial.motion for trial in trials}) > 1:
+        raise FitError("trials of forces and of torques are not fitted together", found=", ".join(sorted(found)))
+    return MOTIONS[trials[0].motion]
+
+
 def _check(
-    trials: Sequence[ForceDeflectionTrial],
+    motion: Motion,
     law: str,
     degree: int,
     discard_below: float,
@@ -457,8 +483,6 @@ def _check(
     branch: str,
     zero: str,
 ) -> None:
-    if not trials:
-        raise FitError("no trials to fit", allowed="at least one force-deflection trial")
     for value, options, what in (
         (law, LAWS, "law"),
         (intercept, ("drop", "shift", "keep"), "intercept"),
@@ -470,7 +494,11 @@ def _check(
     if law == "polynomial" and not 1 <= degree <= 9:
         raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
     if not (np.isfinite(discard_below) and discard_below >= 0.0):
-        raise FitError("discard_below is not a deflection", found=f"{discard_below} m", allowed="0 m or more")
+        raise FitError(
+            f"discard_below is no {motion.deflection_word}",
+            found=f"{discard_below} {motion.deflection}",
+            allowed=f"0 {motion.deflection} or more",
+        )
     if law != "linear" and intercept != "drop":
         raise FitError(
             f"the law {law!r} passes through the origin and has no intercept", found=intercept, allowed="'drop'"
@@ -510,7 +538,8 @@ def _used(
         raise FitError(
             "the trial ends at its zero instead of beginning there",
             where=trial.name,
-            found=f"from {1e3 * float(trial.deflection[0]):.4g} mm and {float(trial.force[0]):.4g} N on",
+            found=f"from {trial.motion.say(float(trial.deflection[0]), 4)} and {float(trial.force[0]):.4g} "
+            f"{spoken(trial.motion.force)} on",
             allowed="rows in the order of time, from first contact to the largest deflection",
             hint="Turn the rows round, or the zero of the deflection.",
         )
@@ -518,8 +547,8 @@ def _used(
         raise FitError(
             "discarding leaves nothing to fit" if discard_below > 0.0 else "the branch holds too few points",
             where=trial.name,
-            found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {1e3 * discard_below:g} mm; "
-            f"the {branch} branch reaches {1e3 * float(deflection.max()):.4g} mm",
+            found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {trial.motion.say(discard_below, 6)}; "
+            f"the {branch} branch reaches {trial.motion.say(float(deflection.max()), 4)}",
             allowed="at least 2 points",
             hint="Discard less, or check the unit of the deflection.",
         )
@@ -538,8 +567,10 @@ _DEGREES: dict[Law, int] = {"polynomial": 0, "power": 2}
 """Laws whose shape is a choice, with the degree of the polynomial that is as free (0: its own)."""
 
 
-def _with_law(stiffness: Estimate, x: Array, force: Array, at: float, degree: int) -> tuple[Estimate, list[Finding]]:
-    """The tangent at ``at`` [m] with an interval that counts the choice of the law, and what is told of it.
+def _with_law(
+    stiffness: Estimate, x: Array, force: Array, at: float, degree: int, motion: Motion
+) -> tuple[Estimate, list[Finding]]:
+    """The tangent at ``at`` (SI) with an interval that counts the choice of the law, and what is told of it.
 
     All trials share what the law lacks, so that their scatter knows nothing of it. Polynomials of one and two more
     degrees have it, or half of it: the larger distance of their tangents is added to the half width by squares.
@@ -562,9 +593,10 @@ def _with_law(stiffness: Estimate, x: Array, force: Array, at: float, degree: in
     if apart <= half:
         return counted, []
     text = (
-        f"polynomials of degree {degree + 1} and more have a slope of {min(others):.4g} to {max(others):.4g} N/m at "
-        f"{1e3 * at:.3g} mm, this law {stiffness.value:.4g} N/m: the trials agree better with each other than with the "
-        "law, and the interval counts it. Fit more degrees or 'monotone-spline', or only the range around the load."
+        f"polynomials of degree {degree + 1} and more have a slope of {min(others):.4g} to {max(others):.4g} "
+        f"{spoken(motion.stiffness)} at {motion.say(at)}, this law {stiffness.value:.4g} {spoken(motion.stiffness)}: "
+        "the trials agree better with each other than with the law, and the interval counts it. Fit more degrees or "
+        "'monotone-spline', or only the range around the load."
     )
     return counted, [Finding("law", "warning" if apart > _ODD * abs(stiffness.value) else "note", text, apart)]
 
@@ -585,9 +617,15 @@ def _intercept(fit: CurveFit) -> Estimate | None:
 
 
 def _operating_point(
-    trials: list[SeatedTrial], curve: FittedCurve, force: float, low: float, reach: float, findings: list[Finding]
+    trials: list[SeatedTrial],
+    curve: FittedCurve,
+    force: float,
+    fitted: tuple[float, float],
+    motion: Motion,
+    findings: list[Finding],
 ) -> tuple[float | None, Estimate | None]:
     """Deflection at which the trials carry ``force``, and the slope measured there."""
+    (low, reach), rate = fitted, spoken(motion.stiffness)
     deflections, slopes = [], []
     for trial in trials:
         x, f = trial.branch("loading")
@@ -601,12 +639,12 @@ def _operating_point(
     at = float(np.mean(deflections)) if deflections else curve.deflection_at(force, 10.0 * reach)
     tangent = mean_of_replicates(slopes) if slopes else None
     if at is None or not low <= at <= reach:
-        place = "is never reached by the trials" if at is None else f"lies at {1e3 * at:.3g} mm"
-        remark = f"; the slope measured there is {tangent.value:.4g} N/m" if tangent else ""
+        place = "is never reached by the trials" if at is None else f"lies at {motion.say(at)}"
+        remark = f"; the slope measured there is {tangent.value:.4g} {rate}" if tangent else ""
         text = (
-            f"the static force of {force:.4g} N {place}, outside the fitted range of {1e3 * low:.3g} "
-            f"to {1e3 * reach:.3g} mm{remark}. The fit is an extrapolation there: fit a law that covers it, or "
-            "compare both stiffnesses in the model."
+            f"the static {motion.force_word} of {force:.4g} {spoken(motion.force)} {place}, outside the fitted range "
+            f"of {motion.say(low)} to {motion.say(reach)}{remark}. The fit is an extrapolation there: fit a law that "
+            "covers it, or compare both stiffnesses in the model."
         )
         findings.append(Finding("operating point", "warning", text, at))
     return at, tangent
@@ -625,10 +663,17 @@ _ODD = 0.05  # of the stiffness of the other trials, from which on a trial is to
 
 
 def _advice(
-    pooled: CurveFit, x: Array, force: Array, law: Law, preload: Estimate | None, rows: Sequence[TrialStiffness]
+    pooled: CurveFit,
+    x: Array,
+    force: Array,
+    law: Law,
+    preload: Estimate | None,
+    rows: Sequence[TrialStiffness],
+    motion: Motion,
 ) -> list[Finding]:
     """Findings about the fit; ``preload`` is the intercept where it is kept."""
     findings: list[Finding] = []
+    rate = spoken(motion.stiffness)
 
     def add(place: str, severity: Severity, text: str, value: float | None = None) -> None:
         findings.append(Finding(place, severity, text, value))
@@ -649,8 +694,8 @@ def _advice(
         far, usual = float(values[i] / np.median(others)), float(np.ptp(others) / np.median(others))
         if abs(far - 1.0) > max(_ODD, 3.0 * usual):
             text = (
-                f"its stiffness is {far:.3g} times that of the other trials ({row.stiffness.value:.4g} N/m): another "
-                "part, another unit or another zero? Value and interval of all together count it."
+                f"its stiffness is {far:.3g} times that of the other trials ({row.stiffness.value:.4g} {rate}): "
+                "another part, another unit or another zero? Value and interval of all together count it."
             )
             add(row.name, "warning", text, far)
     few = min(rows, key=lambda row: row.points)
@@ -672,14 +717,14 @@ def _advice(
             pulled, pushed = (float(np.polyfit(x[side], force[side], 1)[0]) for side in sides)
             if abs(pushed - pulled) > _ODD * abs(pushed):
                 text = (
-                    f"the slope is {pulled:.4g} N/m in tension and {pushed:.4g} N/m in compression: the law is a mean "
-                    "of both; fit each side by itself, or a polynomial."
+                    f"the slope is {pulled:.4g} {rate} in {motion.pulled} and {pushed:.4g} {rate} in {motion.pushed}: "
+                    "the law is a mean of both; fit each side by itself, or a polynomial."
                 )
                 add("linear law", "warning", text, pushed - pulled)
     if preload is not None and preload.value < 0.0:
         text = (
-            f"the kept intercept is {preload.value:.4g} N: a negative preload is free "
-            "travel, which 'shift' describes better."
+            f"the kept intercept is {preload.value:.4g} {spoken(motion.force)}: a negative preload is free travel, "
+            "which 'shift' describes better."
         )
         add("intercept", "warning", text, preload.value)
     slopes = pooled.curve.tangent(np.linspace(x.min(), x.max(), 200))
@@ -688,15 +733,21 @@ def _advice(
     return findings
 
 
-_SPRINGS = (100.0, 5e6)  # N/m: softer and stiffer is no spring, tyre or bush of a vehicle
+_SPRINGS: dict[str, tuple[float, float, str]] = {
+    "translation": (100.0, 5e6, "spring, tyre or bush of a vehicle"),
+    "rotation": (1.0, 1e7, "bar, bush or frame of a vehicle"),
+}
+"""Softer and stiffer (SI) is none; the stiffest frames are twisted by 1 degree with 50 kN m, which is 3e6 N m/rad."""
 
 
-def _no_spring(rate: float) -> list[Finding]:
-    if _SPRINGS[0] <= rate <= _SPRINGS[1]:
+def _no_spring(rate: float, motion: Motion) -> list[Finding]:
+    least, most, what = _SPRINGS[motion.name]
+    if least <= rate <= most:
         return []
+    unit = spoken(motion.stiffness)
     text = (
-        f"{rate:.3g} N/m is no spring, tyre or bush of a vehicle ({_SPRINGS[0]:g} to "
-        f"{_SPRINGS[1]:g} N/m): check the units of deflection and force, and whether the columns are exchanged."
+        f"{rate:.3g} {unit} is no {what} ({least:g} to {most:g} {unit}): check the units of {motion.deflection_word} "
+        f"and {motion.force_word}, and whether the columns are exchanged."
     )
     return [Finding("stiffness", "warning", text, rate)]
 

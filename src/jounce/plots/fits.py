@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 from jounce.core.display import display_unit
 from jounce.core.errors import FitError
 from jounce.core.types import Array
-from jounce.identify.decay import QUANTITIES, alternating, decay_response, turning_points
 from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
+from jounce.identify.free_response import alternating, decay_response, turning_points
+from jounce.identify.motion import MOTIONS, motion_of, order_of
 from jounce.plots.display import digits_for, number, quantity
 from jounce.plots.style import (
     AFTER,
@@ -55,7 +56,7 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     Returns
     -------
     matplotlib.figure.Figure
-        Force against deflection (mm, N), and the stiffness of each trial with its 95 % interval (N/mm).
+        Force against deflection, or torque against angle, and the stiffness of each trial with its 95 % interval.
 
     Examples
     --------
@@ -70,18 +71,20 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
     reach = _draw_points(left, trials, result.zero) or result.fitted_range[1]
     _draw_law(left, result, reach)
-    left.set(xlabel=display_unit("m").label("deflection"), ylabel=display_unit("N").label("force"), title=title)
+    motion = MOTIONS[result.motion]
+    across, up = display_unit(motion.deflection), display_unit(motion.force)
+    left.set(xlabel=across.label(motion.deflection_word), ylabel=up.label(motion.force_word), title=title)
     _draw_trials(right, result)
     figure.legend(*left.get_legend_handles_labels(), loc="outside lower left", ncols=3, columnspacing=1.4)
     return figure
 
 
 def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero) -> float:
-    """Draw all points from where the fit counts them; give the largest deflection in m."""
+    """Draw all points from where the fit counts them; give the largest deflection (SI)."""
     reach = 0.0
-    across, up = display_unit("m"), display_unit("N")
     for k, trial in enumerate(renamed(list(trials))):
         seated, _ = seat(trial, zero=zero)
+        across, up = display_unit(seated.motion.deflection), display_unit(seated.motion.force)
         label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None
         axes.plot(
             seated.deflection * across.factor,
@@ -99,7 +102,8 @@ def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero)
 
 
 def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
-    across, up = display_unit("m"), display_unit("N")
+    motion = MOTIONS[result.motion]
+    across, up = display_unit(motion.deflection), display_unit(motion.force)
     low, high = result.fitted_range
     inside, whole = np.linspace(low, high, 200), np.linspace(0.0, max(high, reach), 200)
     dropped = 0.0  # force that the fit has and the law for the model has not
@@ -118,8 +122,8 @@ def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
 
 
 def _draw_trials(axes: Axes, result: StiffnessResult) -> None:
-    unit = display_unit("N/m")
-    pooled = result.stiffness
+    si = MOTIONS[result.motion].stiffness
+    unit, pooled = display_unit(si), result.stiffness
     if pooled.interval is not None:
         axes.axvspan(*(end * unit.factor for end in pooled.interval), color=AFTER, alpha=0.15, linewidth=0.0)
     axes.axvline(pooled.value * unit.factor, color=AFTER, linewidth=1.4)
@@ -133,7 +137,7 @@ def _draw_trials(axes: Axes, result: StiffnessResult) -> None:
     axes.grid(axis="y", visible=False)
     axes.set(xlabel=unit.label("stiffness"))
     axes.locator_params(axis="x", nbins=5)
-    axes.set_title(f"all trials: {quantity(pooled.value, 'N/m')} (band: 95 %)", fontweight="normal", fontsize=9)
+    axes.set_title(f"all trials: {quantity(pooled.value, si)} (band: 95 %)", fontweight="normal", fontsize=9)
 
 
 def _short(name: str) -> str:
@@ -242,9 +246,6 @@ def damper_loops(
     return figure
 
 
-_UNITS = dict(zip(QUANTITIES, ("m", "m/s", "m/s^2"), strict=True))
-
-
 @styled
 def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (), title: str = "") -> Figure:
     """Draw a free decay, the fitted response, and each turning point against the one before.
@@ -279,7 +280,7 @@ def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (),
 
 
 def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> None:
-    unit = display_unit(_UNITS[result.quantity])
+    unit = display_unit(motion_of(result.quantity).units[order_of(result.quantity)])
     begin, end = result.window
     if len(record):
         axes.plot(time, record * unit.factor, color=MEASURED, linewidth=1.6, label="measured")
@@ -303,16 +304,18 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
     span = end - begin
     earliest = float(time[0]) if len(time) else begin
     axes.set_xlim(max(begin - 0.15 * span, earliest - 0.02 * span), end + 0.02 * span)
-    axes.set(xlabel="time [s]", ylabel=unit.label(result.quantity))
+    axes.set(xlabel="time [s]", ylabel=unit.label(result.quantity.replace("_", " ")))
     legend_above(axes, 3)
 
 
 def _draw_peaks(axes: Axes, result: DecayResult) -> None:
-    if result.quantity != "displacement":
+    motion = motion_of(result.quantity)
+    if order_of(result.quantity):
         axes.set_axis_off()
-        axes.text(0.5, 0.5, "turning points are shown\nfor displacements only", ha="center", va="center", color=MUTED)
+        words = f"turning points are shown\nfor {'displacements' if motion.name == 'translation' else 'angles'} only"
+        axes.text(0.5, 0.5, words, ha="center", va="center", color=MUTED)
         return
-    unit = display_unit("m")
+    unit = display_unit(motion.deflection)
     measured = np.array(result.amplitudes) * unit.factor
     axes.plot(measured[:-1], measured[1:], "o", color=MEASURED, markersize=4.5, label="measured")
     turns = alternating(turning_points(result.parameters, 40)) * unit.factor
@@ -345,7 +348,7 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     axes.set_ylim(0.0, 1.6 * top if top > 0.0 else 1.0)  # room for the legend; a wide band may leave the axes
     axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
     axes.set(xlabel="cycle", ylabel="damping ratio [–]")
-    friction = quantity(result.coulomb_force.value, "N", 3)
+    friction = quantity(result.coulomb_force.value, motion_of(result.quantity).force, 3)
     axes.set_title(f"damping ratio (dry friction: {friction})", fontweight="normal", fontsize=9)
     axes.legend(loc="upper left")
 

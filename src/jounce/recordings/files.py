@@ -342,7 +342,11 @@ def _gap_finding(time: Array, wanted: Array, step: float, names: list[str], file
 
 
 def read_columns(
-    path: Path | str, wanted: Mapping[str, str], *, columns: Columns = None, variable: str = ""
+    path: Path | str,
+    wanted: Mapping[str, str] | Sequence[Mapping[str, str]],
+    *,
+    columns: Columns = None,
+    variable: str = "",
 ) -> tuple[dict[str, Array], list[Finding]]:
     r"""Read named columns from a file that need not have time, e.g. force against displacement.
 
@@ -350,8 +354,9 @@ def read_columns(
     ----------
     path : Path or str
         File of a format in ``READERS``, chosen by its suffix.
-    wanted : mapping of str to str
-        Name and SI unit of each column needed, e.g. ``{"displacement": "m", "force": "N"}``.
+    wanted : mapping of str to str, or sequence of such mappings
+        Name and SI unit of each column needed, e.g. ``{"displacement": "m", "force": "N"}``; or several such sets, of
+        which the first is read that the file, or ``columns``, names in full, or else the first.
     columns : mapping of str to str, or str, optional
         As in ``read_recording``.
     variable : str
@@ -383,13 +388,16 @@ def read_columns(
     file = Path(path)
     signals = _read_table(file, columns, variable)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
+    sets = [wanted] if isinstance(wanted, Mapping) else list(wanted)
+    wanted = next((one for one in sets if all(n in mapping or has_column(signals.columns, n) for n in one)), sets[0])
     for name in mapping:
         if name not in wanted:
+            allowed = [one for names in sets for one in names]
             raise RecordingError(
                 f"columns names {name!r}, which is not read here",
                 where=str(file),
-                allowed=", ".join(wanted),
-                hint=nearest(name, wanted),
+                allowed=", ".join(allowed),
+                hint=nearest(name, allowed),
             )
     located = {name: locate(signals.columns, mapping.get(name, name)) for name in wanted}
     values = {name: in_si(column, wanted[name]) for name, column in located.items()}

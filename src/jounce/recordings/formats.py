@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,8 +22,10 @@ class TableFormat(Description):
     columns: dict[str, str] = {}
     variable: str = ""
 
-    def read_columns(self, file: Path, wanted: Mapping[str, str]) -> tuple[dict[str, Array], list[Finding]]:
-        """Read the wanted columns (name to SI unit) of a file."""
+    def read_columns(
+        self, file: Path, wanted: Mapping[str, str] | Sequence[Mapping[str, str]]
+    ) -> tuple[dict[str, Array], list[Finding]]:
+        """Read the wanted columns (name to SI unit) of a file, or the first of several sets that it has."""
         from jounce.recordings.files import read_columns
 
         return read_columns(file, wanted, columns=self.columns or None, variable=self.variable)

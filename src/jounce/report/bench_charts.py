@@ -9,8 +9,9 @@ import numpy as np
 
 from jounce.core.display import display_unit, shown_as
 from jounce.core.types import Array
-from jounce.identify.decay import alternating, decay_response, turning_points
 from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
+from jounce.identify.free_response import alternating, decay_response, turning_points
+from jounce.identify.motion import MOTIONS, motion_of, order_of
 from jounce.plots.display import number, quantity
 from jounce.plots.signals import sampled
 from jounce.report.chart import Panel, Series
@@ -21,13 +22,10 @@ if TYPE_CHECKING:
     from jounce.roads import Road
 
 
-_UNITS = {"displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
-
-
 def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTrial], title: str) -> tuple[Panel, ...]:
     """Force against deflection with the fitted law, and the stiffness of each trial with its interval."""
-    series, reach = [], 0.0
-    across, up = display_unit("m"), display_unit("N")
+    series, reach, motion = [], 0.0, MOTIONS[found.motion]
+    across, up = display_unit(motion.deflection), display_unit(motion.force)
     for k, trial in enumerate(renamed(list(trials))):
         seated, _ = seat(trial, zero=found.zero)
         label = "" if k else ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials")
@@ -46,13 +44,14 @@ def stiffness_panels(found: StiffnessResult, trials: Sequence[ForceDeflectionTri
     verticals: tuple[tuple[float, str, str], ...] = ()
     if found.operating_deflection is not None:
         verticals = ((across.factor * found.operating_deflection, "before", "static operating point"),)
-    labels = across.label("deflection"), up.label("force")
+    labels = across.label(motion.deflection_word), up.label(motion.force_word)
     left = Panel(tuple(series), *labels, title, bands, verticals, width=450, height=290)
     return left, _each_trial(found)
 
 
 def _each_trial(found: StiffnessResult) -> Panel:
-    unit, pooled = display_unit("N/m"), found.stiffness
+    si = MOTIONS[found.motion].stiffness
+    unit, pooled = display_unit(si), found.stiffness
     series = []
     for row, trial in enumerate(found.trials):
         if trial.stiffness.interval is not None:
@@ -63,7 +62,7 @@ def _each_trial(found: StiffnessResult) -> Panel:
     return Panel(
         tuple(series),
         unit.label("stiffness"),
-        title=f"all trials: {quantity(pooled.value, 'N/m')} (band: 95 %)",
+        title=f"all trials: {quantity(pooled.value, si)} (band: 95 %)",
         bands=((pooled_ends[0], pooled_ends[1], ""),) if pooled_ends else (),
         verticals=((pooled.value * unit.factor, "after", ""),),
         lanes=tuple(trial.name.rpartition("/")[2].removesuffix(".csv") for trial in found.trials),
@@ -91,18 +90,19 @@ def pressure_panel(found: PressureStiffness) -> Panel:
 
 def decay_panels(found: DecayResult, time: Array, record: Array, title: str) -> tuple[Panel, ...]:
     """Free decay over time with the fitted response; turning points; damping ratios of single decrements."""
-    unit = display_unit(_UNITS[found.quantity])
+    motion, order = motion_of(found.quantity), order_of(found.quantity)
+    unit = display_unit(motion.units[order])
     begin, end = found.window
     dense = np.linspace(begin, end, 600)
     response = decay_response(dense, found.parameters, found.quantity) * unit.factor
     over_time = [Series(time, record * unit.factor, "measured", "line", "measured")] if len(record) else []
     over_time.append(Series(dense, response, "after", "line", "fit: viscous damping and dry friction"))
     span = end - begin
-    labels = "time [s]", unit.label(found.quantity)
+    labels = "time [s]", unit.label(found.quantity.replace("_", " "))
     earliest = float(time[0]) if len(record) else begin
     shown = (max(begin - 0.15 * span, earliest - 0.02 * span), end + 0.02 * span)
     panels = [Panel(tuple(over_time), *labels, title, x_range=shown, width=520)]
-    if found.quantity == "displacement":
+    if order == 0:
         amplitudes = np.array(found.amplitudes) * unit.factor
         turns = alternating(turning_points(found.parameters, 40)) * unit.factor
         points = [Series(amplitudes[:-1], amplitudes[1:], "measured", "dots", "measured")]
@@ -123,7 +123,7 @@ def _ratios(found: DecayResult) -> Panel:
     if one.interval is not None:
         series += [Series(ends, [end, end], "after", "dotted") for end in one.interval]
     series.append(Series(cycles, found.naive_damping_ratios, "before", "squares", "single decrements"))
-    friction = quantity(found.coulomb_force.value, "N", 3)
+    friction = quantity(found.coulomb_force.value, MOTIONS[found.motion].force, 3)
     return Panel(
         tuple(series),
         "cycle",

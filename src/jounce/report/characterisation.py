@@ -12,6 +12,7 @@ from jounce.campaign.characterise import files_of
 from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
+from jounce.identify.motion import MOTIONS
 from jounce.identify.signs import compression_positive
 from jounce.parts.rig import shown_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
@@ -95,17 +96,20 @@ def stiffness_blocks(
 ) -> tuple[Block, ...]:
     """What was found of a stiffness, its figure, and every trial of it."""
     choice = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}[found.intercept_choice]
-    rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, "N/m"))]
+    motion = MOTIONS[found.motion]
+    rate = motion.stiffness
+    rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, rate))]
     if found.intercept is not None:
-        rows.append((f"intercept ({choice})", *estimate_cells(found.intercept, "N")))
+        rows.append((f"intercept ({choice})", *estimate_cells(found.intercept, motion.force)))
     if found.tangent_stiffness is not None:
-        rows.append(("local stiffness at the static operating point", *estimate_cells(found.tangent_stiffness, "N/m")))
+        rows.append(("local stiffness at the static operating point", *estimate_cells(found.tangent_stiffness, rate)))
     summary = Table(
         f"Fit for the {title}: {found.law} law, all trials", ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
     )
     alternative = (
-        f"Force against deflection of the {title} with a {found.law} fit through {len(found.trials)} trials, "
-        f"stiffness {estimate_text(found.stiffness, 'N/m')}; right: stiffness of each trial."
+        f"{motion.force_word.capitalize()} against {motion.deflection_word} of the {title} with a {found.law} fit "
+        f"through {len(found.trials)} trials, stiffness {estimate_text(found.stiffness, rate)}; right: stiffness of "
+        "each trial."
     )
     caption = (
         f"Left: measured points and fitted law of the {title}. "
@@ -116,27 +120,29 @@ def stiffness_blocks(
 
 
 def _fit_note(found: StiffnessResult) -> str:
+    motion = MOTIONS[found.motion]
     low, high = found.fitted_range
     branch = "both branches" if found.branch == "both" else f"the {found.branch} branch"
-    fitted = f"Fitted to {branch} from {quantity(low, 'm', 3)} to {quantity(high, 'm', 3)}"
+    fitted = f"Fitted to {branch} from {quantity(low, motion.deflection, 3)} to {quantity(high, motion.deflection, 3)}"
     parts = [fitted, f"R² {found.r2:.4f}"]
     if found.repeatability is not None:
-        parts.append(f"standard deviation between trials {quantity(found.repeatability, 'N/m', 2)}")
+        parts.append(f"standard deviation between trials {quantity(found.repeatability, motion.stiffness, 2)}")
     if found.loss_factor is not None:
         parts.append(f"loss factor {number(found.loss_factor, 2)}")
     if found.hysteresis_energy is not None:
         parts.append(f"energy dissipated per cycle {quantity(found.hysteresis_energy, 'J', 2)}")
     if found.operating_deflection is not None:
-        parts.append(f"static operating point at {quantity(found.operating_deflection, 'm', 3)}")
+        parts.append(f"static operating point at {quantity(found.operating_deflection, motion.deflection, 3)}")
     return "; ".join(parts) + "."
 
 
 def _trial_table(found: StiffnessResult) -> Table:
-    stiffness, force = display_unit("N/m"), display_unit("N")
+    motion = MOTIONS[found.motion]
+    stiffness, force = display_unit(motion.stiffness), display_unit(motion.force)
     rows = tuple(
         (
             trial.name,
-            *estimate_cells(trial.stiffness, "N/m")[:3],
+            *estimate_cells(trial.stiffness, motion.stiffness)[:3],
             number(force.factor * trial.rms_residual, 2),
             number(trial.loss_factor, 2),
             str(trial.points),
@@ -215,9 +221,11 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
 
 def decay_chart(one: DecayResult, time: Array, signal: Array, name: str, file: str) -> Chart:
     """A free decay as measured and fitted, with its turning points and decrements; time in s, the record in SI."""
+    motion = MOTIONS[one.motion]
     alternative = (
         f"Free decay {name} with the fitted response: damping coefficient "
-        f"{estimate_text(one.damping_coefficient, 'N*s/m')}, dry friction {estimate_text(one.coulomb_force, 'N')}."
+        f"{estimate_text(one.damping_coefficient, motion.damping)}, dry friction "
+        f"{estimate_text(one.coulomb_force, motion.force)}."
     )
     caption = (
         f"{name}: measured and fitted response; successive turning points; apparent damping ratios from single "
@@ -228,14 +236,15 @@ def decay_chart(one: DecayResult, time: Array, signal: Array, name: str, file: s
 
 def decay_table(found: Any, caption: str) -> Table:
     """What one or several free decays say of damping."""
+    motion = MOTIONS[found.motion]
     quantities = (
-        ("viscous damping coefficient", found.damping_coefficient, "N*s/m"),
+        ("viscous damping coefficient", found.damping_coefficient, motion.damping),
         ("viscous damping ratio", found.damping_ratio, "1"),
-        ("dry friction force", found.coulomb_force, "N"),
-        ("quadratic drag", found.quadratic_drag, "N*s^2/m^2"),
+        (f"dry friction {motion.force_word}", found.coulomb_force, motion.force),
+        ("quadratic drag", found.quadratic_drag, motion.drag),
         ("natural frequency", found.natural_frequency_hz, "Hz"),
-        ("stiffness from mass and natural frequency", found.stiffness, "N/m"),
-        ("equilibrium position", found.equilibrium, "m"),
+        (f"stiffness from {motion.inertia_word} and natural frequency", found.stiffness, motion.stiffness),
+        ("equilibrium position", found.equilibrium, motion.deflection),
         ("logarithmic decrement (friction neglected, for comparison)", found.logarithmic_decrement, "1"),
     )
     rows = tuple((words, *estimate_cells(one, si)) for words, one, si in quantities if one is not None)
@@ -244,7 +253,7 @@ def decay_table(found: Any, caption: str) -> Table:
         ESTIMATE,
         rows,
         "lrrrl",
-        f"{number(found.cycles, 3)} cycles in total; values are referred to the sprung mass.",
+        f"{number(found.cycles, 3)} cycles in total; values are referred to the {motion.inertia_word} that swings.",
     )
 
 
@@ -284,14 +293,15 @@ def _with_interval(value: str, _error: str, interval: str, _unit: str) -> str:
 
 def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> Table:
     """Every one of several decays, one row each."""
+    motion = MOTIONS[decays[0].motion]
     rows = tuple(
         (
             name,
             *(
                 _with_interval(*estimate_cells(found, si))
                 for found, si in (
-                    (d.damping_coefficient, "N*s/m"),
-                    (d.coulomb_force, "N"),
+                    (d.damping_coefficient, motion.damping),
+                    (d.coulomb_force, motion.force),
                     (d.natural_frequency_hz, "Hz"),
                 )
             ),
@@ -303,8 +313,8 @@ def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> Table:
         "Individual decays (with 95 % intervals)",
         (
             "record",
-            display_unit("N*s/m").label("damping coefficient"),
-            display_unit("N").label("dry friction"),
+            display_unit(motion.damping).label("damping coefficient"),
+            display_unit(motion.force).label("dry friction"),
             "natural frequency [Hz]",
             "cycles",
         ),

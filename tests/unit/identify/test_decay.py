@@ -11,7 +11,6 @@ import pytest
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 from jounce.identify.decay import (
-    DecayParameters,
     Peaks,
     _advice,
     _along_the_valley,
@@ -23,11 +22,10 @@ from jounce.identify.decay import (
     _off_jumps,
     _part,
     combine_decays,
-    decay_response,
-    decay_slopes,
     fit_decay,
 )
 from jounce.identify.estimate import Estimate, Uncertainty, central_differences, combine
+from jounce.identify.free_response import DecayParameters, decay_response, decay_slopes
 
 MASS, STIFFNESS = 16.0, 18362.0
 TIME = np.arange(0.0, 2.0, 1e-3)
@@ -506,7 +504,7 @@ def test_a_drift_is_taken_off_and_blamed_on_no_damper(curve):
 
 
 def test_a_damper_that_is_firmer_in_one_direction_does_not_drift():
-    _, told = _fit_foreign("firmer in one direction", "0.6")
+    _, told = _fit_foreign("firmer in one direction", "0.6, z")
     assert "one direction" in told
     assert "drifts" not in told
 
@@ -542,3 +540,52 @@ def test_the_equivalent_damping_ratio_has_the_decrement():
     (asked,) = [one for one in result.findings if "no stiffness was given" in one.message]
     assert asked.severity == "note"
     assert asked.value == pytest.approx(16.0 * 33.9**2, rel=1e-4)
+
+
+def _told_of(group, name, quantity="displacement", factor=1e-3):
+    found = next(one for one in foreign_records.decays() if (one.group, one.name) == (group, name))
+    time, signal = found.columns.values()
+    result = fit_decay(time, factor * signal, mass=foreign_records.MASS, quantity=quantity)
+    return " ".join(one.message for one in result.findings if one.severity != "note")
+
+
+def test_a_small_second_hit_is_told_by_what_it_leaves():
+    assert "the swings before 0.6" in _told_of("hit", "second at 0.6 s, 0.1 m/s, z")
+    assert "the swings before" not in _told_of("plain", "z, 200 Hz, friction 0, 1")
+    assert "the swings before" not in _told_of("firmer in one direction", "3, z")
+
+
+def test_a_jump_of_a_velocity_is_told_where_it_is():
+    assert "jumps by 0.0979" in (told := _told_of("hit", "second at 0.6 s, 0.1 m/s, vz", "velocity", 1.0))
+    assert "at 0.602 s" in told
+    assert "jumps" not in _told_of("plain", "az, 1000 Hz, friction 3, 1", "acceleration", 1.0)
+
+
+def test_a_coupling_is_told_by_what_undoes_it():
+    told = _told_of("coupling", "az high pass of order 1 at 0.5 Hz, friction 8", "acceleration", 1.0)
+    assert "high pass of some 0.4" in told
+    assert "high pass" not in _told_of("plain", "az, 1000 Hz, friction 3, 1", "acceleration", 1.0)
+
+
+@pytest.mark.parametrize(
+    ("said", "true", "quantity"),
+    [("z", "velocity", "displacement"), ("vz", "displacement", "velocity"), ("az", "displacement", "acceleration")],
+)
+def test_a_record_of_another_quantity_is_told_by_its_corners(said, true, quantity):
+    kind = {"velocity": "vz", "displacement": "z"}[true]
+    told = _told_of("exchange", f"{kind} said to be {said}, friction 8", quantity, 1e-3 if said == "z" else 1.0)
+    assert f"rather one of {true} than of {quantity}" in told
+
+
+def test_steps_that_hide_the_friction_are_told():
+    truth = DecayParameters(33.9, 0.02, 1e-4, 0.0, 0.0, 0.02)
+    t = np.arange(0.0, 3.0, 2e-3)
+    x = decay_response(t, truth, "displacement")
+    assert "lost in the rounding" in told_of(t, 5e-4 * np.round(x / 5e-4))
+    assert "lost in the rounding" not in told_of(t, 1e-5 * np.round(x / 1e-5))
+
+
+def test_a_sensor_out_of_range_is_told_of_arrays_too():
+    t, x = swung()
+    assert "lie at the limits of the record" in told_of(t, np.clip(x, -0.008, 0.008))
+    assert "lie at the limits of the record" not in told_of(t, x)

@@ -6,24 +6,22 @@ import numpy as np
 import pytest
 
 from jounce.identify.decay import (
-    DecayParameters,
     Peaks,
     _early,
     _half_period,
     _parabola,
     _rest_gap,
     _slopes_with_drag,
-    decay_response,
     find_peaks,
     find_release,
-    noise_of,
     ratio_from_decrement,
     regress_peaks,
-    turning_points,
     until_it_grows,
     zigzag,
 )
 from jounce.identify.estimate import Uncertainty
+from jounce.identify.free_response import DecayParameters, decay_response, turning_points
+from jounce.identify.noise import noise_of
 
 MASS, STIFFNESS, DAMPING, FRICTION = 16.0, 18362.0, 120.0, 15.0
 # domain A6, verified there by integration; the last value is on the side of the one before it

@@ -10,6 +10,7 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
 from jounce.identify.estimate import Estimate, uncertainty
 from jounce.identify.force_deflection import _is_free_travel
+from jounce.identify.motion import TRANSLATION
 from jounce.identify.stiffness import (
     FittedCurve,
     ForceDeflectionTrial,
@@ -314,7 +315,7 @@ def test_a_table_through_points_with_a_gap_is_still_the_line():
 def test_a_deflection_beyond_a_metre_is_a_problem(reach, is_told):
     x = np.linspace(0.0, reach, 60)
     result = fit_stiffness([ForceDeflectionTrial(x, 2e3 * x)])
-    assert [f.value for f in result.findings if "exceeds 1 m" in f.message] == (
+    assert [f.value for f in result.findings if "in the right unit" in f.message] == (
         [pytest.approx(reach)] if is_told else []
     )
 
@@ -400,7 +401,7 @@ def test_what_a_stiffness_is_told_of_begins_at_its_limits(bend, preload, rows, t
     x = np.linspace(0.0, 0.01, 60)
     force = 1e4 * x * (1.0 + 0.5 * bend * (x / 0.01 - 1.0)) + 1e-6 * (-1.0) ** np.arange(60)
     fit = fit_curve(x, force, law="linear", degree=1, intercept="drop", where="a")
-    found = _advice(fit, x, force, "linear", preload, rows)
+    found = _advice(fit, x, force, "linear", preload, rows, TRANSLATION)
     assert [one.place for one in found] == told
     for one in found:
         if one.place == "linear law":
@@ -413,7 +414,7 @@ def test_a_curve_that_falls_is_a_problem():
     x = np.linspace(0.0, 0.01, 60)
     for force, told in ((1e4 * x - 4.9e5 * x**2, 0), (1e4 * x - 5.1e5 * x**2, 1)):
         fit = fit_curve(x, force, law="polynomial", degree=2, intercept="drop", where="a")
-        found = _advice(fit, x, force, "polynomial", None, [row(), row()])
+        found = _advice(fit, x, force, "polynomial", None, [row(), row()], TRANSLATION)
         assert [(one.place, one.severity) for one in found] == [("curve", "problem")] * told
 
 

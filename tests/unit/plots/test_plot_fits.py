@@ -5,9 +5,10 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
-from jounce.identify.decay import DecayParameters, decay_response, fit_decay
+from jounce.identify.decay import fit_decay
 from jounce.identify.estimate import Estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
+from jounce.identify.free_response import DecayParameters, decay_response
 from jounce.identify.stiffness import stiffness_against_pressure
 from jounce.plots import damper_loops, decay_fit, objectives, stiffness_fit, tyre_pressure, update
 

@@ -10,7 +10,7 @@ import pytest
 import jounce as jn
 from jounce.campaign.result import CampaignResult
 from jounce.campaign.run import run_campaign
-from jounce.identify.decay import DecayParameters, decay_response
+from jounce.identify.free_response import DecayParameters, decay_response
 from jounce.recordings import recording, write_recording
 
 RIG = """schema = "jounce.rig/1"

@@ -1,0 +1,187 @@
+"""What the record of a free decay shows of its own defects: those of its logger, and those of the model."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.identify.estimate import linear_least_squares
+from jounce.identify.free_response import DecayParameters, decay_slopes
+from jounce.identify.low_pass import low_pass_corner, smoother_corner
+from jounce.identify.motion import Quantity
+from jounce.identify.noise import quantum_of
+from jounce.recordings.quality import clipped_share, frozen_samples
+
+EXACT = 1e-6  # of the range: a misfit below this leaves nothing to explain
+_COARSE = 0.05  # of the range: larger steps are told
+_BENT, _CAUSE = 0.05, 0.5  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
+_SEAM, _SEAMS = 0.75, 0.125  # of what is left, which two decays explain; cycles between instants that are tried
+_ODD_STEP, _JUMP, _FEW_JUMPS = 10.0, 0.02, 3  # times the usual step, of the range, jumps of a record
+_FEW, _FEW_SEAMS = 4000, 400  # samples and instants, so that a long record is not looked at for minutes
+_SLOW, _DRIFTS = 4.0, 0.03  # cycles that a drift spans at least; of the range, as no damper moves its centre
+_NEAR = 8.0  # times the natural frequency, below which a low pass changes what friction leaves
+
+
+def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, list[Finding]]:
+    """Leave out what the logger lost, and tell steps that are too coarse and peaks that are cut off."""
+    lost, findings = frozen_samples(signal), []
+    if lost.any():
+        text = (
+            f"the record stands still at {np.count_nonzero(lost)} samples while the motion goes on: dropouts of the "
+            "logger, which were left out."
+        )
+        findings.append(Finding(name, "warning", text, float(np.count_nonzero(lost))))
+    if share := clipped_share(signal):
+        text = (
+            f"{100.0 * share:.2g} % of the samples lie at the limits of the record: the sensor was out of range, and "
+            "its largest swings are lost; begin where swings are smaller (from)."
+        )
+        findings.append(Finding(name, "warning", text, share))
+    step, reach = quantum_of(signal), float(np.ptp(signal))
+    if step > _COARSE * reach:
+        text = (
+            f"the record is in steps of {step:.3g} (SI), {100.0 * step / reach:.2g} % of its range: rounding is no "
+            "noise, and what friction and damping do to small swings is lost in it."
+        )
+        findings.append(Finding(name, "warning", text, step))
+    return t[~lost], signal[~lost], findings
+
+
+def spring_that_is_no_line(
+    times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str
+) -> list[Finding]:
+    """Tell a frequency that changes with the amplitude: neither damping nor dry friction does that.
+
+    ``turns`` are the displacements at successive turning points, at ``times`` (s).
+    """
+    swing = np.abs(np.diff(turns))
+    clear = swing > max(20.0 * noise, 0.05 * swing[0], 6.0 * parameters.friction_deflection)
+    count = int(np.argmin(clear)) if not clear.all() else len(clear)
+    times, sizes = times[1 : count + 1], swing[1:count]
+    if len(times) < 6:
+        return []
+    periods = times[2:] - times[:-2]
+    squares = (0.5 * (sizes[:-1] + sizes[1:]) / swing[0]) ** 2
+    rates = (2.0 * math.pi / periods) ** 2
+    found, _, spread = linear_least_squares(np.column_stack([squares, np.ones_like(squares)]), rates)
+    share = float(found[0]) * float(squares[0]) / float(found[1])
+    if abs(share) < _BENT or not (bend := spread.estimates(found)[0]).interval or bend.has(0.0):
+        return []
+    text = (
+        f"the frequency changes from {1.0 / periods[0]:.3g} to {1.0 / periods[-1]:.3g} Hz as the amplitude falls: the "
+        f"spring is {'stiffer' if share > 0.0 else 'softer'} at large deflections, which neither damping nor friction "
+        "is; both make up for it and may be off by more than their intervals. Begin later, where swings are small."
+    )
+    return [Finding(name, "warning", text, share)]
+
+
+def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: float) -> np.polynomial.Polynomial | None:
+    """A cubic in time that explains most of what is left, and more than a damper firmer in one direction moves."""
+    used = np.isfinite(residual)
+    left = float(residual[used] @ residual[used])
+    if left == 0.0 or t[-1] - t[0] < _SLOW * 2.0 * math.pi / parameters.angular_frequency:
+        return None
+    slow = np.polynomial.Polynomial.fit(t[used], residual[used], 3)
+    without, moved = residual[used] - slow(t[used]), slow(t[used])
+    is_large = float(np.ptp(moved)) > _DRIFTS * reach
+    return slow if is_large and float(without @ without) < (1.0 - _CAUSE) * left else None
+
+
+def what_is_left(
+    t: Array, signal: Array, residual: Array, parameters: DecayParameters, quantity: Quantity, name: str
+) -> list[Finding]:
+    """Name what residuals look like: a jump, two decays, a drift, a damper that is firmer in one direction."""
+    left = float(residual @ residual)
+    if jump := _jump(residual, float(np.ptp(signal))):
+        text = (
+            f"the record jumps by {residual[jump] - residual[jump - 1]:.3g} (SI) at {t[jump]:.4g} s, as no free decay "
+            "does: a second hit, a zero that moved, or samples that are missing; choose the part with a time window "
+            "(from, to)."
+        )
+        return [Finding(name, "warning", text, float(t[jump]))]
+    findings = []
+    place = np.linspace(-0.5, 0.5, len(t))
+    fall, turn = _swing(t, parameters)
+    even = np.column_stack([fall, fall * np.cos(2.0 * turn), fall * np.sin(2.0 * turn), np.ones_like(t)])
+    slope, kept, _ = linear_least_squares(np.column_stack([place, np.ones_like(t)]), residual)
+    drifts = 1.0 - float(kept @ kept) / left
+    _, kept, _ = linear_least_squares(even, residual)
+    lopsided = 1.0 - float(kept @ kept) / left
+    seam, at = _seam(t, residual, parameters, quantity)
+    if seam > max(lopsided, drifts, _SEAM):
+        text = (
+            f"the swings before {at:.4g} s do not go on as those after it ({100.0 * seam:.0f} % of what is left): a "
+            "second hit, lost samples, or a filter that settles; choose the part with a time window (from, to)."
+        )
+        findings.append(Finding(name, "warning", text, at))
+    elif drifts > max(lopsided, _CAUSE):
+        text = (
+            f"the zero of the record drifts by {float(slope[0]):.3g} (SI) in it, which makes {100.0 * drifts:.0f} % of "
+            "what is left: take the drift off; the intervals are wide for it."
+        )
+        findings.append(Finding(name, "warning", text, float(slope[0])))
+    elif lopsided >= _CAUSE:
+        text = (
+            f"what is left lies on one side twice a cycle ({100.0 * lopsided:.0f} % of it): a damper that is firmer in "
+            "one direction; damping is the mean of both, and the intervals are wide for it. Trials tell the two apart."
+        )
+        findings.append(Finding(name, "warning", text, lopsided))
+    return findings
+
+
+def low_pass_of(
+    t: Array, signal: Array, residual: Array, parameters: DecayParameters, name: str, *, is_alike: bool
+) -> list[Finding]:
+    """A low pass near the decay, seen in its noise where residuals resemble each other, or in the corners it lacks."""
+    rate, frequency = 1.0 / float(np.median(np.diff(t))), parameters.angular_frequency / (2.0 * math.pi)
+    reach, step = float(np.ptp(signal)), quantum_of(signal)
+    corner = smoother_corner(signal, signal - residual, rate, near=_NEAR * frequency)
+    if corner is None and is_alike and _jump(residual, reach) is None:
+        corner = low_pass_corner(residual, rate, frequency, reach=reach, step=step, near=_NEAR)
+    if corner is None:
+        return []
+    text = (
+        f"the record has nothing above some {corner:.2g} Hz, near the {frequency:.3g} Hz of the decay: a low pass of "
+        "the logger, which blurs what tells friction from damping; record with a wider one."
+    )
+    return [Finding(name, "warning", text, corner)]
+
+
+def _jump(residual: Array, reach: float) -> int | None:
+    """Index of the sample before which a record jumps, once or a few times; friction makes accelerations jump often."""
+    steps = np.abs(np.diff(residual))
+    usual = float(np.median(steps)) / 0.6745
+    large = np.flatnonzero(steps > max(_ODD_STEP * usual, _JUMP * reach))
+    return int(np.argmax(steps)) + 1 if 0 < len(large) <= _FEW_JUMPS else None
+
+
+def _swing(t: Array, parameters: DecayParameters) -> tuple[Array, Array]:
+    """Envelope (1) and phase (rad) of the decay without friction."""
+    since = t - parameters.release_time
+    fall = np.exp(-parameters.damping_ratio * parameters.angular_frequency * np.maximum(since, 0.0))
+    return fall, parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2) * since
+
+
+def _seam(t: Array, residual: Array, parameters: DecayParameters, quantity: Quantity) -> tuple[float, float]:
+    """What share of a residual it explains that another decay begins at an instant (s), and the best one."""
+    thin = max(1, len(t) // _FEW)
+    t, residual = t[::thin], residual[::thin]
+    fall, turn = _swing(t, parameters)
+    slopes = decay_slopes(t, replace(parameters, quadratic_drag=0.0), quantity)
+    known = np.linalg.qr(slopes / np.maximum(np.abs(slopes).max(axis=0), 1e-300))[0]
+    cosine, sine = fall * np.cos(turn), fall * np.sin(turn)
+    cycle = 2.0 * math.pi / parameters.angular_frequency
+    best, at = 0.0, float(t[0])
+    tried = np.arange(t[0] + cycle, t[-1] - cycle, _SEAMS * cycle)
+    for instant in tried[:: max(1, len(tried) // _FEW_SEAMS)]:
+        later = t > instant
+        columns = np.column_stack([later * cosine, later * sine])
+        columns = np.linalg.qr(columns - known @ (known.T @ columns))[0]
+        explained = float(np.sum((columns.T @ residual) ** 2) / (residual @ residual))
+        if explained > best:
+            best, at = explained, float(instant)
+    return best, at

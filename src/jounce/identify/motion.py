@@ -1,0 +1,95 @@
+"""Motion along a line and about an axis: the same laws, with words and units of their own."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+MotionName = Literal["translation", "rotation"]
+Quantity = Literal[
+    "displacement", "velocity", "acceleration", "angle", "angular_velocity", "angular_acceleration"
+]  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What a motion is told in: its quantities from the deflection to its second derivative, and units (SI).
+
+    ``..._word`` are what the numbers are called, ``pushed`` and ``pulled`` the sides of a deflection, which times
+    ``factor`` is in ``shown``.
+    """
+
+    name: MotionName
+    quantities: tuple[Quantity, Quantity, Quantity]
+    units: tuple[str, str, str]
+    inertia_word: str
+    inertia: str
+    deflection_word: str
+    force_word: str
+    force: str
+    stiffness: str
+    damping: str
+    drag: str
+    pushed: str
+    pulled: str
+    factor: float
+    shown: str
+
+    @property
+    def deflection(self) -> str:
+        """Unit of a deflection (SI)."""
+        return self.units[0]
+
+    def say(self, deflection: float, digits: int = 3) -> str:
+        """Write a deflection (SI) as people say it.
+
+        >>> TRANSLATION.say(0.0123), ROTATION.say(0.1)
+        ('12.3 mm', '5.73 deg')
+        """
+        return f"{self.factor * deflection:.{digits}g} {self.shown}"
+
+
+def spoken(unit: str) -> str:
+    """Write a unit as sentences do.
+
+    >>> spoken("N*m*s/rad")
+    'N m s/rad'
+    """
+    return unit.replace("*", " ")
+
+
+TRANSLATION = Motion(
+    "translation", ("displacement", "velocity", "acceleration"), ("m", "m/s", "m/s^2"),
+    "mass", "kg", "deflection", "force", "N", "N/m", "N*s/m", "N*s^2/m^2", "compression", "tension", 1e3, "mm",
+)  # fmt: skip
+ROTATION = Motion(
+    "rotation", ("angle", "angular_velocity", "angular_acceleration"), ("rad", "rad/s", "rad/s^2"),
+    "inertia", "kg*m^2", "angle", "torque", "N*m", "N*m/rad", "N*m*s/rad", "N*m*s^2/rad^2",
+    "one direction", "the other", math.degrees(1.0), "deg",
+)  # fmt: skip
+MOTIONS: dict[MotionName, Motion] = {one.name: one for one in (TRANSLATION, ROTATION)}
+QUANTITIES: tuple[Quantity, ...] = (*TRANSLATION.quantities, *ROTATION.quantities)
+QUANTITY_OF_UNIT: dict[str, Quantity] = {
+    unit: quantity
+    for motion in MOTIONS.values()
+    for unit, quantity in zip(motion.units, motion.quantities, strict=True)
+}
+
+
+def motion_of(quantity: Quantity) -> Motion:
+    """Give the motion that a quantity is one of.
+
+    >>> motion_of("angle").name
+    'rotation'
+    """
+    return TRANSLATION if quantity in TRANSLATION.quantities else ROTATION
+
+
+def order_of(quantity: Quantity) -> int:
+    """How often the deflection is differentiated: 0, 1 or 2.
+
+    >>> order_of("angular_velocity")
+    1
+    """
+    return motion_of(quantity).quantities.index(quantity)

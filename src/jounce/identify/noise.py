@@ -1,0 +1,55 @@
+"""Noise, resolution and missing samples of a smooth signal."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from jounce.core.types import Array
+
+
+def noise_of(signal: Array) -> float:
+    """Standard deviation of the white noise in a smooth signal, unit of the signal.
+
+    Third differences remove the motion; their median absolute value is not disturbed by single jumps.
+
+    >>> noise_of(np.sin(np.linspace(0.0, 6.0, 2000))) < 1e-6
+    True
+    """
+    return float(np.median(np.abs(np.diff(signal, 3))) / (0.6745 * math.sqrt(20.0)))
+
+
+def quantum_of(x: Array) -> float:
+    """Step of the values of a signal, its unit; 0 where they are not quantised."""
+    values = np.unique(x)
+    gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
+    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):
+        return 0.0
+    counts = gaps / gaps.min()
+    return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
+
+
+def lost_samples(time: Array, signal: Array) -> int:
+    """Count places where a smooth signal goes on as if samples were missing, though the time goes on evenly.
+
+    There one step is larger by half and more than two on either side, which are alike and far above the noise.
+
+    >>> t = np.arange(400) * 1e-3
+    >>> lost_samples(t, np.sin(20.0 * t)), lost_samples(t, np.sin(20.0 * np.append(t[:9], t[9:] + 2e-3)))
+    (0, 1)
+    """
+    rates = np.diff(signal) / np.diff(time)
+    if len(rates) < 5:
+        return 0
+    step = float(np.median(np.diff(time)))
+    middle, beside = rates[2:-2], np.stack([rates[:-4], rates[1:-3], rates[3:-1], rates[4:]])
+    side = np.sign(middle)
+    sizes = side * beside
+    least, most = sizes.min(axis=0), sizes.max(axis=0)
+    least_step = max(_CLEAR * max(noise_of(signal), quantum_of(signal)), 1e-9 * float(np.ptp(signal)))
+    found = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
+    return int(np.count_nonzero(found))
+
+
+_CLEAR, _LIKE, _TORN = 10.0, 1.3, 1.5  # times the noise, the least and the most of the steps beside
