@@ -124,6 +124,11 @@ class Body:
         return self.name in self.poses.frames
 
     @property
+    def itself(self) -> Body:
+        """The body; of moving axes the one that they move with."""
+        return self.axes_of or self
+
+    @property
     def frame(self) -> Frame:
         """Its frame, with its origin at its joint."""
         if not self.is_placed:

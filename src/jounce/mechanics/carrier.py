@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import casadi as ca
@@ -67,12 +68,22 @@ class MovingCarrier(Carrier):
         """Angular velocity of an orientation against the ground, rad/s, in these axes."""
         return self.turning + orientation.ground_spin
 
-    @property
+    @cached_property
     def start(self) -> ca.SX:
         """Acceleration of the origin when no speed changes, less the field, m/s^2, in these axes."""
         return self._turn.unrotate(self._origin.bias - self._field)
 
-    @property
+    def acceleration(self, point: Moving) -> ca.SX:
+        """Acceleration of a point when no speed changes, less the field, m/s^2, in these axes."""
+        coriolis = ca.cross(2.0 * self.turning, point.rate)
+        return self.start + self.steady @ self.arm(point.value) + coriolis + point.bias
+
+    def spin_bias(self, orientation: Orientation) -> ca.SX:
+        """Angular acceleration of an orientation when no speed changes, rad/s^2, in these axes."""
+        seen = orientation.ground_spin
+        return self.turning_bias + ca.cross(self.turning, seen) + orientation.rotate(orientation.spin_bias)
+
+    @cached_property
     def steady(self) -> ca.SX:
         """What makes of an arm the rest of its acceleration when no speed changes, 1/s^2."""
         return skew(self.turning_bias) + skew(self.turning) @ skew(self.turning)
@@ -110,7 +121,7 @@ class CarriedMasses:
     """Inertia of all bodies that one carrier moves; what they add to the carrier's motion is summed up first."""
 
     def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried]) -> None:
-        self._carrier, self._masses, self._start, self._steady = carrier, masses, carrier.start, carrier.steady
+        self._carrier, self._masses = carrier, masses
         self._arms = [carrier.arm(one.centre.value) for one in masses]
         self._tensors = [one.orientation.turned(one.inertia) for one in masses]
 
@@ -134,20 +145,16 @@ class CarriedMasses:
         """Generalised inertial force that is left when no speed changes, less that of the field."""
         carrier, found = self._carrier, ca.SX(v.shape[0], 1)
         push, twist = ca.SX(3, 1), ca.SX(3, 1)
-        coriolis = 2.0 * skew(carrier.turning)
         for one, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
-            acceleration = self._start + self._steady @ arm + coriolis @ one.centre.rate + one.centre.bias
-            force, torque = one.mass * acceleration, self._torque(one, tensor)
+            force, torque = one.mass * carrier.acceleration(one.centre), self._torque(one, tensor)
             found += ca.jacobian(one.centre.rate, v).T @ force + ca.jacobian(one.orientation.ground_spin, v).T @ torque
             push, twist = push + force, twist + ca.cross(arm, force) + torque
         return found + carrier.force(v, push, twist)
 
     def _torque(self, one: Carried, tensor: ca.SX) -> ca.SX:
         """Rate of a body's angular momentum about its centre when no speed changes."""
-        turning, seen = self._carrier.turning, one.orientation.ground_spin
-        spin = turning + seen
-        rate = self._carrier.turning_bias + ca.cross(turning, seen) + one.orientation.rotate(one.orientation.spin_bias)
-        return tensor @ rate + ca.cross(spin, tensor @ spin)
+        spin = self._carrier.spin(one.orientation)
+        return tensor @ self._carrier.spin_bias(one.orientation) + ca.cross(spin, tensor @ spin)
 
 
 class Shifting(NamedTuple):

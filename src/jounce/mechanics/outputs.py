@@ -114,9 +114,9 @@ class WatchedReaction(Watch):
         """Add its signals."""
         found = reaction_of(mechanism, self.name, self.on)
         if self.at is not None:
-            found = found.at(found.body.frame.point(self.at).value)
+            found = found.at(found.body.carrier.place(found.body.frame.point(self.at).value))
         for symbol, vector, unit, what in (("f", found.force, "N", "force"), ("t", found.torque, "N*m", "torque")):
-            turned = self.frame.frame.orientation.unrotate(vector)
+            turned = self.frame.frame.orientation.unrotate(self.frame.carrier.inward(vector))
             for i, axis in enumerate("xyz"):
                 text = f"{self.name}, reaction {what} along {axis}"
                 mechanism.output(f"{self.name}.{symbol}{axis}", turned[i], unit, text)

@@ -107,12 +107,16 @@ class Structure(System):
         return []
 
     def hanging_on(self, root: Body) -> list[Body]:
-        """A body and all that hangs on it."""
+        """A body and all that hangs on it, in its moving axes, too."""
         found = [root]
         for hung in self.hanging.values():
-            if any(hung.parent is body for body in found):
+            if any(hung.parent in (body, self.axes_of(body)) for body in found):
                 found.append(hung.child)
         return found
+
+    def axes_of(self, body: Body) -> Body | None:
+        """The moving axes of a body, where it has some."""
+        return next((axes for axes in self.bodies.values() if axes.axes_of is body), None)
 
     def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
         """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
