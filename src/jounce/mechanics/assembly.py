@@ -12,6 +12,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError, unknown
+from jounce.core.remembered import remembered
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics.facts import Equation
@@ -71,21 +72,27 @@ class Assembly:
     freedom: int
 
 
+@remembered
+def _loops_of(model: Model) -> ca.Function:
+    """Loop equations of a model, and what :meth:`Evaluator.at` gives beside them."""
+    n_q, n_v = model.facts.counts
+    q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
+    kinematics = ca.jacobian(model.rate[:n_q], v)
+    slope = ca.jacobian(model.constraint, q)
+    drift, order = ca.SX(model.constraint.shape[0], 1), model.track_order
+    for i in range(order - 1 if model.tracks else 0):
+        drift += ca.jtimes(model.constraint, model.u[i::order], model.u[i + 1 :: order])
+    inputs = [model.x, model.u, model.p]
+    return ca.Function("loops", inputs, [model.constraint, slope @ kinematics, kinematics, drift])
+
+
 class Evaluator:
     """Numbers of a model at one set of parameters and inputs."""
 
     def __init__(self, model: Model, p: Array, u: Array) -> None:
         self.model, self.p, self.u = model, p, u
-        n_q, n_v = model.facts.counts
-        self.n_q, self.n_v = n_q, n_v
-        q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
-        kinematics = ca.jacobian(model.rate[:n_q], v)
-        slope = ca.jacobian(model.constraint, q)
-        drift, order = ca.SX(model.constraint.shape[0], 1), model.track_order
-        for i in range(order - 1 if model.tracks else 0):
-            drift += ca.jtimes(model.constraint, model.u[i::order], model.u[i + 1 :: order])
-        inputs = [model.x, model.u, model.p]
-        self._functions = ca.Function("loops", inputs, [model.constraint, slope @ kinematics, kinematics, drift])
+        self.n_q, self.n_v = model.facts.counts
+        self._functions = _loops_of(model)
 
     def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
         """Residual, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""

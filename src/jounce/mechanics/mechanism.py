@@ -33,7 +33,7 @@ from jounce.mechanics.frames import GROUND, Moving
 from jounce.mechanics.joints import Joint, Motion
 from jounce.mechanics.loads import Action, Load
 from jounce.mechanics.mass import check_inertia
-from jounce.mechanics.mobility import Mobility, mobility_of
+from jounce.mechanics.mobility import Freedoms, Mobility
 from jounce.mechanics.model import Model
 from jounce.mechanics.outputs import Watch
 from jounce.mechanics.reactions import Reaction, reaction_of
@@ -78,6 +78,7 @@ class Mechanism(Structure):
         super().__init__()
         self.watched: dict[str, Watch] = {}
         self._finished: dict[tuple[object, ...], Model] = {}
+        self._counted: dict[int, Freedoms] = {}
         self.gravity = self.number("gravity", gravity, "m/s^2")
 
     # numbers ---------------------------------------------------------------------------------------------------
@@ -1010,7 +1011,14 @@ class Mechanism(Structure):
         p, u = self._numbers(model, self.with_values(values or {}), inputs or {})
         pose = assemble(model, p, u, start, redundant="keep")
         refuse_singular(model, pose.x, u, p)
-        return mobility_of(self, model, self.generalised_force(model), pose.x, u, p, pose.redundant)
+        return self.freedoms(model).at(pose.x, u, p, pose.redundant)
+
+    def freedoms(self, model: Model) -> Freedoms:
+        """What counts the degrees of freedom of a model of this mechanism, made once for it."""
+        with turn((id(self), "freedoms")):
+            if id(model) not in self._counted:
+                self._counted[id(model)] = Freedoms(self, model, self.generalised_force(model))  # which keeps the model
+            return self._counted[id(model)]
 
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
         """Places (m, design pose, at parameter values) of bodies, joints, loads and what is watched, by their paths."""

@@ -13,8 +13,10 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.findings import Finding
+from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.mechanics.assembly import Evaluator, close_loops, motions_left
+from jounce.mechanics.bodies import Body
 from jounce.mechanics.model import Model
 from jounce.mechanics.structure import Structure
 
@@ -22,6 +24,7 @@ _NUDGE = 1e-4  # m or rad: a motion along which the forces are looked at
 _NOTHING = 1e-6  # force that is rounding beside the largest
 _STILL = 1e-6  # share of a motion, and slide (m) of a screw by a turn of 1 rad, that is not worth a word
 _LISTED = 6
+_POSES = 64  # that a model remembers: those a mechanism has started from lately
 
 
 @dataclass(frozen=True)
@@ -108,88 +111,106 @@ def _shown(vector: tuple[float, ...]) -> str:
     return f"({', '.join(f'{round(part, 4) + 0.0:.4g}' for part in vector)})"
 
 
-def mobility_of(
-    mechanism: Structure, model: Model, force: ca.Function, x: Array, u: Array, p: Array,
-    redundant: tuple[tuple[str, ...], ...] = (),
-) -> Mobility:  # fmt: skip
-    """Degrees of freedom of a mechanism's model at a state with closed loops that is not singular.
+class Freedoms:
+    """Counts the degrees of freedom of a mechanism's model; made once for a model, and remembers what it counted."""
 
-    ``force`` is that of all loads on the speeds (N, N m), of x, u, p and m.
-    """
-    every = [equation.name for constraint in mechanism.collection.constraints for equation in constraint.equations]
-    left_out = tuple((name,) for name in every if name not in model.constraints)
-    motions = _free_motions(mechanism, Evaluator(model, p, u), force, x)
-    return Mobility(len(motions), len(model.speeds) - len(every), redundant + left_out, motions)
-
-
-def _free_motions(mechanism: Structure, evaluator: Evaluator, force: ca.Function, x: Array) -> tuple[FreeMotion, ...]:
-    """Motions that the joints leave at a state with closed loops, those that feel a force first."""
-    model, u, p = evaluator.model, evaluator.u, evaluator.p
-    ways = motions_left(evaluator.at(x)[1])
-    if not ways.shape[1]:
-        return ()
-    felt, unfelt = _by_force(mechanism, evaluator, force, x, ways)
-    bodies = [body for body in mechanism.bodies.values() if body.is_placed and body is not mechanism.ground]
-    values = dict(zip(model.parameters, p, strict=True))
-    masses = mechanism.mass_values(values)
-    places, v = [], model.x[evaluator.n_q : evaluator.n_q + evaluator.n_v]
-    for body in bodies:
-        frame, mass = body.frame, body.mass_properties
-        point, carrier = frame.point(frame.design if mass is None else mass.centre), body.carrier
-        rate, spin = carrier.outward(carrier.velocity(point)), carrier.outward(body.spin)
-        places.append(ca.horzcat(carrier.place(point.value), ca.jacobian(rate, v), ca.jacobian(spin, v)))
-    whole = ca.Function("bodies", [model.x, model.u, model.p], [ca.vertcat(*places)])(x, u, p).full()
-    each = np.split(whole, len(bodies))
-
-    def describe(way: Array, *, is_loaded: bool) -> FreeMotion:
-        moves, energies = [], []
-        for body, part in zip(bodies, each, strict=True):
-            centre, rate, spin = part[:, 0], part[:, 1 : 1 + len(way)] @ way, part[:, 1 + len(way) :] @ way
-            mass, inertia = masses.get(body.name, (0.0, np.zeros((3, 3))))
-            moves.append((centre, rate, spin))
-            energies.append((mass * rate @ rate + np.trace(inertia) * spin @ spin, rate @ rate + spin @ spin))
-        most = max(range(len(bodies)), key=energies.__getitem__)
-        centre, rate, spin = moves[most]
-        largest = max(size for _, size in energies)
-        moving = tuple(
-            body.name for body, (_, size) in zip(bodies, energies, strict=True) if size > _STILL**2 * largest
+    def __init__(self, mechanism: Structure, model: Model, force: ca.Function) -> None:
+        """``force`` is that of all loads on the speeds (N, N m), of x, u, p and m."""
+        every = [equation.name for constraint in mechanism.collection.constraints for equation in constraint.equations]
+        self._left_out = tuple((name,) for name in every if name not in model.constraints)
+        self._count = len(model.speeds) - len(every)
+        self._model, self._force = model, force
+        bodies = [body for body in mechanism.bodies.values() if body.is_placed and body is not mechanism.ground]
+        self._is_carried = any(body.carrier.moves for body in bodies)
+        self._names = tuple(body.name for body in bodies)
+        n_q, n_v = model.facts.counts
+        v = model.x[n_q : n_q + n_v]
+        self._bodies = ca.Function(
+            "bodies", [model.x, model.u, model.p], [ca.vertcat(*(_motion(body, v) for body in bodies))]
         )
-        turn, speed = float(np.linalg.norm(spin)), float(np.linalg.norm(rate))
-        slides = turn <= _STILL * speed
-        axis = rate / (speed or 1.0) if slides else spin / turn
-        point = None if slides else tuple(map(float, centre + np.cross(spin, rate) / turn**2))
-        pitch = 0.0 if slides else float(spin @ rate) / turn**2
-        return FreeMotion(bodies[most].name, tuple(map(float, axis)), point, pitch, moving, is_loaded)
+        self._known = Recent[Mobility](_POSES)
 
-    both = ((felt, True), (unfelt, False))
-    return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
+    def at(self, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()) -> Mobility:
+        """Degrees of freedom at a state with closed loops that is not singular; ``redundant`` are known groups."""
+
+        def make() -> Mobility:
+            motions = self._motions(Evaluator(self._model, p, u), x)
+            return Mobility(len(motions), self._count, redundant + self._left_out, motions)
+
+        return self._known.of((x.tobytes(), u.tobytes(), p.tobytes(), redundant), make)
+
+    def _motions(self, evaluator: Evaluator, x: Array) -> tuple[FreeMotion, ...]:
+        """Motions that the joints leave, those that feel a force first."""
+        ways = motions_left(evaluator.at(x)[1])
+        if not ways.shape[1]:
+            return ()
+        felt, unfelt = self._by_force(evaluator, x, ways)
+        each = np.split(self._bodies(x, evaluator.u, evaluator.p).full(), len(self._names))
+
+        def describe(way: Array, *, is_loaded: bool) -> FreeMotion:
+            moves, energies = [], []
+            for part in each:
+                centre, (mass, inertia, _) = part[:, 0], part[:, 1]
+                rate, spin = part[:, 2 : 2 + len(way)] @ way, part[:, 2 + len(way) :] @ way
+                moves.append((centre, rate, spin))
+                energies.append((mass * rate @ rate + inertia * spin @ spin, rate @ rate + spin @ spin))
+            most = max(range(len(each)), key=energies.__getitem__)
+            centre, rate, spin = moves[most]
+            largest = max(size for _, size in energies)
+            moving = tuple(
+                name for name, (_, size) in zip(self._names, energies, strict=True) if size > _STILL**2 * largest
+            )
+            turn, speed = float(np.linalg.norm(spin)), float(np.linalg.norm(rate))
+            slides = turn <= _STILL * speed
+            axis = rate / (speed or 1.0) if slides else spin / turn
+            point = None if slides else tuple(map(float, centre + np.cross(spin, rate) / turn**2))
+            pitch = 0.0 if slides else float(spin @ rate) / turn**2
+            return FreeMotion(self._names[most], tuple(map(float, axis)), point, pitch, moving, is_loaded)
+
+        both = ((felt, True), (unfelt, False))
+        return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
+
+    def _by_force(self, evaluator: Evaluator, x: Array, ways: Array) -> tuple[Array, Array]:
+        """Motions that feel forces, and those that feel none: now, at a small speed, or after a small step."""
+        if self._is_carried:
+            return ways, ways[:, :0]  # weights of what hangs in moving axes are among the inertial forces
+        model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
+        active = np.ones(len(model.switches))  # stops count where they are not touched, too
+
+        def felt(x: Array, left: Array) -> Array:
+            """Force along the motions that are left at a state."""
+            return np.asarray(left @ (left.T @ self._force(x, evaluator.u, evaluator.p, active).full()[:, 0]))
+
+        def found() -> Iterator[Array]:
+            """Forces, those that are found with the least work first."""
+            here = felt(x, ways)
+            yield here
+            steps = [sign * way for way in ways.T for sign in (_NUDGE, -_NUDGE)]
+            for step in steps:
+                moving = x.copy()
+                moving[n_q : n_q + n_v] += step
+                yield (felt(moving, ways) - here) / _NUDGE
+            for step in steps:
+                near = close_loops(evaluator, evaluator.moved(x, step), np.ones(n_v))
+                yield (felt(near, motions_left(evaluator.at(near)[1])) - here) / _NUDGE
+
+        rows: list[Array] = []
+        for row in found():
+            rows.append(row @ ways)
+            _, values, right = np.linalg.svd(np.array(rows))
+            rank = int(np.sum(values > _NOTHING * max(1.0, np.max(values, initial=0.0))))
+            if rank == ways.shape[1]:
+                break
+        return ways @ right[:rank].T, ways @ right[rank:].T
 
 
-def _by_force(
-    mechanism: Structure, evaluator: Evaluator, force: ca.Function, x: Array, ways: Array
-) -> tuple[Array, Array]:
-    """Motions along which forces act, and those along which none does: now, after a small step, or at a small speed."""
-    if any(body.is_placed and body.carrier.moves for body in mechanism.bodies.values()):
-        return ways, ways[:, :0]  # weights of what hangs in moving axes are among the inertial forces
-    model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
-    active = np.ones(len(model.switches))  # stops count where they are not touched, too
-
-    def felt(x: Array) -> Array:
-        """Force along the motions that are left at a state."""
-        left = motions_left(evaluator.at(x)[1])
-        return np.asarray(left @ (left.T @ force(x, evaluator.u, evaluator.p, active).full()[:, 0]))
-
-    rows = [felt(x)]
-    for way in ways.T:
-        for sign in (_NUDGE, -_NUDGE):
-            near = close_loops(evaluator, evaluator.moved(x, sign * way), np.ones(n_v))
-            moving = x.copy()
-            moving[n_q : n_q + n_v] += sign * way
-            rows += [(felt(near) - rows[0]) / _NUDGE, (felt(moving) - rows[0]) / _NUDGE]
-    forces = np.array(rows) @ ways
-    _, values, right = np.linalg.svd(forces)
-    rank = int(np.sum(values > _NOTHING * max(1.0, np.max(values, initial=0.0))))
-    return ways @ right[:rank].T, ways @ right[rank:].T
+def _motion(body: Body, v: ca.SX) -> ca.SX:
+    """Of a body: its centre, then mass and trace of its inertia, then slopes of velocity and spin along the speeds."""
+    frame, properties, carrier = body.frame, body.mass_properties, body.carrier
+    point = frame.point(frame.design if properties is None else properties.centre)
+    rate, spin = carrier.outward(carrier.velocity(point)), carrier.outward(body.spin)
+    mass = ca.SX(3, 1) if properties is None else ca.vertcat(properties.mass, ca.trace(properties.inertia), 0.0)
+    return ca.horzcat(carrier.place(point.value), mass, ca.jacobian(rate, v), ca.jacobian(spin, v))
 
 
 def _readable(ways: Array) -> Array:

@@ -21,7 +21,6 @@ from jounce.mechanics.assembly import Assembly
 from jounce.mechanics.facts import moved_by
 from jounce.mechanics.loads import PushApart, SpringDamper, refuse_one_point
 from jounce.mechanics.mechanism import BALANCE
-from jounce.mechanics.mobility import mobility_of
 from jounce.parts.advice import size_findings
 from jounce.recordings.schema import recording_of
 from jounce.simulation.compiled import Compiled, compile_model
@@ -157,7 +156,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
             notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
 
-    mobility = mobility_of(mechanism, model, mechanism.generalised_force(model), first, u, p)
+    mobility = mechanism.freedoms(model).at(first, u, p) if mechanism.collection.constraints else None
 
     def begin(x: Array, after: Array, error: float) -> Prepared:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
@@ -179,7 +178,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
                 "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=text
             )
         notes.append([Finding("tolerance", "warning", text)])
-    if mechanism.collection.constraints:  # where none closes a loop, every freedom is that of a joint by its name
+    if mobility is not None:  # where nothing closes a loop, every freedom is that of a joint by its name
         notes.append([*mobility.findings(is_driven=bool(tracks))])
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
@@ -190,7 +189,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     run = recording_of(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
     run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
-    run.attrs["degrees_of_freedom"] = mobility.degrees_of_freedom
+    run.attrs["degrees_of_freedom"] = len(model.speeds) if mobility is None else mobility.degrees_of_freedom
     run.attrs["findings"] = [str(finding) for group in notes for finding in group]
     return run
 
