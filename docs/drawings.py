@@ -441,6 +441,35 @@ def free_upright(axes: Any) -> None:
     word(axes, (4.6, 5.1), "left wheel, from behind", bold=True)
 
 
+@drawing(8.2, 6.4, parts=2, size=4.2)
+def contact_point(leaning: Any, guided: Any) -> None:
+    """A wheel that leans: the lowest point of its disc, and the vertical spring of a corner on a guide."""
+    lean, loaded, free, road = np.radians(14.0), 2.0, 2.4, 1.2
+    down, out = np.array([np.sin(lean), -np.cos(lean)]), np.array([np.cos(lean), np.sin(lean)])
+    contact = np.array([3.4, road])
+    centre = contact - loaded * down
+    for axes, title in ((leaning, "cars; a corner on a radial tyre"), (guided, "a corner on its guide, vertical tyre")):
+        word(axes, (4.1, 6.1), title, bold=True)
+        ends = [centre + a * free * down + 0.4 * b * out for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
+        line(axes, *(end for end in ends), color=GREY, width=1.0)
+        ground(axes, 0.5, 7.8, road)
+        circle(axes, centre, 0.09, fill="#ffffff")
+        arrow(axes, centre, centre - 1.3 * out, "a", color=GREEN, at=(-0.1, 0.15))
+        line(axes, centre, centre + free * down, color=GREY, dashed=True)
+        size(axes, (6.4, road), (6.4, centre[1]), "h", at=(0.25, 0.0))
+        line(axes, (centre[0] + 0.3, centre[1]), (6.6, centre[1]), color=GREY, width=0.7)
+    leaning.plot(*contact, "^", color=INK, markersize=6)
+    arrow(leaning, centre, centre + 1.1 * down, "d", color=GREEN, at=(0.2, 0.35))
+    arrow(leaning, contact - [0.0, 1.0], contact, "N", color=BLUE, at=(-0.15, -0.7))
+    arrow(leaning, contact, contact - [1.3, 0.0], "F_y", color=ORANGE, at=(-0.1, 0.25))
+    word(leaning, (5.0, 1.75), "contact point")
+    line(leaning, (contact[0] + 0.12, road + 0.08), (4.1, 1.6), color=GREY, width=0.7)
+    word(leaning, (5.6, 5.0), "deflection R − h / cos γ", color=GREY)
+    spring(guided, (centre[0], road), centre, coils=5)
+    arrow(guided, (centre[0], road - 1.0), (centre[0], road), "N", color=BLUE, at=(-0.15, -0.7))
+    word(guided, (5.6, 5.0), "deflection R − h", color=GREY)
+
+
 def _chain(axes: Any, boxes: Sequence[tuple[float, float, str]], width: float = 1.9, height: float = 0.75) -> None:
     for x, y, text in boxes:
         box(axes, (x, y), width, height, text)

@@ -113,29 +113,57 @@ def both(name):
     return *models, *map(functions, models)
 
 
+def moving(shipped, twin, functions, vehicle, seed):
+    """Arguments of both models in any motion with closed loops."""
+    x, u = state(shipped, seed)
+    modes, p, q = np.ones(shipped.m.shape[0]), *(values_of(model, vehicle.parameters()) for model in (shipped, twin))
+    for _ in range(6):
+        x = functions["projection"](x, u, p, modes).full().ravel()[: len(x)]
+    order = shipped.track_order
+    inputs = np.concatenate([u[shipped.tracks.index(track) * order :][:order] for track in twin.tracks])
+    return (x, u, p, modes), (in_ground_axes(shipped, x, vehicle.parameters()), inputs, q, modes)
+
+
 @pytest.mark.parametrize("name", CARS)
 @pytest.mark.parametrize("seed", range(3))
 def test_accelerations_and_forces_agree_in_any_motion(name, seed):
-    vehicle = CARS[name]
     shipped, twin, one, other = both(name)
     assert shipped.coordinates == twin.coordinates
     assert shipped.speeds == twin.speeds
-    modes, p, q = np.ones(shipped.m.shape[0]), *(values_of(model, vehicle.parameters()) for model in (shipped, twin))
-    x, u = state(shipped, seed)
-    for _ in range(6):
-        x = one["projection"](x, u, p, modes).full().ravel()[: len(x)]
-    order = shipped.track_order
-    inputs = np.concatenate([u[shipped.tracks.index(track) * order :][:order] for track in twin.tracks])
-    y = in_ground_axes(shipped, x, vehicle.parameters())
+    here, there = moving(shipped, twin, one, CARS[name], seed)
     names = [output.name for output in shipped.outputs]
-    found = one["output"](x, u, p, modes).full().ravel()
-    wanted = other["output"](y, inputs, q, modes).full().ravel()
+    found = one["output"](*here).full().ravel()
+    wanted = other["output"](*there).full().ravel()
     wanted = wanted[[[output.name for output in twin.outputs].index(name) for name in names]]
-    assert other["projection"](y, inputs, q, modes).full().ravel()[-2] < 1e-12  # closed there, too
+    assert other["projection"](*there).full().ravel()[-2] < 1e-12  # closed there, too
     assert np.max(np.abs(found - wanted) / (1.0 + np.abs(wanted))) < AGREEMENT
-    first = one["switch"](x, u, p, modes).full()
-    second = other["switch"](y, inputs, q, modes).full()
+    first = one["switch"](*here).full()
+    second = other["switch"](*there).full()
     assert np.max(np.abs(first - second) / (1.0 + np.abs(second))) < AGREEMENT
+
+
+@pytest.mark.parametrize("name", CARS)
+def test_reactions_and_hardpoints_agree_in_any_motion(name):
+    """Forces and torques of all joints, of the four corners and of the body on its guide; kN in these motions."""
+    shipped, twin = build(CARS[name], detail=True), full_car_in_ground_axes(CARS[name], detail=True)
+    here, there = moving(shipped, twin, functions(shipped), CARS[name], 1)
+    found, wanted = (
+        {output.name: float(value) for output, value in zip(model.outputs, values, strict=True)}
+        for model, values in (
+            (model, functions(model)["output"](*given).full().ravel())
+            for model, given in ((shipped, here), (twin, there))
+        )
+    )
+    # The torque of a rack is given where its frame begins: the middle of the car on the road, or the body's centre.
+    both = [name for name in found if name in wanted and ".rack.t" not in name]
+    reactions = [name for name in both if name.rpartition(".")[2] in ("fx", "fy", "fz", "tx", "ty", "tz")]
+    assert len(reactions) > 4 * 6 * 6
+    size = max(abs(wanted[name]) for name in reactions)
+    assert size > 1e3
+    assert max(abs(found[name] - wanted[name]) for name in reactions) < AGREEMENT * size
+    places = [name for name in both if name.rpartition(".")[2] in ("x", "y", "z")]
+    assert len(places) > 4 * 10
+    assert max(abs(found[name] - wanted[name]) for name in places) < AGREEMENT
 
 
 def test_code_with_corners_side_by_side_gives_what_the_graph_gives():
@@ -173,8 +201,8 @@ def test_free_motion_without_dampers_keeps_its_energy():
     assert min(found.outputs[rows[f"{corner}.tyre.force"]].min() for corner, _ in corners) > 0.0
     stored = np.zeros(len(times))
     for corner, rig in corners:
-        for part, rate in (("strut", rig.strut.spring.rate), ("tyre", rig.tyre.stiffness)):
-            stored += found.outputs[rows[f"{corner}.{part}.force"]] ** 2 / (2.0 * rate)
+        stored += found.outputs[rows[f"{corner}.strut.force"]] ** 2 / (2.0 * rig.strut.spring.rate)
+        stored += 0.5 * rig.tyre.stiffness * found.outputs[rows[f"{corner}.tyre.deflection"]] ** 2
     energy = in_twin(twin, vehicle, compiled, found.states, ("energy.kinetic", "energy.weight"))
     assert np.ptp(energy[0]) > 0.1
     assert np.ptp(stored + energy.sum(axis=0)) < 1e-7 * np.ptp(energy[0])

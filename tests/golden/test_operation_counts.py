@@ -7,6 +7,8 @@ parameter instead of the equations written out for each: 73 instead of 127 for t
 2026-11-21, the tyre takes its deflection rate from the velocity of the wheel centre: 19 fewer a right-hand side, 39
 fewer switching functions, 15 more outputs.
 2026-11-21, full car on four 3-D corners: 3121 operations on four corners at once and 212 others, in place of 22 260.
+2026-11-28, tyres of that car push at the contact point, by their deflection along the wheel's plane: 65 more on four
+corners at once, 8 fewer others.
 2026-11-23, CasADi below 3.8 writes twice a number as a constant and a product: a constant more here and there.
 """
 
@@ -32,7 +34,7 @@ CORNERS = {
     "formula-student-front": {"rate": 1638, "output": 1812, "switch": 149, "project_many": 1229, "slopes": 3667},
     "hmmwv-front": {"rate": 2744, "output": 2901, "switch": 213, "project_many": 1800, "slopes": 5667},
 }
-FULL_CAR_3D = {"rate": (3133, 206), "output": (3513, 244), "switch": (184, 12), "project": (929, 23)}
+FULL_CAR_3D = {"rate": (3198, 198), "output": (3563, 236), "switch": (252, 12), "project": (929, 23)}
 """Operations on four corners at once, and on single numbers."""
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 ON_BUSHINGS = {

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 import jounce as jn
 from jounce.kinematics.axle import Axle
 from jounce.mechanics import Mechanism
-from jounce.models.attachments import t_bar_of
+from jounce.models.attachments import link_end, t_bar_of
 from jounce.models.bars import t_bar_function
 from jounce.models.corner import build_linkage
 from jounce.parts.advice import rig_findings
@@ -330,7 +330,8 @@ def test_the_t_bar_of_a_car_is_that_of_the_axle(stem) -> None:
     for name, turned in (("left", 1.0), ("right", -1.0)):
         with mechanism.within(name, "corner"):
             pair.append(build_linkage(stem, mechanism, mechanism.ground, ahead=0.1, turned=turned))
-    held, rate = t_bar_of(*pair)
+    held = t_bar_of(*pair)
+    rate = sum(ca.dot(slope, link_end(one).rate) for slope, one in zip(held.twist_slopes, pair, strict=True))
     exact, travels = mechanism.rate_of(held.twist), [one.wheel_centre.value[2] for one in pair]
     collection = mechanism.collection
     numbers = stem.parameters()

@@ -24,9 +24,18 @@ def detailed():
     return rig, jn.simulate(rig, TRIAL, detail=True, tolerance=1e-8)
 
 
-def test_energy_balance(detailed):
+@pytest.fixture(scope="module")
+def leaning():
+    """Its wheel leans by ten degrees on a radial tyre that damps."""
+    changes = {"tyre.law": "radial", "tyre.damping_coefficient": 60.0, "wheel.camber": "10 deg"}
+    rig = jn.load("kart-double-wishbone").with_changes(changes)
+    return rig, jn.simulate(rig, TRIAL, detail=True, tolerance=1e-8)
+
+
+@pytest.mark.parametrize("which", ["detailed", "leaning"])
+def test_energy_balance(which, request):
     """What road and start put in is kinetic energy, weight, and what the elements have taken up."""
-    _, run = detailed
+    _, run = request.getfixturevalue(which)
     stored = sum(run[f"energy.{name}"] for name in ("kinetic", "weight", "spring", "damper", "tyre"))
     change = stored - stored[0] - run["energy.road"]
     assert float(run["energy.kinetic"].max()) > 0.1
@@ -38,6 +47,25 @@ def test_energy_balance(detailed):
 def test_loops_stay_closed(detailed):
     _, run = detailed
     assert float(run["constraint.residual"].max()) < 1e-13
+
+
+@pytest.mark.parametrize("which", ["detailed", "leaning"])
+def test_the_contact_point_is_on_the_road_or_the_lowest_of_a_wheel_in_the_air(which, request):
+    rig, run = request.getfixturevalue(which)
+    contact, centre = (
+        np.stack([run[f"{name}.{axis}"].to_numpy() for axis in "xyz"], axis=1)
+        for name in ("contact_point", "wheel_centre")
+    )
+    over, flies = contact[:, 2] - run["road.z"].to_numpy(), (run["tyre.deflection"] < 0.0).to_numpy()
+    assert 0.01 < flies.mean() < 0.5
+    assert np.abs(over[~flies]).max() < 1e-12
+    assert over[flies].min() > 0.0
+    reach = np.linalg.norm(contact - centre, axis=1)
+    assert reach[flies] == pytest.approx(rig.undeformed_radius, abs=1e-12)
+    if which == "leaning":
+        assert reach[~flies] == pytest.approx(
+            rig.undeformed_radius - run["tyre.deflection"].to_numpy()[~flies], abs=1e-12
+        )
 
 
 def test_reactions_at_rest_carry_the_weight(detailed):
@@ -74,8 +102,8 @@ def test_tyre_carries_everything_at_rest(name):
     assert jn.equilibrium(rig)["tyre.force"] == pytest.approx(rig.gravity * mass, rel=1e-8)
 
 
-def test_radial_tyre_is_vertical_where_the_wheel_stands_upright():
-    """With no camber the wheel's plane is vertical: both laws give the same force; with camber the radial one leans."""
+def test_both_tyre_laws_are_one_where_the_wheel_stands_upright():
+    """With no camber the wheel's plane is vertical; with camber a radial tyre is pressed in along it, by more force."""
     vertical = jn.load("kart-double-wishbone")
     radial = vertical.with_changes({"tyre.law": "radial"})
     one, other = jn.simulate(vertical, TRIAL), jn.simulate(radial, TRIAL)
@@ -84,7 +112,40 @@ def test_radial_tyre_is_vertical_where_the_wheel_stands_upright():
     leaning = {"wheel.camber": "10 deg"}
     one = jn.equilibrium(vertical.with_changes(leaning))
     other = jn.equilibrium(radial.with_changes(leaning))
-    assert other["tyre.force"] * np.cos(other["wheel.camber"]) == pytest.approx(one["tyre.force"], rel=1e-9)
+    assert other["tyre.force"] == pytest.approx(
+        one["tyre.force"], rel=1e-9
+    )  # normal to the road, both carry the corner
+    along = other["tyre.force"] * np.cos(other["wheel.camber"])
+    assert vertical.tyre.stiffness * other["tyre.deflection"] == pytest.approx(along, rel=1e-9)
+
+
+def test_a_radial_tyre_pushes_at_the_contact_point():
+    """Forces and moments on the upright about its lower ball joint; its own mass is put into the wheel's centre."""
+    rig = jn.load("kart-double-wishbone")
+    changes = {"bodies.upright.centre_of_mass": list(rig.hardpoints.wheel_centre)}
+    rig = rig.with_changes({"tyre.law": "radial", "wheel.camber": "-8 deg", **changes})
+    rest = jn.simulate(rig, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True).isel(time=0)
+
+    def vector(name: str, kind: str = "") -> np.ndarray:
+        return np.array([float(rest[f"{name}.{kind}{axis}"]) for axis in "xyz"])
+
+    contact, centre = vector("contact_point"), vector("wheel_centre")
+    assert contact[2] == pytest.approx(0.0, abs=1e-12)
+    lean = float(rest["wheel.camber"])
+    assert contact[1] - centre[1] == pytest.approx(
+        -centre[2] * np.tan(lean) * np.cos(float(rest["wheel.steer"])), abs=1e-9
+    )
+    push = np.array([0.0, 0.0, float(rest["tyre.force"])])
+    upright = rig.bodies.upright.mass * np.array([0.0, 0.0, -rig.gravity])
+    joints = ("lower_ball_joint", "upper_ball_joint", "tie_rod")
+    assert np.abs(push + upright + sum(vector(name, "f") for name in joints)).max() < 1e-9 * push[2]
+    ball = vector("lower_ball_joint")
+    about = np.cross(contact - ball, push) + np.cross(
+        vector("upper_ball_joint") - ball, vector("upper_ball_joint", "f")
+    )
+    about += np.cross(vector("tie_rod_outer") - ball, vector("tie_rod", "f"))
+    about += np.cross(centre - ball, upright)
+    assert np.abs(about).max() < 1e-6 * push[2]
 
 
 def test_blocked_body_leaves_one_mode():

@@ -11,9 +11,10 @@ import casadi as ca
 
 from jounce.mechanics import Mechanism, Model
 from jounce.mechanics.bodies import Body
+from jounce.mechanics.elements import tyre_force
 from jounce.mechanics.frames import Moving
-from jounce.models.attachments import add_tyre, undeformed_radius
-from jounce.models.channels import show_height
+from jounce.models.attachments import undeformed_radius
+from jounce.models.channels import show_hardpoints, show_height, show_reactions
 from jounce.models.corner import add_strut, build_linkage, show_wheel
 from jounce.models.linkage import Linkage
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
@@ -24,29 +25,44 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 
 @dataclass(frozen=True)
 class _Wheel:
-    """A corner on the road; travel against the body, undeformed radius and deflection in m, the tyre's load in N."""
+    """A corner on the road: its axis, travel against the body and height over the road in m, the load in N."""
 
     linkage: Linkage
     centre: Moving
+    axis: ca.SX
     travel: ca.SX
-    radius: ca.SX
-    deflection: ca.SX
+    height: ca.SX
     load: ca.SX
 
 
-def full_car_in_ground_axes(vehicle: FullCar3D) -> Model:
-    """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure."""
+def full_car_in_ground_axes(vehicle: FullCar3D, *, detail: bool = False) -> Model:
+    """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure.
+
+    With ``detail`` hardpoints and reactions of joints are seen, too; then the tyres push at their contact points, which
+    they otherwise do along their deflections, as their energy says.
+    """
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
     body = _body(mechanism)
     wheels: list[_Wheel] = []
     for name, axle, end in (("front", vehicle.front, 1.0), ("rear", vehicle.rear, -1.0)):
-        left, right = (_corner(mechanism, body, name, axle, end, side) for side in _SIDES)
+        left, right = (_corner(mechanism, body, name, axle, end, side, at_points=detail) for side in _SIDES)
         twist = mechanism.parameter(f"{name}.anti_roll_bar_rate") * (left.travel - right.travel)
-        mechanism.force(right.travel - left.travel, twist)
+        for wheel, pushed in ((left, -twist), (right, twist)):
+            force = pushed * body.direction(_UP).value
+            mechanism.apply_force(wheel.linkage.upright, force, wheel.centre)
+            arm = wheel.centre.value - body.frame.origin.value
+            under = Moving(wheel.centre.value, body.frame.origin.rate + ca.cross(body.spin, arm), _UP)
+            mechanism.apply_force(body, -force, under)
+        if detail:
+            for side, wheel in (("left", left), ("right", right)):
+                with mechanism.within(f"{name}_{side}", f"{name}.corner"):
+                    show_hardpoints(wheel.linkage)
         wheels += [left, right]
     _drive(mechanism, body, wheels)
     mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
+    if detail:
+        show_reactions(mechanism)
     mechanism.output("energy.kinetic", mechanism.kinetic_energy(), "J", "kinetic energy")
     mechanism.output("energy.weight", mechanism.weight_energy(), "J", "energy of the weights")
     return mechanism.finish()
@@ -73,7 +89,9 @@ def _body(mechanism: Mechanism) -> Body:
     return body
 
 
-def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end: float, side: str) -> _Wheel:
+def _corner(
+    mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end: float, side: str, *, at_points: bool
+) -> _Wheel:
     """Hang one corner under the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     with mechanism.within(f"{name}_{side}", f"{name}.corner"):
@@ -82,7 +100,13 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage)
-        deflection, load = add_tyre(linkage, road)
+        axis = linkage.spin_direction.value
+        height = linkage.wheel_centre.value[2] - road.value
+        deflection = undeformed_radius(linkage) - height / _cosine(axis)
+        push = tyre_force(mechanism, linkage.rig.tyre, deflection, mechanism.rate_of(deflection))
+        load = push / _cosine(axis)
+        if not at_points:
+            mechanism.force(deflection, -push)
         mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
         mechanism.output("tyre.force", load, "N", "contact force, compression positive")
         design = linkage.hardpoint("wheel_centre")
@@ -92,8 +116,15 @@ def _corner(mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end:
         show_height(mechanism, "unsprung", wheel, "wheel centre")
         show_height(mechanism, "sprung", above, "body above the wheel")
         show_wheel(linkage)
-        radius = undeformed_radius(linkage)
-    return _Wheel(linkage, centre, travel, radius, deflection, load)
+        wheel = _Wheel(linkage, centre, axis, travel, height, load)
+        if at_points:
+            _push_at_road(wheel, load * _UP)
+    return wheel
+
+
+def _cosine(axis: ca.SX) -> ca.SX:
+    """Of the lean of a wheel with that axis."""
+    return ca.sqrt(axis[0] ** 2 + axis[1] ** 2)
 
 
 def _drive(mechanism: Mechanism, body: Body, wheels: list[_Wheel]) -> None:
@@ -116,8 +147,9 @@ def _drive(mechanism: Mechanism, body: Body, wheels: list[_Wheel]) -> None:
 
 def _push_at_road(wheel: _Wheel, force: ca.SX) -> None:
     """Let a force (N) act on the upright where the tyre touches the road."""
-    upright, centre = wheel.linkage.upright, wheel.centre
-    reach = -(wheel.radius - wheel.deflection) * _UP
+    upright, centre, axis = wheel.linkage.upright, wheel.centre, wheel.axis
+    inwards = ca.vertcat(axis[:2] / _cosine(axis), 0.0)  # level, across the wheel
+    reach = wheel.height * (axis[2] / _cosine(axis) * inwards - _UP)
     mechanism = wheel.linkage.mechanism
     mechanism.apply_force(
         upright, force, Moving(centre.value + reach, centre.rate + ca.cross(upright.spin, reach), _UP)

@@ -342,7 +342,7 @@ class _Writing:
             stiffness, force = self._straightened(tyre.curve, radius - height, "tyre")
             radius = height + force / stiffness
         if getattr(tyre, "law", "vertical") == "radial":
-            self._say("tyre.law", "its force is vertical.")
+            self._say("tyre.law", "its force acts on the wheel's centre, by the height of that alone.")
         if tyre.damping_coefficient:
             self._say("tyre.damping_coefficient", "a body that is moved has no velocity: set the rate of the road, too "
                       "(m/s, the control of the actuator tyre).")  # fmt: skip

@@ -33,6 +33,7 @@ from jounce.kinematics.sweeps import (
     sweep_values,
 )
 from jounce.kinematics.tangents import Tangents
+from jounce.mechanics.contact import towards_road
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -164,8 +165,8 @@ class Ground:
     @property
     def contact(self) -> Array:
         """Contact point in body axes of a left wheel, m, shape (n, 3)."""
-        down = self.wheel.axis * self.lean[:, None] - self.normal
-        return self.wheel.centre + self.wheel.radius * down / np.sqrt(1.0 - self.lean**2)[:, None]
+        down, _ = towards_road(self.wheel.axis.T, self.normal.T)
+        return self.wheel.centre + self.wheel.radius * np.stack(down, axis=1)
 
     @property
     def jacking(self) -> Array:

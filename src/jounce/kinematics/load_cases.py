@@ -20,6 +20,7 @@ from jounce.kinematics.axle import Axle
 from jounce.kinematics.loads import ContactLoad, Joints, balanced, pickup_loads, single_forces, vector_forces
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import CarLength, prepare_sweep
+from jounce.mechanics.contact import towards_road
 from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
@@ -169,8 +170,11 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
     weight = car.mass * GRAVITY
     axle = min(max(_axle_load(car, case), 0.0), max(case.vertical * weight, 0.0))
     share = car.weight_share if car.roll_share is None else car.roll_share
-    outward = -rig.wheel.radius * math.sin(rig.wheel.camber) * math.cos(rig.wheel.toe)
-    track = 2.0 * (abs(rig.hardpoints.wheel_centre[1]) + outward)
+    wheel = rig.wheel
+    level = math.cos(wheel.camber)
+    axis = math.sin(wheel.toe) * level, math.cos(wheel.toe) * level, -math.sin(wheel.camber)
+    (_, outward, _), _ = towards_road(axis, (0.0, 0.0, 1.0))
+    track = 2.0 * (abs(rig.hardpoints.wheel_centre[1]) + wheel.radius * outward)
     across = weight * case.lateral * car.centre_of_mass_height * share / track
     left = min(max(0.5 * axle - across, 0.0), axle)
     braked = case.longitudinal < 0.0

@@ -13,6 +13,7 @@ from functools import cached_property
 import casadi as ca
 
 from jounce.mechanics import Track
+from jounce.mechanics.contact import towards_road
 from jounce.mechanics.driven import Quasistatic
 from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
 from jounce.mechanics.frames import Moving
@@ -193,11 +194,11 @@ class CornerView:
     @cached_property
     def reach(self) -> ca.SX:
         """From the wheel centre to the contact point."""
-        return self.radius * unit(self.axis * self.axis[2] - _UP)
+        return self.radius * ca.vertcat(*towards_road(self.axis, _UP)[0])
 
     @cached_property
     def contact(self) -> ca.SX:
-        """Contact point: the lowest of the wheel's circle."""
+        """Contact point."""
         return self.centre.value + self.reach
 
     @cached_property
@@ -209,7 +210,8 @@ class CornerView:
     def design_contact(self) -> ca.SX:
         """Contact point in the design pose."""
         axis = self._mirror * self.linkage.spin_axis
-        return self._mirror * self.linkage.hardpoint("wheel_centre") + self.radius * unit(axis * axis[2] - _UP)
+        reach = self.radius * ca.vertcat(*towards_road(axis, _UP)[0])
+        return self._mirror * self.linkage.hardpoint("wheel_centre") + reach
 
     @cached_property
     def camber(self) -> ca.SX:
@@ -343,7 +345,7 @@ class CornerView:
     @cached_property
     def bar_angle(self) -> ca.SX:
         """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
-        return bar_angle(self.linkage)
+        return bar_angle(self.linkage).value(self.linkage)
 
     @property
     def bar_points(self) -> dict[str, ca.SX]:

@@ -156,6 +156,22 @@ class PushApart(Between):
 
 
 @dataclass(frozen=True, eq=False)
+class ForceBetween(Between):
+    """A force (N, axes of what carries both bodies) on a point of the second body, the opposite there on the first."""
+
+    at: Moving = law("m")
+    force: ca.SX = law("N")
+    kind = "force between bodies"
+    positive = "on the second body"
+
+    def action(self, system: System) -> Action:  # noqa: ARG002
+        """What it does."""
+        frame = self.first.frame
+        carried = frame.origin.rate + ca.cross(frame.orientation.ground_spin, self.at.value - frame.origin.value)
+        return Action(((self.at.rate - carried, self.force),), self.pair(self.at.value, self.force))
+
+
+@dataclass(frozen=True, eq=False)
 class SpringDamper(Between):
     """A spring and damper between two points, or a law of one's own; compression positive."""
 

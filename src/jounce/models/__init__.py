@@ -24,16 +24,17 @@ _BUILDERS: dict[type[Rig], Callable[..., Model]] = {
     FullCar3D: full_car_3d,
     **dict.fromkeys(TEMPLATES, corner),
 }
+_WITH_DETAIL = (*TEMPLATES, FullCar3D)
 _built: Recent[Model] = Recent()
 
 
 def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
     """Give the symbolic model of a rig; rigs that differ in numbers only share one.
 
-    With ``detail`` a 3-D corner shows its hardpoints, joint reactions and energies, too; other rigs have no more. With
-    an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
+    With ``detail`` 3-D corners, and cars on them, show hardpoints, joint reactions and energies, too; other rigs have
+    no more. With an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
     """
-    key = structure_of(rig), detail and type(rig) in TEMPLATES, actuator.structure if actuator else ""
+    key = structure_of(rig), detail and type(rig) in _WITH_DETAIL, actuator.structure if actuator else ""
     options: dict[str, Any] = {"detail": True} if key[1] else {}
     if actuator is not None:
         options["actuator"] = actuator

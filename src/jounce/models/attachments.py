@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from dataclasses import dataclass
 
 import casadi as ca
 
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import System, Track
-from jounce.mechanics.bodies import Body
+from jounce.mechanics.contact import towards_road
 from jounce.mechanics.elements import (
     bump_stop_force,
     curve_force,
@@ -21,8 +21,8 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import unit
 from jounce.models.actuation import replaced_tyre
 from jounce.models.bars import Swing, TBar, t_bar
-from jounce.models.linkage import Described, Linkage, Stretch, Suspension
-from jounce.parts.elements import CoilSpring, MapDamper
+from jounce.models.linkage import Described, Linkage, Reached, Stretch, Suspension
+from jounce.parts.elements import CoilSpring, MapDamper, TyreLaw
 from jounce.parts.leverage import AXES
 
 
@@ -133,11 +133,15 @@ def still_third_law(linkage: Described, length: ca.SX) -> ca.SX:
     return third_damper_law(linkage, design - length, ca.SX(0.0))
 
 
-def third_deflection(linkage: Linkage) -> ca.SX:
+def third_deflection(linkage: Described) -> Reached:
     """Shortening (m) of the third spring while the other wheel moves alike."""
-    middle, left = (linkage.chassis.frame.point(ca.SX(3, 1)), linkage.chassis.frame.direction(_LEFT))
-    half = linkage.side * ca.dot((third_end(linkage) - middle).value, left.value)
-    return 2.0 * (linkage.side * linkage.hardpoint("third_spring_end")[1] - half)
+    third = linkage.rig.third_spring
+    assert third is not None
+
+    def shortening(whole: Described, end: ca.SX) -> ca.SX:
+        return 2.0 * whole.side * (whole.hardpoint("third_spring_end") - end)[1]
+
+    return Reached("third_spring.deflection", third.on, "third_spring_end", shortening)
 
 
 # anti-roll bar --------------------------------------------------------------------------------------------------------
@@ -146,15 +150,15 @@ def third_deflection(linkage: Linkage) -> ca.SX:
 _LEFT = ca.SX([0.0, 1.0, 0.0])
 
 
-def bar_carrier(linkage: Linkage) -> Body:
+def bar_on(linkage: Described) -> str:
     """Body that the link of the anti-roll bar ends on."""
-    return linkage.carriers[str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))]
+    return str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))
 
 
 def link_end(linkage: Suspension) -> Moving:
     """End of the anti-roll bar's link on the suspension."""
     end = linkage.hardpoint("arb_link_end")
-    return linkage.moving("arb_link_end", lambda whole: bar_carrier(whole).frame.point(end))
+    return linkage.moving("arb_link_end", lambda whole: whole.carriers[bar_on(whole)].frame.point(end))
 
 
 def bar_axis(linkage: Described) -> ca.SX:
@@ -169,21 +173,22 @@ def bar_axis(linkage: Described) -> ca.SX:
     return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)
 
 
-def bar_angle(linkage: Linkage) -> ca.SX:
+def bar_angle(linkage: Described) -> Reached:
     """Turn of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
-    pivot, arm, far = (linkage.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
-    chassis = linkage.chassis.frame
-    end = chassis.orientation.unrotate(link_end(linkage).value - chassis.point(pivot).value)
-    return Swing.of(bar_axis(linkage), arm - pivot, far - pivot, end).angle
+
+    def turn(whole: Described, end: ca.SX) -> ca.SX:
+        pivot, arm, far = (whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
+        return Swing.of(bar_axis(whole), arm - pivot, far - pivot, end - pivot).angle
+
+    return Reached("anti_roll_bar.angle", bar_on(linkage), "arb_link_end", turn)
 
 
-def t_bar_of(left: Suspension, right: Suspension) -> tuple[TBar, ca.SX]:
-    """T-bar between two suspensions that hang in the same axes, and the rate of its twist, rad/s."""
+def t_bar_of(left: Suspension, right: Suspension) -> TBar:
+    """T-bar between two suspensions that hang in the same axes."""
     pivot = left.hardpoint("arb_pivot")
     arms, far = ([one.hardpoint(f"arb_{name}") - pivot for one in (left, right)] for name in ("arm_end", "link_end"))
-    ends = [link_end(one) for one in (left, right)]
-    found = t_bar(left.hardpoint("arb_axis") - pivot, arms, far, [end.value - pivot for end in ends])
-    return found, found.twist_rate([end.rate for end in ends])
+    ends = [link_end(one).value - pivot for one in (left, right)]
+    return t_bar(left.hardpoint("arb_axis") - pivot, arms, far, ends)
 
 
 def bar_stiffness(linkage: Described) -> ca.SX:
@@ -237,39 +242,66 @@ def undeformed_radius(linkage: Described) -> ca.SX:
     return linkage.number("tyre.undeformed_radius" if given else "wheel.radius")
 
 
-def wheel_down(linkage: Suspension) -> ca.SX:
-    """Unit vector in the wheel's plane towards the road."""
-    axis, up = linkage.spin_direction.value, linkage.carrier.up
-    return unit(axis * ca.dot(axis, up) - up)
+@dataclass(frozen=True)
+class Pressed:
+    """A tyre on its road: deflection (m), contact force (N, normal to the road), and the upright's point that feels it.
 
-
-def add_tyre(linkage: Suspension, road: Track, actuator: AnyActuator | None = None) -> tuple[ca.SX, ca.SX]:
-    """Let the tyre carry the wheel; give its deflection (m) and force (N), compression positive."""
-    rig, mechanism, centre, carrier = linkage.rig, linkage.mechanism, linkage.wheel_centre, linkage.carrier
-    along = -wheel_down(linkage) if rig.tyre.law == "radial" else carrier.up
-    height, climb = carrier.height(centre.value), ca.dot(carrier.up, carrier.velocity(centre))
-    deflection, force = tyre_law(linkage, road, height, climb, lambda _: ca.dot(along, carrier.up), actuator)
-    mechanism.apply_force(linkage.upright, force * along, centre)
-    return deflection, force
-
-
-def tyre_law(
-    linkage: Described,
-    road: Track,
-    height: ca.SX,
-    climb: ca.SX,
-    upright: Callable[[Suspension], ca.SX],
-    actuator: AnyActuator | None = None,
-) -> tuple[ca.SX, ca.SX]:
-    """Deflection (m) and force (N) of the tyre for the height of the wheel's centre (m) and its rate (m/s).
-
-    ``upright`` gives the cosine of the wheel's lean.
+    The point moves as one of the upright does, in the axes that the suspension hangs in; road and point approach each
+    other at the rate ``closing`` (m/s).
     """
-    mechanism, tyre, radius = linkage.mechanism, linkage.rig.tyre, undeformed_radius(linkage)
-    if tyre.law == "radial":
-        deflection = radius - (height - road.value) / linkage.of_wheel("tyre.upright", upright)
-        rate = mechanism.rate_of(deflection)
-    else:
-        deflection = radius - (height - road.value)
-        rate = road.rate - climb
-    return deflection, tyre_force(mechanism, tyre, deflection, rate, replaced_tyre(mechanism, actuator, rate))
+
+    deflection: ca.SX
+    force: ca.SX
+    point: Moving
+    closing: ca.SX
+
+
+def loaded_radius(linkage: Suspension, road: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """Distance (m) of a road of that height (m) along the wheel, its direction, and the cosine of the wheel's lean."""
+    down, upright = towards_road(linkage.spin_direction.value, linkage.carrier.up)
+    return (linkage.carrier.height(linkage.wheel_centre.value) - road) / upright, ca.vertcat(*down), upright
+
+
+def contact_point(linkage: Suspension, road: ca.SX) -> tuple[Moving, ca.SX]:
+    """Where the wheel touches a road of that height (m), as the upright's point there moves; cosine of its lean."""
+    centre, orientation = linkage.wheel_centre, linkage.upright.frame.orientation
+    reach, down, upright = loaded_radius(linkage, road)
+    arm = reach * down
+    turn, bent = orientation.ground_spin, orientation.rotate(orientation.spin_bias)
+    swept = ca.cross(turn, arm)
+    bias = centre.bias + ca.cross(bent, arm) + ca.cross(turn, swept)
+    return Moving(centre.value + arm, centre.rate + swept, bias), upright
+
+
+def lowest_point(linkage: Suspension, road: ca.SX) -> ca.SX:
+    """Contact point on a road of that height (m), ground axes; above it where the unloaded wheel does not reach it."""
+    reach, down, _ = loaded_radius(linkage, road)
+    if linkage.rig.tyre.lift_off:
+        reach = ca.fmin(reach, undeformed_radius(linkage))
+    return linkage.carrier.place(linkage.wheel_centre.value + reach * down)
+
+
+def add_tyre(
+    linkage: Suspension, road: Track, actuator: AnyActuator | None = None, *, law: TyreLaw | None = None
+) -> Pressed:
+    """Let the tyre carry the wheel, by the ``law`` of its description where none is given.
+
+    A vertical one pushes the wheel's centre up. A radial one is pressed in along the wheel's plane, by the distance h
+    of road and centre over the cosine c of the lean: it stores V(R - h / c), and the road, without friction, pushes its
+    normal force F / c at the contact point, which rises by -c for each metre of deflection.
+    """
+    rig, mechanism, carrier = linkage.rig, linkage.mechanism, linkage.carrier
+    point, upright = linkage.wheel_centre, ca.SX(1.0)
+    if (law or rig.tyre.law) == "radial":
+        point, upright = contact_point(linkage, road.value)
+    closing = road.rate - ca.dot(carrier.up, carrier.velocity(point))
+    deflection = undeformed_radius(linkage) - (carrier.height(linkage.wheel_centre.value) - road.value) / upright
+    force = tyre_law(linkage, deflection, closing / upright, actuator) / upright
+    mechanism.apply_force(linkage.upright, force * carrier.up, point)
+    return Pressed(deflection, force, point, closing)
+
+
+def tyre_law(linkage: Described, deflection: ca.SX, rate: ca.SX, actuator: AnyActuator | None = None) -> ca.SX:
+    """Force (N) of the tyre, or of what is in its place, along its deflection (m), which has a rate (m/s)."""
+    law = replaced_tyre(linkage.mechanism, actuator, rate)
+    return tyre_force(linkage.mechanism, linkage.rig.tyre, deflection, rate, law)

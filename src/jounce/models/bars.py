@@ -64,11 +64,12 @@ class TBar:
     ways: tuple[ca.SX, ca.SX]
     levers: ca.SX
 
-    def twist_rate(self, rates: Sequence[ca.SX]) -> ca.SX:
-        """Rate of the twist, rad/s, for velocities of the links' far ends, m/s: the links keep their lengths."""
-        along = [ca.dot(way, rate) for way, rate in zip(self.ways, rates, strict=True)]
+    @property
+    def twist_slopes(self) -> tuple[ca.SX, ca.SX]:
+        """Slopes of the twist along the places of the links' far ends, rad/m: the links keep their lengths."""
         (a, b), (c, d) = (ca.horzsplit(row) for row in ca.vertsplit(self.levers))
-        return (a * along[1] - c * along[0]) / (a * d - b * c)
+        gap = a * d - b * c
+        return -c / gap * self.ways[0], a / gap * self.ways[1]
 
 
 def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequence[ca.SX]) -> TBar:

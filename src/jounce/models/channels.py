@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from jounce.mechanics import System
+from jounce.mechanics import Mechanism, System
 from jounce.models.linkage import Linkage
 
 TURNS = {"pitch": "nose down", "roll": "right side down"}
@@ -44,13 +44,17 @@ def show_hardpoints(linkage: Linkage) -> None:
     """Let every hardpoint be seen, m, ground axes."""
     for name, body in linkage.owners.items():
         place = body.frame.point(linkage.hardpoint(name)).value
-        for i, axis in enumerate("xyz"):
-            linkage.mechanism.output(f"{name}.{axis}", place[i], "m", f"{name.replace('_', ' ')}, {axis}")
+        show_point(linkage.mechanism, name, linkage.carrier.place(place))
 
 
-def show_reactions(linkage: Linkage) -> None:
+def show_point(system: System, name: str, place: ca.SX) -> None:
+    """Let a point be seen, m, ground axes."""
+    for i, axis in enumerate("xyz"):
+        system.output(f"{name}.{axis}", place[i], "m", f"{name.replace('_', ' ')}, {axis}")
+
+
+def show_reactions(mechanism: Mechanism) -> None:
     """Let force and torque of every joint on its second body be seen, N and N m, ground axes."""
-    mechanism = linkage.mechanism
     for joint in (*mechanism.joints, *mechanism.closures):
         mechanism.watch_reaction(joint)
 
@@ -58,9 +62,10 @@ def show_reactions(linkage: Linkage) -> None:
 def show_bushings(linkage: Linkage) -> None:
     """Let the force of every bushing on the suspension be seen, N, ground axes."""
     for point, (force, _) in linkage.bushings.items():
+        along = linkage.carrier.outward(force)
         for i, axis in enumerate("xyz"):
             text = f"{point.replace('_', ' ')}, force of the bushing on the suspension along {axis}"
-            linkage.mechanism.output(f"{point}.f{axis}", force[i], "N", text)
+            linkage.mechanism.output(f"{point}.f{axis}", along[i], "N", text)
 
 
 def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]], road_power: ca.SX) -> None:

@@ -23,6 +23,7 @@ from jounce.models.attachments import (
     bar_stiffness,
     damper_law,
     friction_law,
+    lowest_point,
     spring_law,
     stop_law,
     third_damper_law,
@@ -36,6 +37,7 @@ from jounce.models.channels import (
     show_energy,
     show_hardpoints,
     show_height,
+    show_point,
     show_reactions,
     show_strut,
     show_tyre,
@@ -103,17 +105,18 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     linkage = suspension(rig, mechanism)
     mechanism.output("road.z", road.value, "m", "road height under the wheel")
     elements = {**add_strut(linkage, actuator), **add_both_alike(linkage)}
-    deflection, force = add_tyre(linkage, road, actuator)
-    show_tyre(mechanism, deflection, force)
+    tyre = add_tyre(linkage, road, actuator)
+    show_tyre(mechanism, tyre.deflection, tyre.force)
     show_motions(linkage, linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]"))
     if detail:
         show_hardpoints(linkage)
-        show_reactions(linkage)
+        show_point(mechanism, "contact_point", lowest_point(linkage, road.value))
+        show_reactions(mechanism)
         show_bushings(linkage)
-        elements["tyre"] = force, mechanism.rate_of(deflection)
+        elements["tyre"] = tyre.force, tyre.closing
         if linkage.bushings:
             elements["bushings"] = sum((power for _, power in linkage.bushings.values()), ca.SX(0.0)), ca.SX(1.0)
-        show_energy(linkage, elements, force * road.rate)
+        show_energy(linkage, elements, tyre.force * road.rate)
     return mechanism.finish()
 
 
@@ -162,17 +165,19 @@ def add_both_alike(linkage: Described, *, damped: bool = True) -> dict[str, tupl
     rig, mechanism = linkage.rig, linkage.mechanism
     found: dict[str, tuple[ca.SX, ca.SX]] = {}
     if rig.third_spring is not None:
-        deflection = linkage.of_pose("third_spring.deflection", third_deflection)
+        half = third_deflection(linkage)
+        deflection = half.value(linkage)
         force = third_law(linkage, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1] - deflection)
         rate = mechanism.rate_of(deflection)
         force += third_damper_law(linkage, deflection, rate if damped else ca.SX(0.0))
-        mechanism.force(0.5 * deflection, -force)
+        linkage.press(half, -0.5 * force)
         show_third_spring(mechanism, deflection, force)
         found["third spring"] = force, 0.5 * rate
     if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
-        angle = linkage.of_pose("anti_roll_bar.angle", bar_angle)
+        end = bar_angle(linkage)
+        angle = end.value(linkage)
         torque = bar_stiffness(linkage) * 2.0 * angle
-        mechanism.force(angle, -torque)
+        linkage.press(end, -torque)
         show_bar(mechanism, 2.0 * angle, torque)
         found["Z-bar"] = torque, mechanism.rate_of(angle)
     return found

@@ -12,22 +12,33 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.control.actuators import AnyActuator
-from jounce.mechanics import Mechanism, Model
+from jounce.mechanics import Mechanism, Model, Track
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.frames import Moving
 from jounce.models.attachments import (
+    Pressed,
     add_tyre,
     bar_angle,
+    bar_on,
     bar_stiffness,
+    link_end,
+    lowest_point,
     t_bar_of,
     third_damper_law,
     third_end,
     third_law,
-    undeformed_radius,
 )
-from jounce.models.channels import show_height, show_turn, show_tyre
+from jounce.models.channels import (
+    show_bushings,
+    show_hardpoints,
+    show_height,
+    show_point,
+    show_reactions,
+    show_turn,
+    show_tyre,
+)
 from jounce.models.corner import add_strut, build_linkage, show_bar, show_third_spring, show_wheel
-from jounce.models.linkage import Suspension
+from jounce.models.linkage import Linkage, Suspension
 from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
@@ -37,22 +48,28 @@ _UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 
 
 @dataclass(frozen=True)
 class _Wheel:
-    """A corner on the road; travel against the body, undeformed radius and deflection in m, the tyre's load in N."""
+    """A corner on the road, with its travel against the body in m; before its names and parameters stands ``scope``."""
 
+    scope: tuple[str, str]
     linkage: Suspension
     centre: Moving
     travel: ca.SX
-    radius: ca.SX
-    deflection: ca.SX
-    load: ca.SX
+    road: Track
+    tyre: Pressed
 
 
 def full_car_3d(
-    vehicle: FullCar3D, *, actuator: AnyActuator | None = None, hang: Callable[..., Suspension] = build_linkage
+    vehicle: FullCar3D,
+    *,
+    detail: bool = False,
+    actuator: AnyActuator | None = None,
+    hang: Callable[..., Suspension] = build_linkage,
 ) -> Model:
     """Write the equations of a full car on 3-D corners; the values in ``vehicle`` matter only through its structure.
 
-    ``hang`` hangs a corner into the axes of the body, with arguments as ``build_linkage`` has them.
+    With ``detail`` the outputs hold hardpoints and contact point of every corner, all joint reactions and the energy of
+    motion and of weights, too. ``hang`` hangs a corner into the axes of the body, with arguments as ``build_linkage``
+    has them.
     """
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
@@ -62,11 +79,13 @@ def full_car_3d(
     axles = {name: getattr(vehicle, name) for name in _ENDS}
     wheels = [_corner(mechanism, frame, name, axles[name], side, actuator, hang) for name in axles for side in _SIDES]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
-        _anti_roll_bar(mechanism, pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
+        _anti_roll_bar(pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
         with mechanism.within(name, f"{name}.corner"):
             _third_spring(mechanism, pair)
             _described_bar(mechanism, pair)
     _grip(mechanism, body, drive, wheels)
+    if detail:
+        _show_detail(mechanism, wheels)
     # Without their linkages, axles differ in little.
     alike = hang is not build_linkage or structure_of(axles["front"]) == structure_of(axles["rear"])
     names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
@@ -118,15 +137,16 @@ def _corner(
 ) -> _Wheel:
     """Hang one corner into the axes of the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
-    with mechanism.within(f"{name}_{side}", f"{name}.corner"):
+    scope = f"{name}_{side}", f"{name}.corner"
+    with mechanism.within(*scope):
         end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
         linkage = hang(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)
-        deflection, load = add_tyre(linkage, road, actuator)
-        show_tyre(mechanism, deflection, load)
+        tyre = add_tyre(linkage, road, actuator, law="radial")
+        show_tyre(mechanism, tyre.deflection, tyre.force)
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre
         for which, place, text in (
@@ -135,15 +155,27 @@ def _corner(
         ):
             show_height(mechanism, which, linkage.carrier.height(place) - design[2], text)
         show_wheel(linkage)
-        radius = undeformed_radius(linkage)
-    return _Wheel(linkage, centre, centre.value[2] - design[2], radius, deflection, load)
+    return _Wheel(scope, linkage, centre, centre.value[2] - design[2], road, tyre)
 
 
-def _anti_roll_bar(mechanism: Mechanism, pair: list[_Wheel], rate: ca.SX) -> None:
+def _show_detail(mechanism: Mechanism, wheels: list[_Wheel]) -> None:
+    """Let places, reactions of joints and energies be seen."""
+    for wheel in wheels:
+        assert isinstance(wheel.linkage, Linkage)
+        with mechanism.within(*wheel.scope):
+            show_hardpoints(wheel.linkage)
+            show_point(mechanism, "contact_point", lowest_point(wheel.linkage, wheel.road.value))
+            show_bushings(wheel.linkage)
+    show_reactions(mechanism)
+    mechanism.watch_energy()
+
+
+def _anti_roll_bar(pair: list[_Wheel], rate: ca.SX) -> None:
     """Let a bar (N/m) push down the wheel that travels further, and the other one up."""
     twist = rate * (pair[0].travel - pair[1].travel)
     for wheel in pair:
-        mechanism.load(wheel.centre.rate[2], -twist * wheel.linkage.side)
+        down = ca.vertcat(0.0, 0.0, -twist * wheel.linkage.side)
+        wheel.linkage.push_off("anti_roll_bar", "upright", wheel.centre, down)
 
 
 def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
@@ -152,21 +184,25 @@ def _described_bar(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     if bar is None:
         return
     if bar.kind == "t":
-        held, rate = t_bar_of(pair[0].linkage, pair[1].linkage)
+        held = t_bar_of(pair[0].linkage, pair[1].linkage)
         torque = bar_stiffness(pair[0].linkage) * held.twist
-        mechanism.load(rate, -torque)
+        for wheel, slope in zip(pair, held.twist_slopes, strict=True):
+            pull = -torque * slope
+            wheel.linkage.push_off("anti_roll_bar", bar_on(wheel.linkage), link_end(wheel.linkage), pull)
         show_bar(mechanism, held.twist, torque)
         return
-    one, other = (wheel.linkage.of_pose("anti_roll_bar.angle", bar_angle) for wheel in pair)
-    twist = other + one if bar.kind == "z" else other - one
+    signs, ends = (1.0 if bar.kind == "z" else -1.0, 1.0), [bar_angle(wheel.linkage) for wheel in pair]
+    twist = sum((s * end.value(w.linkage) for s, end, w in zip(signs, ends, pair, strict=True)), ca.SX(0.0))
     torque = bar_stiffness(pair[0].linkage) * twist
-    mechanism.force(twist, -torque)
+    for sign, end, wheel in zip(signs, ends, pair, strict=True):
+        wheel.linkage.press(end, -sign * torque)
     show_bar(mechanism, twist, torque)
 
 
 def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     """Let a third spring and damper push the left and the right side apart."""
-    if pair[0].linkage.rig.third_spring is None:
+    third = pair[0].linkage.rig.third_spring
+    if third is None:
         return
     one, other = (wheel.linkage for wheel in pair)
     ends = third_end(one), third_end(other)
@@ -174,7 +210,7 @@ def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
     length = ca.sqrt(ca.dot(reach.value, reach.value))
     deflection = 2.0 * one.side * one.hardpoint("third_spring_end")[1] - length
     force = third_law(one, length) + third_damper_law(one, deflection, mechanism.rate_of(deflection))
-    mechanism.load(ca.dot(reach.value, reach.rate) / length, force)
+    mechanism.push_apart(one.carrier_of(third.on), other.carrier_of(third.on), *ends, force)
     show_third_spring(mechanism, deflection, force)
 
 
@@ -194,11 +230,8 @@ def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_Wheel]) 
     """Let the road hold the car against the inertia of driving (m/s^2), each wheel by its share of the load."""
     assert body.mass_properties is not None
     mass = sum((wheel.linkage.mass for wheel in wheels), body.mass_properties.mass)
-    loads = sum((wheel.load for wheel in wheels), ca.SX(0.0))
+    loads = sum((wheel.tyre.force for wheel in wheels), ca.SX(0.0))
     needed = -mass * drive / ca.fmax(loads, 1.0)
     for wheel in wheels:
-        upright, centre, carrier = wheel.linkage.upright, wheel.centre, wheel.linkage.carrier
-        force = carrier.inward(needed * wheel.load)
-        mechanism.apply_force(upright, force, centre)
-        reach = (wheel.deflection - wheel.radius) * carrier.up
-        mechanism.apply_torque(upright, ca.cross(reach, force))
+        force = wheel.linkage.carrier.inward(needed * wheel.tyre.force)
+        mechanism.apply_force(wheel.linkage.upright, force, wheel.tyre.point)

@@ -12,6 +12,7 @@ from jounce.mechanics import Mechanism, System
 from jounce.mechanics.bodies import Body
 from jounce.mechanics.bushings import add_bushing, add_elastic_rod
 from jounce.mechanics.frames import Carrier, Moving
+from jounce.mechanics.loads import ForceBetween
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts.corners import Corner
 
@@ -34,6 +35,10 @@ class Described(ABC):
     def of_wheel(self, name: str, formula: Callable[[Suspension], ca.SX]) -> ca.SX:
         """Give what the wheel's axis and centre and the ground say of the pose: on a body that turns, no more of it."""
         return self.of_pose(name, formula)
+
+    @abstractmethod
+    def press(self, reached: Reached, force: ca.SX) -> None:
+        """Let a force (N, N m) push a quantity to greater values, between its point and the car's body."""
 
     @property
     def side(self) -> ca.SX | float:
@@ -75,6 +80,31 @@ class Described(ABC):
 
 
 @dataclass(frozen=True)
+class Reached:
+    """A quantity of the pose that one point of the suspension makes: a hardpoint of the body called ``on``.
+
+    ``formula`` gives it for the place of that point in the axes of the car's body, m, as in the design pose.
+    """
+
+    name: str
+    on: str
+    point: str
+    formula: Callable[[Described, ca.SX], ca.SX]
+
+    def value(self, linkage: Described) -> ca.SX:
+        """The quantity."""
+
+        def formula(whole: Linkage) -> ca.SX:
+            return self.formula(whole, whole.seen_from_body(self.end(whole).value))
+
+        return linkage.of_pose(self.name, formula)
+
+    def end(self, linkage: Linkage) -> Moving:
+        """Its point."""
+        return linkage.carriers[self.on].frame.point(linkage.hardpoint(self.point))
+
+
+@dataclass(frozen=True)
 class Stretch:
     """Length of an element, its rate, and the length at design."""
 
@@ -100,6 +130,7 @@ class Suspension(Described):
     """A suspension whose points have their places in the axes of what carries it."""
 
     mechanism: Mechanism
+    chassis: Body  # the car's
     upright: Body  # carries the wheel
 
     @abstractmethod
@@ -113,6 +144,14 @@ class Suspension(Described):
     @abstractmethod
     def push(self, line: Stretch, force: ca.SX) -> None:
         """Let a force (N) push the ends of an element apart."""
+
+    def push_off(self, name: str, on: str, point: Moving, force: ca.SX) -> None:
+        """Let a force (N, axes that the suspension hangs in) act on a point of a body, and back on the car's body."""
+        self.mechanism.act(ForceBetween(name, self.chassis, self.carrier_of(on), point, force))
+
+    @abstractmethod
+    def carrier_of(self, name: str) -> Body:
+        """Body that descriptions call so, or what stands for it where loads act."""
 
     @property
     @abstractmethod
@@ -180,6 +219,22 @@ class Linkage(Suspension):
         assert isinstance(line, Line)
         body = self.carriers[self.rig.strut.on]
         self.mechanism.push_apart(self.chassis, body, line.top, line.bottom, force)
+
+    def press(self, reached: Reached, force: ca.SX) -> None:
+        """Let a force (N, N m) push a quantity to greater values, between its point and the car's body."""
+        end, place = reached.end(self), ca.SX.sym("place", 3)
+        pushed = force * ca.gradient(reached.formula(self, place), place)
+        pushed = ca.substitute(pushed, place, self.seen_from_body(end.value))
+        self.push_off(reached.name, reached.on, end, self.chassis.frame.orientation.rotate(pushed))
+
+    def seen_from_body(self, place: ca.SX) -> ca.SX:
+        """A place in the axes of the car's body, m, as in the design pose."""
+        frame = self.chassis.frame
+        return frame.orientation.unrotate(place - frame.point(ca.SX(3, 1)).value)
+
+    def carrier_of(self, name: str) -> Body:
+        """Body that descriptions call so."""
+        return self.carriers[name]
 
     @property
     def mass(self) -> ca.SX:

@@ -16,7 +16,7 @@ import casadi as ca
 from jounce.mechanics import Model, System
 from jounce.mechanics.driven import Driven, Quasistatic
 from jounce.mechanics.facts import HALF, MIDDLE, of_travel
-from jounce.models.attachments import tyre_law, wheel_down
+from jounce.models.attachments import contact_point, tyre_law, undeformed_radius
 from jounce.models.channels import show_tyre
 from jounce.models.corner import (
     add_both_alike,
@@ -26,7 +26,7 @@ from jounce.models.corner import (
     show_wheel,
     strut_forces,
 )
-from jounce.models.linkage import Described, Linkage, Stretch, guided
+from jounce.models.linkage import Described, Linkage, Reached, Stretch, guided
 from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
@@ -120,9 +120,12 @@ def _see(linkage: Watched) -> None:
     add_both_alike(linkage)
     show_wheel(linkage)
     if linkage.rig.tyre.law == "radial":
-        up = -wheel_down(linkage)
-        linkage.of_pose("tyre.upright", lambda _: up[2])
-        linkage.of_pose("tyre.lever", lambda whole: ca.dot(up, whole.wheel_centre.rate))
+        _lean(linkage)
+
+
+def _lean(linkage: Described) -> ca.SX:
+    """Cosine of the wheel's lean."""
+    return linkage.of_pose("tyre.upright", lambda whole: contact_point(whole, ca.SX(0.0))[1])
 
 
 @dataclass
@@ -144,6 +147,10 @@ class _Tabulated(Described):
         for number in reversed(given[1::2]):
             odd = odd * square + number
         return even + self.x * odd
+
+    def press(self, reached: Reached, force: ca.SX) -> None:
+        """Let a force (N, N m) push a quantity to greater values."""
+        self.mechanism.force(reached.value(self), force)
 
     def quantity(self, name: str) -> ca.SX:
         """What is no formula of the pose alone."""
@@ -186,8 +193,8 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
     road = system.track("road.z")
     heave = ca.SX(0.0) if rig.guide == "fixed" else system.coordinate("sprung.z")
     centre = system.coordinate("unsprung.z")
-    climb, rising = system.rate_of(centre), system.rate_of(heave)
-    travel, travelling = centre - heave, climb - rising
+    rising, travel = system.rate_of(heave), centre - heave
+    travelling = system.rate_of(travel)
     linkage = _Tabulated(rig, system, (travel - number(MIDDLE)) / number(HALF), degree)
     system.output("road.z", road.value, "m", "road height under the wheel")
     _hang(linkage, gravity, rising, travelling)
@@ -199,13 +206,12 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
         system.load(line.rate, force)
     add_torsion_bar(linkage)
     add_both_alike(linkage)
-    height = number("hardpoints.wheel_centre[2]") + centre
-    deflection, force = tyre_law(linkage, road, height, climb, lambda whole: -wheel_down(whole)[2])
-    along = climb
-    if rig.tyre.law == "radial":
-        along = linkage.quantity("tyre.upright") * rising + linkage.quantity("tyre.lever") * travelling
-    system.load(along, force)
-    show_tyre(system, deflection, force)
+    upright = _lean(linkage) if rig.tyre.law == "radial" else ca.SX(1.0)
+    deflection = undeformed_radius(linkage) - (number("hardpoints.wheel_centre[2]") + centre - road.value) / upright
+    rate = system.rate_of(deflection)
+    force = tyre_law(linkage, deflection, rate)
+    system.load(-rate, force)
+    show_tyre(system, deflection, force / upright)
     show_motions(linkage, centre, heave)
     return system.finish()
 

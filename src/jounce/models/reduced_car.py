@@ -24,7 +24,7 @@ from jounce.mechanics.rotations import skew
 from jounce.models.attachments import bar_angle, link_end, third_end
 from jounce.models.corner import add_torsion_bar, build_linkage
 from jounce.models.full_car_3d import full_car_3d
-from jounce.models.linkage import Linkage, Stretch, Suspension
+from jounce.models.linkage import Linkage, Reached, Stretch, Suspension
 from jounce.models.reduced import INERTIA, MASS, SampledCorner, Watched, sampled
 from jounce.parts.corners import Corner
 from jounce.parts.vehicles import FullCar3D
@@ -69,7 +69,7 @@ class _Seen(Watched):
         if bar is not None and bar.kind == "t":
             link_end(self)
         elif bar is not None:
-            self.of_pose("anti_roll_bar.angle", bar_angle)
+            bar_angle(self).value(self)
         if self.rig.third_spring is not None:
             third_end(self)
         for _ in (self.wheel_centre, self.spin_direction):
@@ -222,6 +222,14 @@ class _Travelling(Suspension):
         """Length of the spring or the damper."""
         length = self._curve(f"{element if self.damper_stands_apart else 'spring'}.length")
         return Stretch(length.value, length.slope * self.rate, self.design_length(element))
+
+    def carrier_of(self, name: str) -> Body:  # noqa: ARG002 - points know their places by themselves
+        """What stands for all bodies of the suspension where loads act."""
+        return self.upright
+
+    def press(self, reached: Reached, force: ca.SX) -> None:
+        """Let a force (N, N m) push a quantity to greater values."""
+        self.mechanism.force(reached.value(self), force)
 
     def push(self, line: Stretch, force: ca.SX) -> None:
         """Let a force (N) push the ends of an element apart."""

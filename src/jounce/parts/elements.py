@@ -294,13 +294,21 @@ class SpatialStrut(Description):
         return table
 
 
-class CornerTyre(Tyre):
-    """Tyre of a 3-D rig: force vertical at the wheel centre, or radial in the wheel plane through the contact point.
+TyreLaw = Literal["vertical", "radial"]
+"""How a wheel that leans is pressed onto the road."""
 
-    ``undeformed_radius`` (m) is the wheel's radius where it is not given.
+
+class CornerTyre(Tyre):
+    """Tyre of a 3-D rig: force normal to the road, on the wheel's centre or, radial and in cars, at the contact point.
+
+    ``law`` says how a corner on its guide is pressed: ``"vertical"`` by the height of the wheel's centre, at which the
+    force acts, or ``"radial"`` along the wheel's plane, with the force at the contact point, the lowest point of the
+    wheel's disc. In a car, whose wheels lean with the body, every tyre is radial, whatever the ``law``: only then do
+    the moments about the road balance and is no energy made. ``undeformed_radius`` (m) is the wheel's radius where it
+    is not given.
     """
 
-    law: Literal["vertical", "radial"] = "vertical"
+    law: TyreLaw = "vertical"
     undeformed_radius: PositiveLength | None = None
 
 

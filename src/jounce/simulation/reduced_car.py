@@ -129,7 +129,7 @@ class CarReduction:
         series = np.array([sampled[name] for name in names]) @ made.T
         mass = float(sampled[sampling.names[0]][0])
         reached = bool(np.isfinite(series).all())
-        error = error_of(getattr(self.rig, end).corner, names, series, degree, half, mass) if reached else np.inf
+        error = error_of(names, series, degree, half, mass) if reached else np.inf
         return Table(low, high, np.array([middle, half, mass, *(series[:, : degree + 1] @ powers).ravel()]), error)
 
     def numbers(self, values: Mapping[str, float], which: int) -> Array:
@@ -144,7 +144,7 @@ class CarReduction:
         return np.array([own[path] if path in own else values[f"{before}{path}"] for path in paths])
 
 
-def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half: float, mass: float) -> float:
+def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass: float) -> float:
     """Bound the error of polynomials whose Chebyshev coefficients are ``series``, a row a quantity.
 
     It is relative to what each quantity does to the car. ``half`` is half the range of travel (m), ``mass`` that of the
@@ -172,9 +172,8 @@ def error_of(rig: Corner, names: Sequence[str], series: Array, degree: int, half
             turns = kept[[group[0], group[2]]]
             if max(turns[:, 0].max(), turns[:, 1:].sum(axis=1).max()) > TURNED:
                 return float("inf")  # a wheel that turns so far may flip over, which the mechanism finds out
-            error, size = in_motion * value[group], ways[group].max()
-            if rig.tyre.law == "radial":
-                error, size = np.maximum(error / size, slope[group]), 1.0
+            # It tilts the tyre's deflection and the way to where its force acts, too.
+            error, size = np.maximum(in_motion * value[group] / ways[group].max(), value[group]), 1.0
         elif name in ("wheel_centre", "arb_link_end", "third_spring_end"):
             size = half
         else:

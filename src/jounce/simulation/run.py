@@ -54,8 +54,8 @@ def simulate(
         Starts the run away from equilibrium: state, e.g. ``"sprung.z"`` or ``"sprung.vz"`` (`equilibrium` gives their
         names), to m or m/s (rad, rad/s); at rest otherwise.
     detail : bool
-        Of 3-D corners all hardpoints (m), joint reactions (N, N m, on the second body, ground axes), energies (J).
-        A car shows no more with it.
+        Of 3-D corners, and of each corner of a car on them, all hardpoints and the contact point (m), joint reactions
+        (N, N m, on the second body, ground axes), energies (J). A lumped rig shows no more with it.
     check : bool
         Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
     control : Controller, str, Path or callable, optional

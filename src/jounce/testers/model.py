@@ -90,12 +90,12 @@ def _corner(rig: Rig, form: PlateForm) -> System:
     linkage = suspension(rig, mechanism)
     add_strut(linkage)
     rate = mechanism.rate_of(plate.height)
-    deflection, contact = add_tyre(linkage, Track(plate.height, rate, ca.SX(0.0)))
-    mechanism.force(plate.height, -contact)
-    show_tyre(mechanism, deflection, contact)
+    tyre = add_tyre(linkage, Track(plate.height, rate, ca.SX(0.0)))
+    mechanism.force(plate.height, -tyre.force)
+    show_tyre(mechanism, tyre.deflection, tyre.force)
     _guide(linkage)
     show_wheel(linkage)
-    _show_plate(mechanism, plate, contact)
+    _show_plate(mechanism, plate, tyre.force)
     return mechanism
 
 

@@ -14,6 +14,7 @@ from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.remembered import Recent
 from jounce.core.types import Array
+from jounce.mechanics.contact import towards_road
 from jounce.plots.display import number
 from jounce.plots.signals import sampled
 from jounce.plots.style import INK, PALETTE
@@ -270,9 +271,9 @@ def spin_axes(camber: Array, steer: Array, side: float) -> Array:
 
 
 def contact_points(centre: Array, axis: Array, radius: float) -> Array:
-    """Lowest points of wheels, shape (..., 3), m, of centre and axis of that shape and radius in m."""
-    down = axis * axis[..., 2:] - np.array([0.0, 0.0, 1.0])
-    return np.asarray(centre + radius * down / np.linalg.norm(down, axis=-1, keepdims=True))
+    """Contact points of wheels, shape (..., 3), m, of centre and axis of that shape and radius in m."""
+    down, _ = towards_road(np.moveaxis(axis, -1, 0), (0.0, 0.0, 1.0))
+    return np.asarray(centre + radius * np.stack(down, axis=-1))
 
 
 @dataclass(frozen=True)
