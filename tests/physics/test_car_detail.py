@@ -157,3 +157,19 @@ def test_uprights_and_body_are_in_balance(load):
     assert np.abs(sum(push for push, *_ in on_body)).max() < 1e-6
     about = sum(np.cross(where, push) + sum(free, np.zeros(3)) for push, where, *free in on_body)
     assert np.abs(about + torque(run, "attitude")).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["Z-bar", "third spring"])
+def test_reactions_of_a_single_corner_are_those_of_load_cases(name):
+    """With the other wheel moving alike: both push at the ends of their links, not at the joints of the parts."""
+    corner = without_weights(FS).front.corner.with_changes({**ACROSS[name], "tyre.law": "radial"})
+    run = jn.simulate(corner, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True).isel(time=0)
+    radius = float(np.linalg.norm(place(run, "contact_point") - place(run, "wheel_centre")))
+    loaded_corner = corner.with_changes({"wheel.radius": radius, "tyre.undeformed_radius": corner.undeformed_radius})
+    travel = float(run["unsprung.z"] - run["sprung.z"])
+    load = jn.ContactLoad(vertical_force=float(run["tyre.force"]))
+    case = of_wheel(loaded_corner, load, travel, from_across(loaded_corner, (travel, travel))[0])
+    size = max(abs(value) for value, unit, _ in case.values() if unit == "N")
+    for joint, points in PICKUPS.items():
+        expected = [-sum(case[f"{point}.f{axis}"][0] for point in points) for axis in "xyz"]
+        assert force(run, joint) == pytest.approx(expected, abs=1e-6 * size), joint
