@@ -39,6 +39,9 @@ class Doubt(Description):
         See there, N.
     presliding : float
         Hysteretic force of damper, mounts and seals that builds up over half a millimetre, N.
+    guide_presliding : float
+        Share (1) of the guide's friction that builds up over 0.2 mm instead of with the velocity, where that friction
+        is fitted: about one half of it.
     arms : float
         Inertia that arms and struts share between body and wheel, as a share (1) of the unsprung mass; of quarter cars,
         whose two masses feel each other through springs and dampers only.
@@ -63,6 +66,9 @@ class Doubt(Description):
         Gain of a sensor, as a share (1).
     corner : float
         Corner frequency of a low pass, as a share (1).
+    bandwidth : float
+        Time constant of a low pass that a sensor's chain has and nobody states, one over its angular corner, s; of
+        channels without a stated one.
     bias : float
         Constant error of a sensor, as a share (1) of the standard deviation of its record.
 
@@ -80,6 +86,7 @@ class Doubt(Description):
     damper_shape: Share = 0.2
     damper_force: NonNegativeForce = 2.0
     presliding: NonNegativeForce = 4.0
+    guide_presliding: Share = 0.3
     arms: Share = 0.04
     friction: Share = 0.02
     friction_onset: Share = 1.0
@@ -91,6 +98,7 @@ class Doubt(Description):
     slowing: Share = 0.02
     gain: Share = 0.01
     corner: Share = 0.15
+    bandwidth: Annotated[float, Unit("s", at_least=0.0)] = 0.0005
     bias: Share = 0.03
 
 

@@ -63,7 +63,7 @@ class Shifted:
         seen = self.measured[reach : len(self.measured) - reach]
         reading = self._reading(np.arange(len(self.measured), dtype=float), 0)
         energy, total = (_window_sums(values, len(seen)) for values in (reading**2, reading))
-        square = energy - 2.0 * correlate(reading, seen, mode="valid")
+        square = energy - 2.0 * correlate(reading, seen, mode="valid", method="fft")
         if self.offset:
             square -= (seen.sum() - total) ** 2 / len(seen)
         return np.asarray(self.weight**2 * square[::-1])  # the window from sample i on is that of lag reach - i

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.identify.richer import ONSET_VELOCITY, SLIDING_OVER, Richer
+from jounce.identify.richer import GUIDE_SLIDES_OVER, ONSET_VELOCITY, SLIDING_OVER, Richer
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
 
@@ -50,10 +50,10 @@ class States:
         names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
         return cls(*(np.concatenate([getattr(one, name)[::every] for one in all_of]) for name in names))
 
-    def sliding(self) -> Array:
-        """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance, whatever the speed."""
-        moved = 0.5 * (self.velocity[1:] + self.velocity[:-1]) * np.diff(self.time)
-        left, ends = np.exp(-np.abs(moved) / SLIDING_OVER), np.sign(moved)
+    def sliding(self, velocity: Array, distance: float) -> Array:
+        """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance (m), at any speed."""
+        moved = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(self.time)
+        left, ends = np.exp(-np.abs(moved) / distance), np.sign(moved)
         z, now = [0.0], 0.0
         for end, share in zip(ends.tolist(), left.tolist(), strict=True):  # plain floats: arrays take ten times as long
             now = end + (now - end) * share if end else now
@@ -71,19 +71,26 @@ class Laws:
     def __init__(self, richer: Richer, states: Sequence[States], every: int = 3) -> None:
         self.richer = richer
         self.seen = States.joined(states, every)
-        self.sliding = np.concatenate([one.sliding()[::every] for one in states])
+        self.sliding = np.concatenate([one.sliding(one.velocity, SLIDING_OVER)[::every] for one in states])
+        self.guide_sliding = np.concatenate([one.sliding(one.body, GUIDE_SLIDES_OVER)[::every] for one in states])
         self._plain = richer.rig.parameters()
         self._inverse: dict[str, Array] = {}
 
-    def readings(self, path: str, p: Mapping[str, float], xi: Array, presliding: float) -> tuple[float, float]:
-        """Component and effective value of a parameter, SI; ``p`` are the rig's numbers with those fitted."""
+    def readings(
+        self, path: str, p: Mapping[str, float], xi: Array, presliding: float, guide_presliding: float = 0.0
+    ) -> tuple[float, float]:
+        """Component and effective value of a parameter, SI; ``p`` are the rig's numbers with those fitted.
+
+        ``presliding`` (N) builds up in the strut, ``guide_presliding`` is the share (1) of the guide's friction that
+        does so.
+        """
         if not self.richer.has_laws:
             return p[path], p[path]
         if path in ("tyre.stiffness", "tyre.damping_coefficient"):
             stiffness, damping = self._tyre(p, xi)
             return p[path], stiffness if path == "tyre.stiffness" else damping
         if path.endswith("friction.force") and path.startswith("guide"):
-            return p[path], self._guide(path, p)
+            return p[path], self._guide(path, p, guide_presliding)
         if path in ("strut.spring.rate", "strut.friction.force") or path in self._sides():
             component, effective = self._strut_components(p, xi, presliding), self._strut(p, xi, presliding)
             return component[path], effective.get(path, component[path])
@@ -127,9 +134,10 @@ class Laws:
         _, stiffness, damping = self._nearest("tyre", [np.ones(len(d)), d, rate], force)
         return float(stiffness), float(damping)
 
-    def _guide(self, path: str, p: Mapping[str, float]) -> float:
+    def _guide(self, path: str, p: Mapping[str, float], presliding: float) -> float:
         u, place = self.seen.body, path.removesuffix(".force")
         turned = np.tanh(u / p.get(f"{place}.regularisation_velocity", ONSET_VELOCITY))
+        turned = turned + presliding * (self.guide_sliding - turned)
         column = np.tanh(u / self._nominal(place))
         return float(self._nearest(place, [column], p[path] * turned)[0])
 

@@ -22,7 +22,8 @@ from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.recordings.signals import shift_signals
 
 SPEED, LOW_PASS = "speed", ".low_pass"
-_FASTEST = 0.45  # of the sample rate: corners above it cannot be told from none
+FASTEST = 0.45
+"""Share of the sample rate: corners above it cannot be told from none."""
 
 
 @dataclass(frozen=True)
@@ -94,10 +95,10 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
         if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
             raise FitError("not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]')
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
-        high = min(high, _FASTEST * rate)
+        high = min(high, FASTEST * rate)
         if not 0.0 < low < high:
             allowed = (
-                f"two corners, the lower above 0 and below {_FASTEST * rate:g} Hz, {_FASTEST:g} of the sample rate"
+                f"two corners, the lower above 0 and below {FASTEST * rate:g} Hz, {FASTEST:g} of the sample rate"
             )
             raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
         found.append(Nuisance(name, Free(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
@@ -170,7 +171,7 @@ def low_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
     rate = min(one[3] for one in rest.readings[channel])
     left = {corner: _filtered(rest, channel, corner) for corner in np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS)}
     corner = min(left, key=lambda one: left[one])
-    near = {one: _filtered(rest, channel, one) for one in corner * np.geomspace(0.75, 1.33, 7) if one < _FASTEST * rate}
+    near = {one: _filtered(rest, channel, one) for one in corner * np.geomspace(0.75, 1.33, 7) if one < FASTEST * rate}
     corner = min({**left, **near}, key=lambda one: {**left, **near}[one])
     after = {**left, **near}[corner]
     share = 1.0 - after / rest.size

@@ -20,6 +20,7 @@ from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.identify.nuisances import ALIKE, SPEED, Nuisance, Rest, late_share, low_pass_in, nuisances_of, speed_in
+from jounce.identify.search import SAME_PLACE, Optimum, Search, check_method, searched
 from jounce.parts import Rig
 from jounce.parts.rig import shown_unit_of, unit_of
 from jounce.simulation.settings import RunSettings
@@ -75,159 +76,6 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
         tuple(tuple(float(value) for value in row) for row in correlation),
         tuple(findings),
     )
-
-
-# optimisers -----------------------------------------------------------------------------------------------------------
-
-
-METHODS = ("bfgs", "least-squares")
-_BOUND = 1.0 - 1e-6
-_SMALL_GAIN, _PERFECT = 1e-6, 1e-12
-
-
-@dataclass(frozen=True)
-class Optimum:
-    """Where an optimiser ended."""
-
-    scaled: Array
-    objective: float
-    iterations: int
-    evaluations: int
-    converged: bool
-
-
-def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
-    """Run one optimisation from ``start`` (scaled) within -1..+1."""
-    before = problem.evaluations
-    x, iterations = _METHODS[method](problem, start)
-    x = np.clip(x, -1.0, 1.0)
-    objective, _ = problem.objective(x)
-    return Optimum(x, objective, iterations, problem.evaluations - before, is_stationary(problem, x))
-
-
-def is_stationary(problem: UpdateProblem, x: Array) -> bool:
-    """Tell whether a Gauss-Newton step within the bounds would lower the objective by less than 1e-6 of it."""
-    residuals = problem.residuals(x)
-    gradient = residuals.jacobian.T @ residuals.vector
-    clamped = (np.abs(x) > 1.0 - 1e-5) & (gradient * x < 0.0)
-    if clamped.all():
-        return True
-    curvature = residuals.jacobian[:, ~clamped].T @ residuals.jacobian[:, ~clamped]
-    gain = gradient[~clamped] @ np.linalg.pinv(curvature, hermitian=True) @ gradient[~clamped]
-    objective = float(residuals.vector @ residuals.vector)
-    return bool(gain <= _SMALL_GAIN * objective or objective <= _PERFECT * problem.data_energy)
-
-
-def minimise_from_many(problem: UpdateProblem, start: Array, method: str, starts: int, seed: int) -> list[Optimum]:
-    """Run from ``start`` and from ``starts - 1`` Latin-hypercube points; best first.
-
-    Where these are many they first go down roughly, and the best of the places they lead to are searched to the end.
-    """
-    points = [start]
-    if starts > 1:
-        from scipy.stats import qmc
-
-        points += list(2.0 * qmc.LatinHypercube(problem.size, seed=seed).random(starts - 1) - 1.0)
-    if starts >= _MANY:
-        points = [start, *(one.scaled for one in _basins(problem, points[1:])[:_FINISHED])]
-    return sorted((minimise(problem, point, method) for point in points), key=lambda optimum: optimum.objective)
-
-
-_MANY, _FINISHED = 12, 4  # starts from which on they are sifted, and how many of the best are searched to their end
-_COARSE, _LOOSE = 1e-5, 0.03  # relative error of displacements, and of the objective, while they are
-
-
-def _basins(problem: UpdateProblem, points: Sequence[Array]) -> list[Optimum]:
-    """Go down from many points with simulations of little effort; where it leads to, the best first and each once."""
-    from scipy.optimize import least_squares
-
-    rough = problem.coarser(_COARSE)
-    ends: list[Optimum] = []
-    for point in points:
-        inside = np.clip(point, -_BOUND, _BOUND)
-        try:
-            count = len(rough.residuals(inside).vector)
-        except SimulationError:
-            continue  # a place that cannot be simulated is no start
-
-        def vector(x: Array, count: int = count) -> Array:
-            try:
-                return rough.residuals(x).vector
-            except SimulationError:
-                return np.full(count, np.inf)
-
-        result = least_squares(
-            vector, inside, jac=lambda x: rough.residuals(x).jacobian, bounds=(-1.0, 1.0), xtol=1e-3, ftol=_LOOSE,
-            gtol=1e-12, max_nfev=12,
-        )  # fmt: skip
-        ends.append(Optimum(result.x, 2.0 * float(result.cost), int(result.njev), int(result.nfev), converged=True))
-    problem.evaluations += rough.evaluations
-    ends.sort(key=lambda one: one.objective)
-    apart: list[Optimum] = []
-    for end in ends:
-        if all(np.max(np.abs(end.scaled - other.scaled)) > _SAME_BASIN for other in apart):
-            apart.append(end)
-    return apart
-
-
-_SAME_BASIN = 0.1  # of half the range: searches that end closer are taken for the same
-
-
-def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
-    """L-BFGS-B: the paper's BFGS, with the bounds inside the method."""
-    from scipy.optimize import minimize
-
-    scale = max(problem.objective(start)[0], 1e-300)
-
-    def scaled_objective(x: Array) -> tuple[float, Array]:
-        value, gradient = problem.objective(x)
-        return value / scale, gradient / scale
-
-    result = minimize(
-        scaled_objective,
-        start,
-        jac=True,
-        method="L-BFGS-B",
-        bounds=[(-1.0, 1.0)] * problem.size,
-        options={"ftol": 1e-13, "gtol": 1e-12, "maxiter": 200, "maxcor": 20},
-    )
-    return result.x, int(result.nit)
-
-
-def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
-    from scipy.optimize import least_squares
-
-    inside = np.clip(np.where(np.abs(start) < 1e-6, 0.0, start), -_BOUND, _BOUND)  # SciPy's first radius is |start|
-    count = len(problem.residuals(inside).vector)
-
-    def vector(x: Array) -> Array:
-        """Residuals; infinite where a step cannot be simulated, which makes the search try a shorter one."""
-        try:
-            return problem.residuals(x).vector
-        except SimulationError:
-            return np.full(count, np.inf)
-
-    result = least_squares(
-        vector,
-        inside,
-        jac=lambda x: problem.residuals(x).jacobian,
-        bounds=(-1.0, 1.0),
-        method="trf",
-        xtol=1e-9,  # of the bounds' half range; below it simulations of finite tolerance differ by chance
-        ftol=1e-8,
-        gtol=1e-12,
-        max_nfev=200,
-    )
-    return result.x, int(result.njev)
-
-
-_METHODS = {"bfgs": _bfgs, "least-squares": _least_squares}
-
-
-def check_method(method: str) -> None:
-    """Refuse an unknown method."""
-    if method not in METHODS:
-        raise FitError("unknown method", found=method, allowed=", ".join(METHODS))
 
 
 # uncertainty ----------------------------------------------------------------------------------------------------------
@@ -386,7 +234,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     channels: Sequence[str] | None = None,
     align: str | None = None,
     lag_bound: float = 0.02,
-    starts: int = 1,
+    starts: int | None = None,
     seed: int = 1,
     tolerance: float = 1e-8,
     doubt: Doubt | Mapping[str, Any] | None = None,
@@ -419,8 +267,9 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
         Estimate a time lag for each trial together with the parameters, within ``lag_bound``.
     lag_bound : float
         Largest lag to either side, s.
-    starts : int
-        Number of start points: the start values, then Latin-hypercube points within the bounds.
+    starts : int, optional
+        Number of start points: the start values, then points spread over the bounds. By default one; with ``doubt`` the
+        search begins elsewhere, too, until the best place has been found twice.
     seed : int
         Of the start points.
     tolerance : float
@@ -469,7 +318,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
 
 def updated(  # noqa: PLR0913 - as update_model
     trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str,
-    weights: str | Mapping[str, float], channels: Sequence[str] | None, align: str | None, starts: int,
+    weights: str | Mapping[str, float], channels: Sequence[str] | None, align: str | None, starts: int | None,
     doubt: Doubt | Mapping[str, Any] | None, bench: Mapping[str, Estimate] | None, lag_bound: float = 0.02,
     seed: int = 1, tolerance: float = 1e-8, nuisances: Mapping[str, Any] | None = None,
 ) -> tuple[UpdateResult, Calibrated | None]:  # fmt: skip
@@ -479,7 +328,7 @@ def updated(  # noqa: PLR0913 - as update_model
         raise FitError("no trial to fit", where=name, hint='Mark trials with use = "fit" or name their numbers.')
     if align not in (None, "lag"):
         raise FitError("unknown alignment", where=name, found=align, allowed='none, or "lag"')
-    if starts < 1:
+    if starts is not None and starts < 1:
         raise FitError("not a number of starts", where=name, found=starts, allowed="1 or more")
     if not (np.isfinite(lag_bound) and lag_bound > 0.0):
         raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
@@ -511,10 +360,10 @@ def updated(  # noqa: PLR0913 - as update_model
     )
     known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
-    optima = minimise_from_many(problem, start, method, starts, seed)
-    findings = [*datums, *known.findings, *_stall(name, optima[0], before), *_several_minima(name, optima)]
+    search = searched(problem, start, method, seed, starts=1 if starts is None and doubt is None else starts)
+    best = search.best
+    findings = [*datums, *known.findings, *_stall(name, best, before), *_other_minima(name, problem, search)]
     findings += _common_factors(problem)
-    best = optima[0]
     residuals = problem.residuals(best.scaled)
     left = _left_over(problem, residuals)
     findings += [*_unexplained(problem, residuals), *_copies(problem), *_frozen(problem)]
@@ -778,13 +627,37 @@ def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:
     return [Finding(name, "warning", text, optimum.objective)]
 
 
-def _several_minima(name: str, optima: list[Optimum]) -> list[Finding]:
-    best = optima[0]
-    other = [o for o in optima[1:] if np.max(np.abs(o.scaled - best.scaled)) > 1e-3]
-    if not other:
-        return []
-    text = f"{len(other)} of {len(optima)} starts converged elsewhere, the next best at {other[0].objective:.4g}"
-    return [Finding(name, "note", text, other[0].objective)]
+def _other_minima(name: str, problem: UpdateProblem, search: Search) -> list[Finding]:
+    """Say where else the search ended, and that it nearly was the answer where it fits nearly as well."""
+    best, findings = search.best, []
+    if not search.is_confirmed:
+        text = (
+            f"none of {search.starts - 1} other start points led to the best fit again, so there may be a better one: "
+            "narrow the bounds, or ask for more starts"
+        )
+        findings.append(Finding(name, "warning", text, float(search.starts)))
+    if not search.others:
+        return findings
+    other = search.others[0]
+    ratio = other.objective / best.objective if best.objective > 0.0 else np.inf
+    moved = (
+        (free.path, free.value(place), shown_unit_of(problem.trials[0].source.rig, free.path))
+        for free, place, here in zip(problem.free, other.scaled, best.scaled, strict=False)
+        if abs(place - here) > SAME_PLACE
+    )
+    values = ", ".join(f"{path} {value:.4g} {unit}".rstrip() for path, value, unit in moved)
+    text = f"{len(search.others)} of {search.starts} start points led to another fit, the best of these with {values}"
+    if ratio < _NEARLY:
+        text += f", which leaves only {ratio:.3g} times as much: the data hardly tell the two apart"
+        return [*findings, Finding(name, "warning", text, ratio)]
+    return [*findings, Finding(name, "note", f"{text} and {min(ratio, 999.0):.3g} times as much left", ratio)]
+
+
+_NEARLY = 1.5
+"""Times the least sum of squares: a second minimum that leaves less may be the true one when the model is not quite.
+
+What a model lacks moves the sums of two minima against each other by tens of per cent (foreign benches).
+"""
 
 
 _EXPLAINED = 0.5  # of the variance of a channel: a fit that leaves more than the rest is none
