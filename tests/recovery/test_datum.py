@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.identify.datum import QuietStart
+from jounce.identify.datum import QuietStart, with_datums
 
 RIG = jn.load("kart-quarter-car")
 TRUTH = RIG.with_changes(
@@ -88,7 +88,7 @@ def test_a_record_that_begins_in_motion_has_a_free_offset():
     assert "free offset" in said(update, "sprung.z")[0].message
 
 
-def test_each_trial_has_its_own_datum():
+def test_starts_that_say_different_things_leave_the_offset_of_each_trial_free():
     measured = {
         "one": recorded(["sprung.z"], "rest"),
         "two": recorded(["sprung.z"], 0.0),
@@ -96,7 +96,22 @@ def test_each_trial_has_its_own_datum():
     }
     update = jn.update_model([jn.FitTrial(name, RIG, TRIAL, data) for name, data in measured.items()], FREE)
     exact(update)
-    assert len(said(update, "sprung.z")) == 3
+    (finding,) = said(update, "sprung.z")
+    assert 'datum "free offset" taken from the start of one, two, three' in finding.message
+    assert "the starts of the trials say different things" in finding.message
+
+
+@pytest.mark.parametrize(("offset", "datum"), [("rest", "rest"), (0.0, "undeformed")])
+def test_one_sensor_has_one_datum_also_where_a_record_begins_in_motion(offset, datum):
+    whole = recorded(["sprung.z"], offset)
+    begun = whole.isel(time=slice(320, None))  # on the obstacle
+    begun = begun.assign_coords(time=begun["time"])
+    trials = [jn.FitTrial("one", RIG, TRIAL, whole), jn.FitTrial("two", RIG, TRIAL, begun)]
+    decided, findings = with_datums(trials)
+    assert [trial.sensors["sprung.z"].datum for trial in decided] == [datum, datum]
+    (finding,) = [one for one in findings if "datum" in one.message]
+    assert f'datum "{datum}" taken from the start of one' in finding.message
+    assert "so also in two, where the record begins in motion" in finding.message
 
 
 @pytest.mark.parametrize(

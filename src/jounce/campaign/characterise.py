@@ -234,10 +234,27 @@ def _fit(
     return result
 
 
+def _has_value(found: Characterisation, place: str, findings: Sequence[Finding], estimate: Estimate) -> bool:
+    """Whether a bench result may replace what the rig describes; where it may not, a finding says why."""
+    problem = next((one.message for one in findings if one.severity == "problem"), None)
+    unsure = estimate.standard_error is not None and estimate.standard_error > _UNSURE * abs(estimate.value)
+    if problem is None and not unsure:
+        return True
+    why = problem or f"{estimate.value:.3g} ± {estimate.standard_error:.2g} is no value"
+    found.findings.append(Finding(place, "problem", f"replaces nothing, the described value is used: {why}"))
+    return False
+
+
+_UNSURE = 0.5
+"""Standard error over value above which a bench result is none: its interval holds zero and twice the value."""
+
+
 def _spring(found: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
     rig = knowledge.rig
     values = rig.parameters()
     result = found.spring = _fit(table, folder, "bench.spring", _static_spring_force(rig), found)
+    if not _has_value(found, "bench.spring", result.findings, result.stiffness):
+        return knowledge
     dump = rig.model_dump(by_alias=True, exclude_none=True)
     dump["strut"]["spring"] = _measured_spring(result, values)
     found.replaced.append(
@@ -290,6 +307,8 @@ def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, Stiff
     for name, table in tables.items():
         place, pressure = f'bench.tyre."{name}"', to_si(name, "Pa", where="bench.tyre")
         result = found.tyre[name] = _fit(table, folder, place, load, found)
+        if not _has_value(found, place, result.findings, result.stiffness):
+            continue
         tyres[pressure] = _tyre_table(result)
         found.replaced.append(
             Replaced(
@@ -300,7 +319,9 @@ def _tyre(found: Characterisation, knowledge: Knowledge, tables: dict[str, Stiff
                 place,
             )
         )
-    points = [(to_si(name, "Pa"), result.stiffness) for name, result in found.tyre.items()]
+    if not tyres:
+        return knowledge
+    points = [(at, found.tyre[name].stiffness) for name in tables if (at := to_si(name, "Pa")) in tyres]
     found.pressure = stiffness_against_pressure(points)
     found.findings += found.pressure.findings
     linear = all(result.law == "linear" for result in found.tyre.values())
@@ -393,6 +414,8 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     if not math.isfinite(at_strut.value):
         raise RecordingError("the decays have too few swings for a logarithmic decrement", where="bench.decay.method")
     seen = next(choice.seen for choice in found.damping_choices if choice.is_used)
+    if not _has_value(found, "bench.decay", found.decay.findings, at_strut):
+        return knowledge
     if on_tyre and seen_at.damping_behind(seen.value) is None:
         text = (
             "the body comes to rest faster than any damper between it and a wheel on its tyre lets it: the damping is "
@@ -583,15 +606,16 @@ def bench_values(found: Characterisation, rig: Rig, pressure: float | None) -> d
 
     Intervals hold the slope over the fitted range and the one at the static load, and what a test machine is off by.
     """
-    values, given = rig.parameters(), dict[str, Estimate]()
-    if found.spring is not None and "strut.spring.rate" in values:
+    values, given, used = rig.parameters(), dict[str, Estimate](), {one.source for one in found.replaced}
+    if found.spring is not None and "bench.spring" in used and "strut.spring.rate" in values:
         given["strut.spring.rate"] = _tested(found.spring.stiffness, found.spring.tangent_stiffness)
-    by_pressure = {to_si(name, "Pa"): result for name, result in found.tyre.items()}
+    by_pressure = {to_si(name, "Pa"): result for name, result in found.tyre.items() if f'bench.tyre."{name}"' in used}
     tyre = by_pressure.get(pressure) if pressure is not None else next(iter(by_pressure.values()), None)
     if tyre is not None and "tyre.stiffness" in values:
         given["tyre.stiffness"] = _tested(tyre.stiffness, tyre.tangent_stiffness)
     for at_strut in (choice.at_strut for choice in found.damping_choices if choice.is_used):
-        if at_strut is not None and math.isfinite(at_strut.value) and "strut.damper.coefficient" in values:
+        is_used = "bench.decay" in used and at_strut is not None and math.isfinite(at_strut.value)
+        if at_strut is not None and is_used and "strut.damper.coefficient" in values:
             given["strut.damper.coefficient"] = _tested(at_strut)
     return given
 

@@ -125,7 +125,7 @@ class UpdateEntry(Description):
     channels: tuple[str, ...] | None = None
     align: Literal["lag"] | None = None
     nuisances: dict[str, Any] = {}
-    starts: Annotated[Whole, Field(ge=1, le=1000)] = 1
+    starts: Annotated[Whole, Field(ge=1, le=1000)] | None = None
 
 
 class Campaign(Description):

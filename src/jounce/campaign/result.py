@@ -17,7 +17,7 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.design.model_comparison import ModelComparison
 from jounce.identify.comparison import compare, iso18571
-from jounce.identify.datum import with_datum
+from jounce.identify.datum import with_datums
 from jounce.identify.fit_problem import FitTrial, Simulated
 from jounce.identify.update import UpdateResult
 from jounce.parts import Rig
@@ -81,7 +81,7 @@ def compare_trial(
     trial: FitTrial, lag: float | None = 0.0
 ) -> tuple[TrialComparison, dict[str, Signals], list[Finding], TrialMotion]:
     """Simulate a trial and compare it with its recording, which lags by ``lag`` (s; None: estimated by correlation)."""
-    trial, _ = with_datum(trial)
+    (trial,), _ = with_datums([trial])
     model = Simulated(trial)
     if lag is None:
         lag = _lag(model.readings())

@@ -30,7 +30,7 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unforese
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
-from jounce.identify.datum import start_findings, with_datum
+from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
 from jounce.identify.fit_problem import FitTrial, check_free
 from jounce.identify.richer import own_doubt
 from jounce.identify.signs import compression_positive, sign_of
@@ -296,11 +296,15 @@ class Runner:
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
-        starts = {}
+        trials, starts = dict[int, FitTrial](), dict[str, dict[str, QuietStart]]()
         for number, item in self.loaded.items():
             with suppress(Exception):  # said where the trial is used
-                decided, starts[f"trial {number}"] = with_datum(self.fit_trial(item, knowledge))
-                self.sensors[number] = decided.sensors
+                trial = self.fit_trial(item, knowledge)
+                starts[trial.name] = quiet_starts(trial)
+                trials[number] = trial
+        datums = datums_of(starts)
+        for number, trial in trials.items():
+            self.sensors[number] = with_datum(trial, starts[trial.name], datums).sensors
         self.findings += start_findings(starts)
 
     def update_all(self, start: Knowledge, chosen: Sequence[str] | None = None) -> list[StrategyResult]:

@@ -63,59 +63,91 @@ class QuietStart:
             return "rest"
         return "undeformed" if abs(self.recorded - self.static) <= small + _ABSOLUTE * load else "free offset"
 
-    def matters(self) -> bool:
-        """Whether the choice changes anything."""
+    def matters(self, datum: Datum) -> bool:
+        """Whether it changes anything that a datum was chosen."""
         small = _SMALL * self.reach + 4.0 * self.doubt
-        differs = abs(self.static - self.zero) > small or self.datum() != "undeformed"
-        return differs and not self.is_stated
+        return (abs(self.static - self.zero) > small or datum != "undeformed") and not self.is_stated
+
+
+Starts = Mapping[str, Mapping[str, QuietStart]]
+"""Trial to channel to its start."""
 
 
 def with_datums(
     trials: Sequence[FitTrial], channels: Sequence[str] | None = None
 ) -> tuple[list[FitTrial], list[Finding]]:
-    """Give the trials with the datum of every compared channel decided, and findings that say what was taken."""
-    both = [with_datum(trial, channels) for trial in trials]
-    return [trial for trial, _ in both], start_findings({trial.name: starts for trial, starts in both})
+    """Give the trials with the datum of every compared channel decided, and findings that say what was taken.
 
-
-def with_datum(trial: FitTrial, channels: Sequence[str] | None = None) -> tuple[FitTrial, dict[str, QuietStart]]:
-    """Give a trial with the datum of every compared channel decided, and the starts of the channels.
-
-    A datum that a sensor states is kept. Otherwise the quiet start is held against the model's static value, which may
-    be off by 35 % (the start values are those before an update) and decides between "rest" and "undeformed"; a record
-    that is neither, or one of a loaded channel that begins in motion, gets a "free offset".
+    A datum that a sensor states is kept. Otherwise quiet starts are held against the model's static values, which may
+    be off by 35 % (the start values are those before an update) and decide between "rest" and "undeformed"; a record
+    that is neither, or a loaded channel that nowhere begins at rest, gets a "free offset". A channel has one datum in
+    all trials: where their starts say different things its offset is free in each.
     """
-    sensors, starts = dict(trial.sensors), _quiet_starts(trial, channels)
+    starts = {trial.name: quiet_starts(trial, channels) for trial in trials}
+    datums = datums_of(starts)
+    return [with_datum(trial, starts[trial.name], datums) for trial in trials], start_findings(starts)
+
+
+def datums_of(starts: Starts) -> dict[str, Datum]:
+    """Decide the datum of each channel from its starts in all trials."""
+    said = dict[str, dict[bool, set[Datum]]]()
+    for channels in starts.values():
+        for name, start in channels.items():
+            if not start.is_stated:
+                said.setdefault(name, {}).setdefault(start.recorded is not None, set()).add(start.datum())
+    # records that begin at rest decide, also for those that begin in motion
+    votes = {name: found.get(True) or found[False] for name, found in said.items()}
+    return {name: next(iter(found)) if len(found) == 1 else "free offset" for name, found in votes.items()}
+
+
+def with_datum(trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mapping[str, Datum]) -> FitTrial:
+    """Give a trial with the datums of its channels, but for those that its sensors state."""
+    sensors = dict(trial.sensors)
     for name, start in starts.items():
         if not start.is_stated:
-            sensors[name] = sensors.get(name, Sensor()).model_copy(update={"datum": start.datum()})
-    return replace(trial, sensors=sensors), starts
+            sensors[name] = sensors.get(name, Sensor()).model_copy(update={"datum": datums[name]})
+    return replace(trial, sensors=sensors)
 
 
-def start_findings(starts: Mapping[str, Mapping[str, QuietStart]]) -> list[Finding]:
-    """Say for each channel which datum was found and whether its sign is turned, from starts by trial and channel."""
-    datums, turned = dict[tuple[str, Datum], list[str]](), dict[str, list[str]]()
-    likeness = dict[str, float]()
+def start_findings(starts: Starts) -> list[Finding]:
+    """Say for each channel which datum was found and whether its sign is turned."""
+    datums, found = datums_of(starts), dict[str, list[tuple[str, QuietStart]]]()
     for trial, channels in starts.items():
         for channel, start in channels.items():
-            if start.matters():
-                datums.setdefault((channel, start.datum()), []).append(trial)
-            if start.likeness < _TURNED:
-                turned.setdefault(channel, []).append(trial)
-                likeness[channel] = start.likeness
-    findings = [turned_channel(channel, likeness[channel], trials) for channel, trials in turned.items()]
-    return findings + [_finding(channel, datum, trials) for (channel, datum), trials in datums.items()]
+            found.setdefault(channel, []).append((trial, start))
+    turned, chosen = list[Finding](), list[Finding]()
+    for channel, both in found.items():
+        trials = [trial for trial, start in both if start.likeness < _TURNED]
+        if trials:
+            last = next(start.likeness for _, start in reversed(both) if start.likeness < _TURNED)
+            turned.append(turned_channel(channel, last, trials))
+        some = [one for one in both if channel in datums and one[1].matters(datums[channel])]
+        if some:
+            chosen.append(_finding(channel, datums[channel], some))
+    return turned + chosen
 
 
-def _finding(channel: str, datum: Datum, trials: list[str]) -> Finding:
-    where = ", ".join(trials) if len(trials) < 5 else f"{len(trials)} trials"
-    text = f'datum "{datum}" taken from the start of {where}: {_MEANING[datum]}'
+def _finding(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart]]) -> Finding:
+    quiet = [trial for trial, start in starts if start.recorded is not None]
+    moving = [trial for trial, start in starts if start.recorded is None]
+    text = f'datum "{datum}" taken from the start of {_listed(quiet or moving)}: {_MEANING[datum]}'
+    if quiet and moving:
+        text += f"; so also in {_listed(moving)}, where the record begins in motion"
     if datum == "free offset":
-        text += "; the record is neither zeroed at rest nor counts as the model does"
+        differ = len({start.datum() for trial, start in starts if trial in quiet}) > 1
+        text += (
+            "; the starts of the trials say different things"
+            if differ
+            else "; the record is neither zeroed at rest nor counts as the model does"
+        )
     return Finding(channel, "warning" if datum == "free offset" else "note", f"{text}; state it as datum of its sensor")
 
 
-def _quiet_starts(trial: FitTrial, channels: Sequence[str] | None) -> dict[str, QuietStart]:
+def _listed(trials: Sequence[str]) -> str:
+    return ", ".join(trials) if len(trials) < 5 else f"{len(trials)} trials"
+
+
+def quiet_starts(trial: FitTrial, channels: Sequence[str] | None = None) -> dict[str, QuietStart]:
     """Starts of all compared channels, with the model's own values."""
     problem = UpdateProblem(
         [trial], (), channels=channels, weights="printed", align=False, lag_bound=1.0, tolerance=1e-5

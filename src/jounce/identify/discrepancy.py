@@ -29,6 +29,7 @@ from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepa
 from jounce.identify.laws import Laws, States
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
 from jounce.identify.richer import SLIDING_OVER, Nuisance, Richer, Ridden
+from jounce.identify.stated_masses import scale_of_masses
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
 from jounce.parts import QuarterCar, Rig
@@ -905,6 +906,12 @@ def reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepa
             *_findings(one, strays, nuisances, contradicted, unexplained, reducer, reduced),
             *_one_sided(calibration),
             *_undoubted(one.richer),
+            *scale_of_masses(
+                [item.path for item in one.free],
+                one.names,
+                1.96 * max((n.deviation for n in one.nuisances if n.name.endswith("mass")), default=0.0),
+                [item.path for item, (_, sure) in zip(one.free, one.priors, strict=True) if sure > 0.0],
+            ),
         ),
     )
 

@@ -97,9 +97,7 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
         high = min(high, FASTEST * rate)
         if not 0.0 < low < high:
-            allowed = (
-                f"two corners, the lower above 0 and below {FASTEST * rate:g} Hz, {FASTEST:g} of the sample rate"
-            )
+            allowed = f"two corners, the lower above 0 and below {FASTEST * rate:g} Hz, {FASTEST:g} of the sample rate"
             raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
         found.append(Nuisance(name, Free(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
     return tuple(found)

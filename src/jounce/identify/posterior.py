@@ -197,7 +197,7 @@ class Rested:
 
 def rested(  # noqa: PLR0913 - as for the posterior
     trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str, weights: str | Mapping[str, float],
-    channels: Sequence[str] | None, align: str | None, starts: int, doubt: Doubt | Mapping[str, Any] | None,
+    channels: Sequence[str] | None, align: str | None, starts: int | None, doubt: Doubt | Mapping[str, Any] | None,
     bench: Mapping[str, Estimate] | None, progress: Progress,
 ) -> Rested:  # fmt: skip
     """Update a model, and give the density of its parameters with what it rests on; arguments as in `posterior`."""
@@ -245,7 +245,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     weights: str | Mapping[str, float] = "normalised",
     channels: Sequence[str] | None = None,
     align: str | None = None,
-    starts: int = 1,
+    starts: int | None = None,
     doubt: Doubt | Mapping[str, Any] | None = None,
     bench: Mapping[str, Estimate] | None = None,
     draws: int = 20_000,

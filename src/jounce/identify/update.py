@@ -21,6 +21,8 @@ from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.identify.nuisances import ALIKE, SPEED, Nuisance, Rest, late_share, low_pass_in, nuisances_of, speed_in
 from jounce.identify.search import SAME_PLACE, Optimum, Search, check_method, searched
+from jounce.identify.stated_masses import preferred_masses
+from jounce.identify.trials_compared import disagreeing, exchanged, unlike
 from jounce.parts import Rig
 from jounce.parts.rig import shown_unit_of, unit_of
 from jounce.simulation.settings import RunSettings
@@ -360,19 +362,23 @@ def updated(  # noqa: PLR0913 - as update_model
     )
     known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
+    swapped = exchanged(_left_over(problem, problem.residuals(start)))
     search = searched(problem, start, method, seed, starts=1 if starts is None and doubt is None else starts)
     best = search.best
     findings = [*datums, *known.findings, *_stall(name, best, before), *_other_minima(name, problem, search)]
     findings += _common_factors(problem)
     residuals = problem.residuals(best.scaled)
     left = _left_over(problem, residuals)
-    findings += [*_unexplained(problem, residuals), *_copies(problem), *_frozen(problem)]
+    findings += [*swapped, *_unexplained(problem, residuals), *_copies(problem), *_frozen(problem)]
     at_bound = np.abs(best.scaled) > 1.0 - 1e-5
+    findings += disagreeing(problem, residuals, best.scaled, ~at_bound) or unlike(left)
     whole = _whole(problem, best.scaled)
     inside = ~np.pad(at_bound, (0, whole.shape[1] - len(at_bound)))
     loud = [channel for channel, parts in left.items() if beyond_noise(parts) is not None]
     suspects = _suspects(problem, residuals, best.scaled, whole[:, inside], loud)
     findings += [finding for _, finding in suspects]
+    if loud:
+        findings += preferred_masses(problem, best.scaled, channels=channels, weights=weights)
     for channel, parts in left.items():
         if not any(finding.place in (channel, SPEED) or share > _CLEARLY for share, finding in suspects):
             findings += faults(channel, parts, lag_bound, is_aligned=problem.align)

@@ -20,7 +20,7 @@ from jounce.identify.discrepancy import (
     _law_estimate,
     _length,
     _mean_squares,
-    _next,
+    _Place,
     _Run,
     _share_of_rest,
     _shares,
@@ -39,24 +39,24 @@ COMPONENT, EFFECTIVE = Estimate(10.0, 1.0, (8.0, 12.0)), Estimate(11.0, 1.0, (9.
 
 
 def test_an_interval_is_the_hull_of_both_values() -> None:
-    law = _law_estimate(COMPONENT, EFFECTIVE, {"height": 0.3}, "", {}, "a")
+    law = _law_estimate(COMPONENT, EFFECTIVE, {"height": 0.3}, "", {}, "a", 0.1)
     assert (law.value, law.interval, law.identified, law.why) == (11.0, (8.0, 14.0), True, "")
     assert (law.component, law.effective, law.shares) == (COMPONENT, EFFECTIVE, {"height": 0.3})
-    unknown = _law_estimate(Estimate(7.0), EFFECTIVE, {}, "", {}, "a")
+    unknown = _law_estimate(Estimate(7.0), EFFECTIVE, {}, "", {}, "a", 0.1)
     assert unknown.interval == (7.0, 14.0)
 
 
 @pytest.mark.parametrize(("half", "why"), [(4.9, ""), (5.1, "its interval is wider than its value")])
 def test_what_is_wider_than_its_value_is_not_identified(half: float, why: str) -> None:
     for value in (10.0, -10.0):
-        law = _law_estimate(*[Estimate(value, 1.0, (value - half, value + half))] * 2, {}, "", {}, "a")
+        law = _law_estimate(*[Estimate(value, 1.0, (value - half, value + half))] * 2, {}, "", {}, "a", 0.1)
         assert (law.identified, law.why) == (not why, why)
 
 
 def test_why_a_parameter_is_withheld() -> None:
-    law = _law_estimate(COMPONENT, EFFECTIVE, {}, "height", {"a": "2.0 times what both intervals allow"}, "a")
+    law = _law_estimate(COMPONENT, EFFECTIVE, {}, "height", {"a": "2.0 times what both intervals allow"}, "a", 0.9)
     assert (law.identified, law.why) == (False, "contradicts its bench value by 2.0 times what both intervals allow")
-    law = _law_estimate(COMPONENT, EFFECTIVE, {}, "height", {"b": "?"}, "a")
+    law = _law_estimate(COMPONENT, EFFECTIVE, {}, "height", {"b": "?"}, "a", 0.9)
     assert (law.identified, law.why) == (False, "height leaves its prior")
 
 
@@ -262,20 +262,23 @@ def test_noise_is_the_power_above_eleven_twentieths_of_the_band() -> None:
 def test_a_step_that_cannot_be_simulated_is_halved() -> None:
     tried: list[float] = []
 
-    def blocks(share: float) -> tuple[str, str]:
+    def blocks(share: float) -> tuple[list[str], list[str]]:
         if share > 0.2:
             raise jn.SimulationError("diverged")
-        return "blocks", "states"
+        return ["blocks"], ["states"]
 
     def moved(_: object, __: object, ___: object, share: float) -> float:
         tried.append(share)
         return share
 
-    one = SimpleNamespace(moved=moved, blocks=blocks)
-    assert _next(one, None, None, [], 0.8) == (0.2, "blocks", "states")
-    assert tried == [0.8, 0.4, 0.2]
+    one = SimpleNamespace(moved=moved, blocks=blocks, free=["k"])
+    place = _Place(one, None, [], [])
+    after = place.after(np.array([50.0, 3.0 / 0.8]))  # doubts go three standard deviations at most, parameters as far
+    assert (after.state, after.blocks, after.states) == (pytest.approx(0.2), ["blocks"], ["states"])
+    assert tried == pytest.approx([0.8, 0.4, 0.2])
+    one.blocks = lambda _: blocks(1.0)
     with pytest.raises(jn.SimulationError, match="diverged"):
-        _next(one, None, None, [], 100.0)
+        place.after(np.array([1.0, 0.0]))
 
 
 def test_mean_squares_are_those_of_each_channel() -> None:
@@ -287,15 +290,17 @@ def test_mean_squares_are_those_of_each_channel() -> None:
 def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
     richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), ridden=Ridden(0.007, 0.0015, 1.0))
-    one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)])
+    one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)], free=[])
+    one.free = [SimpleNamespace(path="guide.friction.force")]
     assert {each.name: (each.unit, each.mean, each.deviation) for each in _Calibration._inputs(one)} == {
         "height": ("1", 0.0, 0.015),
         "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
         "presliding": ("N", 0.0, 4.0),
+        "guide presliding": ("1", 0.5, 0.3),
         "arms": ("kg", 0.0, pytest.approx(0.2)),
     }
     nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
-    assert _Calibration._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs)) == []
+    assert _Calibration._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[])) == []
     channels = [
         SimpleNamespace(name=name, measured=np.array([1.0, 3.0]), sensor=sensor)
         for name, sensor in (("a", jn.Sensor(low_pass="50 Hz")), ("b", None), ("c", jn.Sensor()))
@@ -304,12 +309,16 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     assert {
         each.name: (each.group, each.mean, each.deviation)
         for each in _Calibration._sensors(SimpleNamespace(beside={}, doubt=jn.Doubt(), runs=runs))
-    } == {"a corner": ("corner", 0.0, 0.15)} | {
+    } == {
+        "a corner": ("corner", 0.0, 0.15),
+        "b bandwidth": ("bandwidth", 0.0, 0.0005),
+        "c bandwidth": ("bandwidth", 0.0, 0.0005),
+    } | {
         f"{name} {group}": (group, 0.0, deviation)
         for name in "abc"
         for group, deviation in (("gain", 0.01), ("bias", 0.03))
     }
-    sure = jn.Doubt(gain=0.0, bias=0.0, corner=0.0)
+    sure = jn.Doubt(gain=0.0, bias=0.0, corner=0.0, bandwidth=0.0)
     assert _Calibration._sensors(SimpleNamespace(beside={}, doubt=sure, runs=runs)) == []
 
 

@@ -15,7 +15,8 @@ from jounce.identify.datum import QuietStart, _quiet_start, start_findings
 from jounce.identify.discrepancy import _moved, _scaled
 from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
 from jounce.identify.richer import ONSET_VELOCITY, Richer, Ridden, own_doubt
-from jounce.identify.update import Optimum, UpdatedParameter, bounds_and_priors, identifiability
+from jounce.identify.search import Optimum, Search
+from jounce.identify.update import UpdatedParameter, bounds_and_priors, identifiability
 from jounce.simulation.compiled import compile_rig
 
 RIG = jn.load("kart-quarter-car")
@@ -69,12 +70,28 @@ def test_how_a_search_ended_is_told() -> None:
     for objective in (1.0, 1.1):
         with pytest.raises(jn.FitError, match="u: the optimiser stalled at the start values"):
             update._stall("u", optimum(objective, 0.0, converged=False), 1.0)
-    assert update._several_minima("u", [optimum(1.0, 0.2), optimum(1.1, 0.2009)]) == []
-    (finding,) = update._several_minima(
-        "u", [optimum(1.0, 0.2), optimum(1.1, 0.1992), optimum(1.2, 0.2012), optimum(3.0, 0.9)]
+
+
+def test_other_minima_are_told_and_how_near_they_come() -> None:
+    rig = jn.load("kart-quarter-car")
+    problem = SimpleNamespace(
+        free=(Free(RATE, 22.7e3, 20e3, 26e3), Free("tyre.stiffness", 130e3, 120e3, 140e3)),
+        trials=[SimpleNamespace(source=SimpleNamespace(rig=rig))],
     )
-    assert (finding.severity, finding.value) == ("note", 1.2)
-    assert "2 of 4 starts converged elsewhere" in finding.message
+
+    def optimum(objective: float, place: float) -> Optimum:
+        return Optimum(np.array([0.0, place]), objective, 1, 1, converged=True)
+
+    best = optimum(1.0, 0.2)
+    assert update._other_minima("u", problem, Search(best, (), 4, is_confirmed=True)) == []
+    (finding,) = update._other_minima("u", problem, Search(best, (), 8, is_confirmed=False))
+    assert (finding.severity, "none of 7 other start points" in finding.message) == ("warning", True)
+    for objective, severity, told in ((1.4, "warning", "only 1.4 times"), (1.6, "note", "1.6 times as much left")):
+        (finding,) = update._other_minima("u", problem, Search(best, (optimum(objective, -0.5),), 4, is_confirmed=True))
+        assert finding.severity == severity
+        assert "with tyre.stiffness 1.25e+05 N/m" in finding.message
+        assert RATE not in finding.message
+        assert told in finding.message
 
 
 def test_start_values_that_differ_between_trials_are_told() -> None:
@@ -82,25 +99,6 @@ def test_start_values_that_differ_between_trials_are_told() -> None:
     trials = [SimpleNamespace(factors=np.array(each)) for each in ((1.0, 1.0), (1.0, 1.5), (1.0, 0.75))]
     (finding,) = update._common_factors(SimpleNamespace(free=free, trials=trials))
     assert (finding.place, finding.value) == ("b", 2.0)
-
-
-def test_several_starts_lie_within_the_bounds_and_the_best_end_leads(monkeypatch: pytest.MonkeyPatch) -> None:
-    begun: list[np.ndarray] = []
-
-    def minimise(_: object, point: np.ndarray, __: str) -> Optimum:
-        begun.append(point)
-        return Optimum(point, float(point[0]), 1, 1, converged=True)
-
-    monkeypatch.setattr(update, "minimise", minimise)
-    problem = SimpleNamespace(size=2)
-    found = update.minimise_from_many(problem, np.array([0.3, 0.3]), "bfgs", 9, 5)
-    places = np.array(begun)
-    assert places.shape == (9, 2)
-    assert begun[0].tolist() == [0.3, 0.3]
-    for column in places[1:].T:  # one in each eighth of the range
-        assert sorted(np.floor(4.0 * (column + 1.0)).astype(int)) == list(range(8))
-    assert [one.objective for one in found] == sorted(one.objective for one in found)
-    assert len(update.minimise_from_many(problem, np.zeros(2), "bfgs", 1, 5)) == 1
 
 
 def test_relative_and_absolute_bounds() -> None:
@@ -200,8 +198,8 @@ def test_where_a_quiet_start_says_the_zero_lies(
 ) -> None:
     start = QuietStart(recorded, doubt, static, zero, reach=1.0)
     assert start.datum() == datum
-    assert start.matters() == (abs(static - zero) > 0.02 + 4.0 * doubt or datum != "undeformed")
-    assert not QuietStart(recorded, doubt, static, zero, 1.0, is_stated=True).matters()
+    assert start.matters(start.datum()) == (abs(static - zero) > 0.02 + 4.0 * doubt or datum != "undeformed")
+    assert not QuietStart(recorded, doubt, static, zero, 1.0, is_stated=True).matters("rest")
 
 
 def test_what_quiet_starts_tell() -> None:

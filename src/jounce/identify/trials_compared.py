@@ -1,0 +1,119 @@
+"""Trials of one update held against each other: one that disagrees with the others, or has its channels exchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.identify.decay import noise_of
+from jounce.identify.fit_problem import Residuals, UpdateProblem
+from jounce.identify.leftovers import LeftOver
+from jounce.recordings.schema import channel_unit
+
+_FEWEST = 3  # trials, below which nothing tells which of them is wrong
+_CONTRADICTS = 0.5  # of what the others leave: so much less without a trial is no chance
+_MATTERS = 0.01  # of a value: less is not worth a word
+_EXPLAINS = 0.5  # of what a trial leaves with the values of the others
+_MORE, _LITTLE = 9.0, 1e-3  # times the mean square that others leave; of the signal's: 3 % of its size
+_SWAPPED = 0.5  # by which the correlations of two exchanged channels are larger, in sum
+
+
+def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, free: NDArray[np.bool_]) -> list[Finding]:
+    """Name the trial without which the others agree much better, and how far it moves the values.
+
+    ``residuals`` are those at the optimum ``scaled``; ``free`` tells which unknowns lie inside their bounds.
+    """
+    rows, jacobian = residuals.groups, residuals.jacobian[:, free]
+    if len(rows) < _FEWEST or not free.any():
+        return []
+    grams = [jacobian[part].T @ jacobian[part] for part in rows]
+    pulls = [jacobian[part].T @ residuals.vector[part] for part in rows]
+    squares = [float(residuals.vector[part] @ residuals.vector[part]) for part in rows]
+    gram, pull, square = sum(grams), sum(pulls), sum(squares)
+    steps = [-np.linalg.pinv(gram - one, hermitian=True) @ (pull - own) for one, own in zip(grams, pulls, strict=True)]
+    gains = [
+        -float(step @ (pull - own)) / max(square - left, 1e-300)
+        for step, own, left in zip(steps, pulls, squares, strict=True)
+    ]
+    worst = int(np.argmax(gains))
+    half = np.array([one.half_range for one in problem.free])
+    values, known = problem.values(scaled), np.flatnonzero(free[: len(half)])
+    moved = {problem.free[i].path: steps[worst][k] * half[i] / (values[i] or half[i]) for k, i in enumerate(known)}
+    if gains[worst] < _CONTRADICTS or not moved or max(map(abs, moved.values())) < _MATTERS:
+        return []
+    shifts = ", ".join(f"{path} {100.0 * share:+.2g} %" for path, share in moved.items() if abs(share) > _MATTERS)
+    text = (
+        f"does not agree with the other trials: without it they would leave {100.0 * (1.0 - gains[worst]):.2g} % of "
+        f"what they leave, and the values would move ({shifts})"
+    )
+    left = residuals.vector[rows[worst]] + jacobian[rows[worst]] @ steps[worst]
+    own = jacobian[rows[worst]][:, : len(known)]
+    pulled, lengths = own.T @ left, np.maximum((own**2).sum(axis=0), 1e-300)
+    shares = pulled**2 / lengths / max(float(left @ left), 1e-300)
+    best = int(np.argmax(shares))
+    if shares[best] > _EXPLAINS:
+        i = known[best]
+        change = -pulled[best] / lengths[best] * half[i] / (values[i] or half[i])
+        text += (
+            f"; in it alone {problem.free[i].path} {100.0 * change:+.2g} % explains {100.0 * shares[best]:.0f} % of "
+            "the difference"
+        )
+    text += "; check its speed, obstacle, pressure, masses and recording"
+    return [Finding(problem.trials[worst].source.name, "warning", text, gains[worst])]
+
+
+def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
+    """Name trials of which the updated model leaves far more than of the others, noise aside."""
+    shares = dict[str, list[float]]()
+    for parts in left.values():
+        for part in parts:
+            size = float(np.mean((part.measured - part.measured.mean()) ** 2))
+            rest = max(float(np.mean(part.rest**2)) - noise_of(part.measured) ** 2, 0.0)
+            shares.setdefault(part.trial, []).append(rest / max(size, 1e-300))
+    if len(shares) < _FEWEST:
+        return []
+    mean = {trial: float(np.mean(some)) for trial, some in shares.items()}
+    trial = max(mean, key=lambda name: mean[name])
+    others = float(np.median([share for name, share in mean.items() if name != trial]))
+    if mean[trial] < max(_MORE * others, _LITTLE):
+        return []
+    text = (
+        f"the updated model leaves {100.0 * mean[trial]:.2g} % of its signals' energy, of the other trials "
+        f"{100.0 * others:.2g} %: check its speed, obstacle, pressure, masses and recording"
+    )
+    return [Finding(trial, "warning", text, mean[trial])]
+
+
+def exchanged(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
+    """Name channels of one unit whose records look more like each other's reading than like their own."""
+    found = []
+    for one, other in combinations(left, 2):
+        if channel_unit(one) != channel_unit(other):
+            continue
+        pairs = {part.trial: part for part in left[other]}
+        trials = [part.trial for part in left[one] if part.trial in pairs and _look_swapped(part, pairs[part.trial])]
+        if trials:
+            text = (
+                f"looks exchanged with {other} in {', '.join(trials)}: each record resembles what the model gives for "
+                "the other one; name the columns the other way round"
+            )
+            found.append(Finding(one, "warning", text))
+    return found
+
+
+def _look_swapped(one: LeftOver, other: LeftOver) -> bool:
+    if len(one.measured) != len(other.measured):
+        return False
+    straight = _alike(one.measured, one.read) + _alike(other.measured, other.read)
+    return _alike(one.measured, other.read) + _alike(other.measured, one.read) > straight + _SWAPPED
+
+
+def _alike(one: Array, other: Array) -> float:
+    one, other = one - one.mean(), other - other.mean()
+    size = float(np.linalg.norm(one) * np.linalg.norm(other))
+    return float(one @ other) / size if size > 0.0 else 0.0
