@@ -6,7 +6,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.fit_problem import UpdateProblem, free_parameters
-from jounce.identify.update import minimise
+from jounce.identify.search import minimise
 from jounce.recordings import Sensor, apply_sensors
 from jounce.roads import HalfSine
 

@@ -159,23 +159,24 @@ class DoubtDensity:
         """Let the doubts climb to where they are best, by the slopes of the blocks, which are those at the state.
 
         Forces beside the strut follow from the motion that they cause: from one climb to the next they are those of
-        the run before, and come to rest with the doubts. Where wheels lift off the sum of squares jumps: the climb ends
-        where it would rise.
+        the run before, and come to rest with the doubts. Where wheels lift off, or doubts that act alike trade places,
+        the sum of squares may rise on the way: the best of all climbs counts.
         """
         one, p = self.found.one, self.size
         information, score, square = self._linear(blocks, state)
-        step = np.zeros(len(information) - p)
+        step, best = np.zeros(len(information) - p), None
         for left in range(climbs, -1, -1):
             more = np.asarray(np.linalg.solve(information[p:, p:], score[p:]), dtype=float)
+            if best is None or square < best.square:
+                best = _Climbed(step, more, information, score, square)
             if not left or float(score[p:] @ more) < _LITTLE_GAIN:
                 break
             state = one.moved(state, np.concatenate([np.zeros(p), more]), blocks, 1.0)
             blocks = one.residuals(state, blocks)
-            _, following, left_over = self._linear(blocks, state)
-            if left_over > square:
-                break
-            step, score, square = step + more, following, left_over
-        return _Climbed(step, more, information, score, square)
+            _, score, square = self._linear(blocks, state)
+            step = step + more
+        assert best is not None
+        return best
 
     def doubts(self, x: Array, seed: int) -> Array:
         """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""

@@ -287,16 +287,15 @@ class _Run:
         return solution
 
 
-def slowed(table: Array, rate: float, constant: float) -> Array:
+def slowed(table: Array, rate: float, constant: float, typical: float) -> Array:
     """Signals behind a second-order low pass with a time constant of ``constant`` (s), one over its angular corner.
 
-    A quicker one than the sample rate (Hz) can show is a part of the quickest that it can. Below zero what the low pass
-    does is undone to first order: another channel that is slower looks so.
+    What it does is taken as proportional to the constant, as it is of one of a ``typical`` constant (s), or of the
+    quickest that the sample rate (Hz) shows. Below zero it is undone: another channel that is slower looks so.
     """
-    quickest = 1.0 / (2.0 * np.pi * FASTEST * rate)
-    longer = max(abs(constant), quickest)
-    behind = filter_signals(table, rate, Sensor(low_pass=1.0 / (2.0 * np.pi * longer)))
-    return np.asarray(table + constant / longer * (behind - table))
+    typical = max(typical, 1.0 / (2.0 * np.pi * FASTEST * rate))
+    behind = filter_signals(table, rate, Sensor(low_pass=1.0 / (2.0 * np.pi * typical)))
+    return np.asarray(table + constant / typical * (behind - table))
 
 
 _SHORTEST_PATCH = 5e-4  # m
@@ -496,7 +495,7 @@ class _Calibration:
         """Reading of a channel, and its derivatives, through its sensor as it may be."""
         table = prepared.table(self._sensed(channel, xi), solution)
         name = f"{channel.name} bandwidth"
-        return slowed(table, prepared.rate, self.value(name, xi)) if name in self.place else table
+        return slowed(table, prepared.rate, self.value(name, xi), self.doubt.bandwidth) if name in self.place else table
 
     def _sensed(self, channel: Channel, xi: Array) -> Channel:
         """The channel with its sensor as it may be."""
@@ -785,16 +784,21 @@ _SHORTER = 5  # times that a step is halved where it cannot be simulated
 
 
 def _settled(one: _Calibration, place: _Place) -> _Place:
-    """Step until the parameters stay where they are."""
-    p = len(one.free)
+    """Step until the parameters stay where they are; the best place on the way where the search ran away from it."""
+    p, best = len(one.free), place
     for _ in range(_ROUNDS):
         step = place.step
         place = place.after(step.step)
+        best = min(best, place, key=lambda place: place.cost)
         errors = np.sqrt(np.diag(step.covariance)[:p])
         is_whole = np.max(np.abs(step.step[p:]), initial=0.0) <= _LONGEST
         if is_whole and np.all(np.abs(step.step[:p]) < _SETTLED * errors):
             break
-    return place
+    # Forces beside the strut are those of the run before: only where a search comes to rest do they belong to it.
+    return place if place.cost < best.cost + _RAN_AWAY else best
+
+
+_RAN_AWAY = 1.0  # twice the logarithm of a probability: by less, costs differ where nothing does
 
 
 def _elsewhere(one: _Calibration, place: _Place) -> list[Array]:

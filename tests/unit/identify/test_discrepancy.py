@@ -24,7 +24,7 @@ from jounce.identify.discrepancy import (
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
-from jounce.identify.richer import Richer, Ridden
+from jounce.identify.richer import SLIDING_OVER, Richer, Ridden
 from jounce.simulation.compiled import compile_rig
 
 RIG = jn.load("kart-quarter-car").with_changes({
@@ -179,12 +179,12 @@ def test_presliding_builds_up_over_a_distance_and_turns_over_with_the_motion():
     time = np.linspace(0.0, 1.0, 2001)
     still = np.zeros_like(time)
     wave = 0.1 * np.sin(2.0 * np.pi * 2.0 * time)
-    z = States(time, still, wave, still, still, still).sliding()
+    z = States(time, still, wave, still, still, still).sliding(wave, SLIDING_OVER)
     assert np.abs(z).max() <= 1.0
     assert z[250] > 0.99
     assert z[499] > 0.99
     assert z[750] < -0.99
-    slow = States(10.0 * time, still, 0.1 * wave, still, still, still).sliding()
+    slow = States(10.0 * time, still, 0.1 * wave, still, still, still).sliding(0.1 * wave, SLIDING_OVER)
     assert slow == pytest.approx(z, abs=1e-9)  # a distance, whatever the speed
 
 
@@ -456,14 +456,15 @@ def density(wrong):
 
 
 def test_a_density_is_that_of_the_parameters_alone_and_has_its_own_slopes(density):
-    """Whatever was asked before; a rise is that of both slopes, within what it jumps by where wheels lift off."""
+    """Whatever was asked before; a rise is that of both slopes, but for the few places where wheels lift off."""
     step = density.region.root @ np.array([0.9, -0.2, 0.3, 0.2])
-    found = [density(density.best + share * step) for share in (-1.0, 0.0, 1.0)]
+    found = [density(density.best + share * step) for share in np.linspace(-1.0, 1.0, 9)]
     assert density(density.best - step)[0] == found[0][0]
-    rises = [found[1][0] - found[0][0], found[2][0] - found[1][0]]
-    slopes = [float(one[1] @ step) for one in found]
-    assert rises == pytest.approx([0.5 * (slopes[0] + slopes[1]), 0.5 * (slopes[1] + slopes[2])], abs=0.15)
-    assert rises[0] - rises[1] == pytest.approx(step @ np.linalg.inv(density.covariance) @ step, rel=0.2)
+    rises = np.diff([one[0] for one in found])
+    slopes = np.array([float(one[1] @ step) for one in found])
+    off = np.abs(rises - 0.125 * (slopes[1:] + slopes[:-1]))
+    assert np.median(off) < 0.01
+    assert np.max(off) < 0.2
 
 
 def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():

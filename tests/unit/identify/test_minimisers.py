@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from jounce.identify.update import is_stationary
+from jounce.identify.search import is_stationary
 
 JACOBIAN = np.array([[1.0, 0.2], [0.1, 2.0], [0.3, -0.4]])
 
