@@ -465,6 +465,7 @@ def test_a_density_is_that_of_the_parameters_alone_and_has_its_own_slopes(densit
     off = np.abs(rises - 0.125 * (slopes[1:] + slopes[:-1]))
     assert np.median(off) < 0.01
     assert np.max(off) < 0.2
+    assert 0.5 * (slopes[0] - slopes[-1]) == pytest.approx(step @ np.linalg.inv(density.covariance) @ step, rel=0.2)
 
 
 def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():

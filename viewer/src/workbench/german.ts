@@ -87,6 +87,7 @@ translate({
   "its file, with road.z": "ihre Datei, mit road.z",
   "undeformed springs and tyre": "unverformten Federn und Reifen",
   "the wheel at rest on it": "dem darauf ruhenden Rad",
+  "95 % interval, model error counted": "95-%-Intervall, Modellfehler gezählt", "part / model": "Teil / Modell", "With everything fitted that was doubted, # % of the residual's energy is left.": "Wird alles angepasst, woran gezweifelt wird, bleiben # % der Energie des Residuums.",
   "objective from # to # in # evaluations": "Zielfunktion von # auf # in # Auswertungen",
   "lag of trial #": "Versatz von Versuch #",
   "every update on every trial": "jeder Abgleich an jedem Versuch",

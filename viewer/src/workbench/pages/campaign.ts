@@ -242,7 +242,7 @@ interface Compared { channels: Record<string, { nrmse: number | null; r2: number
 interface Results {
   synthetic: string; findings: { place: string; severity: string; message: string }[];
   characterisation: { replaced: { path: string; described: number; measured: number; standard_error: number | null; source: string }[] };
-  updates: { name: string; objective_before: number; objective_after: number; reduction_percent: number; evaluations: number; parameters: Record<string, Estimated>; identifiability: { parameters: string[]; sensitivity: number[]; rank: number; condition: number | null; correlation: number[][]; findings: { message: string; place: string }[] }; trials: number[]; comparisons: { number: number; is_fitted: boolean; before: Compared | null; after: Compared | null }[]; discrepancy: { parameters: Record<string, { value: number; interval: [number, number]; why: string }> } | null }[];
+  updates: { name: string; objective_before: number; objective_after: number; reduction_percent: number; evaluations: number; parameters: Record<string, Estimated>; identifiability: { parameters: string[]; sensitivity: number[]; rank: number; condition: number | null; correlation: number[][]; findings: { message: string; place: string }[] }; trials: number[]; comparisons: { number: number; is_fitted: boolean; before: Compared | null; after: Compared | null }[]; discrepancy: { objective: number; parameters: Record<string, { value: number; interval: [number, number]; component: { value: number }; effective: { value: number }; why: string }> } | null }[];
   trials: { number: number; use: string; speed: number | null; verdict: string; channels: Record<string, { nrmse: number | null; r2: number | null; iso18571: number | null }>; before: Compared | null }[];
 }
 const RANK = ["problem", "warning", "note"]; // what may make a verdict wrong comes first
@@ -303,12 +303,15 @@ function answer(found: Results, units: Units): HTMLElement[] {
   if (found.characterisation.replaced.length) shown.push(make("h2", {}, "Characterised"), table("characterised", ["number", "unit", "in the rig's file", "measured", "standard error", "from"], found.characterisation.replaced.map((one) => { const { unit, factor } = units(one.path); return [one.path, unit, written(one.described * factor), written(one.measured * factor), one.standard_error === null ? "–" : written(one.standard_error * factor, 2), one.source]; }), [2, 3, 4]));
   for (const one of found.updates) {
     shown.push(make("h2", {}, `Update: ${one.name}`), make("p", {}, `The objective fell by ${written(one.reduction_percent, 3)} %, from ${written(one.objective_before)} to ${written(one.objective_after)}, in ${one.evaluations} evaluations on trial ${one.trials.join(", ")}.`),
-      table("parameters", ["parameter", "unit", "at first", "value", "95 % interval, noise only", "bounds", "known"], Object.entries(one.parameters).map(([path, p]) => {
+      table("parameters", ["parameter", "unit", "at first", "value", ...(one.discrepancy ? ["part / model", "95 % interval, model error counted"] : ["95 % interval, noise only"]), "bounds", "known"], Object.entries(one.parameters).map(([path, p]) => {
         const law = one.discrepancy?.parameters[path];
         const { unit, factor } = units(path);
-        return [path, unit, written(p.initial * factor), ...estimated(p.value, p.interval, factor, 5), `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
+        const told = law ? [law.component, law.effective].map((reading) => written(reading.value * factor)).join(" / ") : "–";
+        const [value, interval] = estimated(law?.value ?? p.value, law?.interval ?? p.interval, factor, 5);
+        return [path, unit, written(p.initial * factor), value!, ...(one.discrepancy ? [told] : []), interval!, `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
           p.at_bound ? make("span", { class: "mark fair" }, "at its bound") : law?.why ? make("span", { class: "mark bad" }, `not identified: ${law.why}`) : law ? make("span", { class: "mark good" }, "identified") : "–"];
-      }), [2, 3, 4, 5]),
+      }), one.discrepancy ? [2, 3, 4, 5, 6] : [2, 3, 4, 5]),
+      ...(one.discrepancy ? [make("p", { class: "muted" }, `With everything fitted that was doubted, ${written(100 * one.discrepancy.objective, 2)} % of the residual's energy is left.`)] : []),
       make("h3", {}, "What the data can tell"), make("p", { class: "muted" }, `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}.`),
       table("identifiability", ["unknown", "sensitivity", "most alike"], one.identifiability.parameters.map((name, k) => {
         const row = one.identifiability.correlation[k] ?? [], best = row.reduce((at, value, i) => (i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at), -1);
