@@ -62,14 +62,17 @@ class Knowledge(Shown):
             return self.tyres[pressure]
         return self.between(pressure) if self.between is not None else {}
 
-    def rig_for(self, strut_angle: float | None, pressure: float | None, changes: Mapping[str, Any]) -> Rig:
-        """Rig as set up for one trial: strut angle (rad), pressure (Pa) and further changes by path.
+    def rig_for(
+        self, strut_angle: float | None, pressure: float | None, changes: Mapping[str, Any], added_mass: float = 0.0
+    ) -> Rig:
+        """Rig as set up for one trial: strut angle (rad), pressure (Pa), changes by path, and a mass (kg) on its body.
 
         A 3-D rig's strut is turned about its lower end, see :func:`jounce.parts.variants.with_strut_angle`.
         """
         rig = with_tyre(self.rig, self.tyre_at(pressure))
         rig = rig if strut_angle is None else with_strut_angle(rig, strut_angle)
-        return rig.with_changes(dict(changes)) if changes else rig
+        rig = rig.with_changes(dict(changes)) if changes else rig
+        return rig.with_changes({SPRUNG_MASS: rig.parameters()[SPRUNG_MASS] + added_mass}) if added_mass else rig
 
     def after(self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]) -> Knowledge:
         """Take over fitted values; those of the tyre hold for the pressures they were fitted at, all others always."""
@@ -597,6 +600,8 @@ def _at_wheel(rig: Rig) -> _AtWheel:
     return _AtWheel(float(wheel_rate), float(both - wheel_rate), sprung, unsprung, loss, lever)
 
 
+SPRUNG_MASS = "sprung.mass"
+"""What ``added_mass`` of a trial is added to."""
 _MACHINE = 0.005
 """Share of a value that a test machine is off by, at least."""
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from jounce.core.description import Description, Whole, read_description
-from jounce.core.units import NonNegativeLength, PositiveSpeed, PositiveTime, Unit, to_si
+from jounce.core.units import NonNegativeLength, NonNegativeMass, PositiveSpeed, PositiveTime, Unit, to_si
 from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
 from jounce.recordings import Sensor
@@ -101,6 +101,7 @@ class TrialEntry(RecordingFormat):
     force_positive: ForcePositive | None = None
     use: Literal["fit", "hold-out"] = "hold-out"
     duration: PositiveTime | None = None
+    added_mass: NonNegativeMass = 0.0
     changes: dict[str, Any] = {}
 
     @model_validator(mode="after")

@@ -12,7 +12,14 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from jounce.campaign.characterise import Characterisation, Knowledge, bench_values, characterise, polynomial_tyres
+from jounce.campaign.characterise import (
+    SPRUNG_MASS,
+    Characterisation,
+    Knowledge,
+    bench_values,
+    characterise,
+    polynomial_tyres,
+)
 from jounce.campaign.description import Campaign, TrialEntry, UpdateEntry, load_campaign
 from jounce.campaign.result import (
     CampaignResult,
@@ -160,7 +167,10 @@ def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) ->
 
 def checks_of(campaign: Campaign, rig: Rig, file: Path) -> list[Callable[[], list[Finding]]]:
     """What is refused before any work is done; ``jounce check`` does all of it, too."""
-    return [partial(check, campaign, rig, file) for check in (_check_sensors, check_strut_angles, _check_updates)]
+    return [
+        partial(check, campaign, rig, file)
+        for check in (_check_sensors, check_strut_angles, _check_masses, _check_updates)
+    ]
 
 
 def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
@@ -187,6 +197,17 @@ def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
             ) from None
         findings += strut_angle_findings(entry.strut_angle, f"trial {entry.number}: strut_angle")
     return findings
+
+
+def _check_masses(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
+    """Refuse masses that are added to a rig without a body."""
+    for i, entry in enumerate(campaign.trial):
+        if entry.added_mass and SPRUNG_MASS not in rig.parameters():
+            place = f"{file}: trial[{i}].added_mass (number {entry.number})"
+            raise DescriptionError(
+                "the rig has no body to add a mass to", where=place, allowed=f"a rig with {SPRUNG_MASS}"
+            )
+    return []
 
 
 def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
@@ -290,9 +311,10 @@ class Runner:
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         """Give a trial with the rig as it was set up for it."""
         entry = item.entry
-        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
+        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
+        added = {SPRUNG_MASS: entry.added_mass} if entry.added_mass else {}
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
-        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors)
+        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors, added)
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
@@ -437,7 +459,7 @@ class Runner:
 
     def _peaks(self, item: _Loaded, knowledge: Knowledge) -> list[PeakDifference]:
         entry = item.entry
-        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes)
+        rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
         assert isinstance(rig, Corner)
         return compare_peaks(f"trial {entry.number}", rig, lumped_from(rig), item.trial)
 

@@ -214,8 +214,9 @@ class _Run:
         return self.all.richer.numbers(self.values, self.fitted(state.theta), state.xi)
 
     def fitted(self, theta: Array) -> dict[str, float]:
-        pairs = zip(self.all.free, theta, self.prepared.factors, strict=True)
-        return {free.path: free.value(s) * f for free, s, f in pairs}
+        values = np.array([free.value(s) for free, s in zip(self.all.free, theta, strict=True)])
+        own = self.prepared.own(values)
+        return {free.path: float(value) for free, value in zip(self.all.free, own, strict=True)}
 
     def signals(self, inputs: Mapping[str, float]) -> list[Segments]:
         """Tracks with the inputs as they may be, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""

@@ -60,6 +60,9 @@ class FitTrial(Shown):
     sensors : dict
         Channel to sensor: applied to the simulation before it is compared. Where a sensor says no ``datum``, or a
         channel has no sensor, :func:`jounce.identify.datum.with_datums` finds it; until then it is "undeformed".
+    added : dict
+        Path to what the rig had on top in this trial alone (SI), such as a known mass; it is in ``rig``. A fitted value
+        is that without it.
     """
 
     name: str
@@ -67,6 +70,13 @@ class FitTrial(Shown):
     trial: Trial
     measured: xr.Dataset
     sensors: Mapping[str, Sensor] = field(default_factory=dict)
+    added: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def rig_without(self) -> Rig:
+        """The rig without what was added."""
+        values = self.rig.parameters()
+        return self.rig.with_changes({path: values[path] - more for path, more in self.added.items()})
 
     def __post_init__(self) -> None:
         check_rig(self.rig)
@@ -167,12 +177,17 @@ class Prepared:
     channels: tuple[Channel, ...]
     start: Array
     factors: Array
+    offsets: Array
+
+    def own(self, values: Array) -> Array:
+        """Values of this trial for those of the first trial without what was added to it."""
+        return values * self.factors + self.offsets
 
     def solve(self, values: Array, tolerance: float) -> Solution:
         """Simulate with the free parameters at ``values`` (in the units of the first trial's start values)."""
         p, names, free = self.start.copy(), self.compiled.facts.parameters, self.compiled.free
-        for column, path in enumerate(free):
-            p[names.index(path)] = values[column] * self.factors[column]
+        if free:
+            p[[names.index(path) for path in free]] = self.own(values)
         rig, trial = self.source.rig, self.source.trial
         signals, numbers = excitation(self.compiled.facts, rig, trial, free), dict(zip(names, p.tolist(), strict=True))
         solution = with_slopes(rig, trial, numbers, signals, self.times, tolerance, free)
@@ -486,7 +501,9 @@ def prepare_trial(
             found=", ".join(common),
             hint="Give one of them a weight above 0, or leave the trial out.",
         )
-    factors = np.array([values[item.path] / item.initial if item.initial else 1.0 for item in free])
+    offsets = np.array([trial.added.get(item.path, 0.0) for item in free])
+    plain = np.array([values[item.path] for item in free]) - offsets
+    factors = np.array([value / item.initial if item.initial else 1.0 for value, item in zip(plain, free, strict=True)])
     return Prepared(
         trial,
         compiled,
@@ -496,6 +513,7 @@ def prepare_trial(
         tuple(channels),
         compiled.parameter_values(values),
         factors,
+        offsets,
     )
 
 

@@ -19,7 +19,6 @@ from jounce.identify.richer import GUIDE_SLIDES_OVER, ONSET_VELOCITY, SLIDING_OV
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
 
-
 _BETWEEN = 0.25
 """Where a law of the velocity that is fitted to friction that builds up over travel comes out.
 

@@ -202,12 +202,12 @@ def rested(  # noqa: PLR0913 - as for the posterior
 ) -> Rested:  # fmt: skip
     """Update a model, and give the density of its parameters with what it rests on; arguments as in `posterior`."""
     progress(f"{name}: update")
-    bounds_ = bounds_and_priors(trials[0].rig, free, name)[0] if trials else {}
+    bounds_ = bounds_and_priors(trials[0].rig_without, free, name)[0] if trials else {}
     update, calibration = updated(
         trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
         doubt=doubt, bench=bench,
     )  # fmt: skip
-    limits = free_parameters(trials[0].rig, bounds_, where=name)
+    limits = free_parameters(trials[0].rig_without, bounds_, where=name)
     trials = with_datums(trials, channels)[0]
     findings = [one for one in update.findings if one.severity != "note"]
     values = update.values()

@@ -109,7 +109,7 @@ def _plain(trial: FitTrial, free: Sequence[Free], law: Array, settings: Mapping[
     tables: dict[str, list[Array]] = {channel.name: [] for channel in prepared.channels}
     for values in law:
         start = prepared.start.copy()
-        start[places] = values * prepared.factors
+        start[places] = prepared.own(values)
         one = replace(plain, start=start)
         solution = one.solve(np.zeros(0), _TOLERANCE)
         for channel in one.channels:

@@ -334,14 +334,14 @@ def updated(  # noqa: PLR0913 - as update_model
         raise FitError("not a number of starts", where=name, found=starts, allowed="1 or more")
     if not (np.isfinite(lag_bound) and lag_bound > 0.0):
         raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
-    ranges, priors = bounds_and_priors(trials[0].rig, free, name)
+    ranges, priors = bounds_and_priors(trials[0].rig_without, free, name)
     if priors and doubt is None:
         raise FitError(
             "a prior counts with doubt only",
             where=f"{name}: {next(iter(priors))}",
             hint="Give doubt, e.g. doubt = jn.Doubt(), or leave out the prior.",
         )
-    bounds = free_parameters(trials[0].rig, ranges, where=name)
+    bounds = free_parameters(trials[0].rig_without, ranges, where=name)
     trials, datums = with_datums(trials, channels)
     unknowns = nuisances_of(nuisances or {}, trials, f"{name}: nuisances")
     problem = UpdateProblem(

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import Knowledge, _quantity, characterise, tyre_of
+from jounce.campaign.characterise import Knowledge, _has_value, _quantity, bench_values, characterise, tyre_of
 from jounce.campaign.description import Bench
+from jounce.identify.estimate import Estimate
 from jounce.identify.update import UpdatedParameter
 
 LOW, HIGH = 250e3, 310e3
@@ -60,3 +62,27 @@ def test_a_spring_that_carries_nothing_is_measured_all_the_same(tmp_path: Path) 
     assert found.spring is not None
     assert found.spring.operating_deflection is None
     assert len(found.spring.trials) == 1  # a file that two patterns match is no repetition
+
+
+def test_a_bench_result_that_is_a_problem_replaces_nothing(tmp_path: Path) -> None:
+    x = np.linspace(0.0, 20.0, 41)
+    rows = "".join(f"{d},{22.7 * d * (1.0 - d / 25.0)}\n" for d in x)
+    (tmp_path / "spring.csv").write_text(f"displacement [mm], force [N]\n{rows}", encoding="utf-8")
+    rig = jn.load("kart-quarter-car")
+    bench = Bench(spring={"files": ["spring.csv"], "law": "polynomial"})
+    found, knowledge = characterise(rig, bench, tmp_path)
+    assert knowledge.rig == rig
+    assert found.replaced == []
+    (kept,) = [one for one in found.findings if "replaces nothing" in one.message]
+    assert (kept.place, kept.severity) == ("bench.spring", "problem")
+    assert "does not rise everywhere" in kept.message
+    assert bench_values(found, rig, None) == {}
+    assert _has_value(found, "here", (), Estimate(500.0, 249.0, None))
+    assert not _has_value(found, "here", (), Estimate(500.0, 251.0, None))
+    assert found.findings[-1].message == "replaces nothing, the described value is used: 500 ± 2.5e+02 is no value"
+
+
+def test_a_mass_is_added_in_one_trial_only() -> None:
+    known = Knowledge(jn.load("kart-quarter-car"))
+    assert known.rig_for(None, None, {"sprung.mass": 15.0}, 2.6).parameters()["sprung.mass"] == 17.6
+    assert known.rig.parameters()["sprung.mass"] == 16.0

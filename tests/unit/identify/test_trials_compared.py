@@ -100,3 +100,21 @@ def test_the_scale_of_rates_is_that_of_the_masses_unless_something_else_knows_it
     assert "is set by the stated masses (± " in note
     prior = {**FREE, "strut.spring.rate": {"bounds": "20 %", "prior": ["24 N/mm", "0.1 N/mm"]}}
     assert notes(free=prior) == []
+
+
+def test_a_mass_that_is_added_in_one_trial_stays_as_it_is() -> None:
+    """A free mass is that without it; as a common factor 2.6 kg would grow with the mass."""
+    made, (first, _, third) = [], trials({})
+    for one, changes in ((first, {}), (third, {"sprung.mass": 16.8 + 2.6})):
+        truth = RIG.with_changes({**TRUTH, "sprung.mass": 16.8, **changes})
+        measured = jn.simulate(truth, one.trial, tolerance=1e-8)[["sprung.az", "unsprung.az"]]
+        rig = RIG.with_changes({"sprung.mass": 16.0 + 2.6}) if changes else RIG
+        added = {"sprung.mass": 2.6} if changes else {}
+        made.append(jn.FitTrial(one.name, rig, one.trial, measured, added=added))
+    free = {"sprung.mass": "15 %", **FREE}
+    found = jn.update_model(made, free, weights="normalised")
+    values = {path: one.value for path, one in found.parameters.items()}
+    # the unsprung mass is as stated, so that the scale is known
+    assert values == pytest.approx({"sprung.mass": 16.8, **TRUTH}, rel=1e-4)
+    turned = jn.update_model(made[::-1], free, weights="normalised")
+    assert {path: one.value for path, one in turned.parameters.items()} == pytest.approx(values, rel=1e-4)
