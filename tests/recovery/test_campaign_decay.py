@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import Characterisation, DampingChoice, _AtWheel, bench_values, characterise
+from jounce.campaign.characterise import Characterisation, DampingChoice, Replaced, _AtWheel, bench_values, characterise
 from jounce.campaign.description import Bench
 from jounce.identify.estimate import Estimate
 from jounce.recordings import write_recording
@@ -151,7 +151,8 @@ def test_damping_is_found_up_to_the_largest_swing_and_none_beyond(corner, creeps
 @pytest.mark.parametrize(("value", "known"), [(1300.0, True), (np.inf, False)])
 def test_decays_of_too_few_swings_contradict_no_update(value, known):
     choice = DampingChoice("logarithmic-decrement", Estimate(0.3), Estimate(800.0), Estimate(value), is_used=True)
-    found = bench_values(Characterisation(damping_choices=(choice,)), RACER, None)
+    replaced = [Replaced("strut.damper.coefficient", 1000.0, value, None, "bench.decay")]
+    found = bench_values(Characterisation(damping_choices=(choice,), replaced=replaced), RACER, None)
     assert [(path, one.value) for path, one in found.items()] == [("strut.damper.coefficient", value)] * known
 
 

@@ -109,9 +109,9 @@ def test_one_sensor_has_one_datum_also_where_a_record_begins_in_motion(offset, d
     trials = [jn.FitTrial("one", RIG, TRIAL, whole), jn.FitTrial("two", RIG, TRIAL, begun)]
     decided, findings = with_datums(trials)
     assert [trial.sensors["sprung.z"].datum for trial in decided] == [datum, datum]
-    (finding,) = [one for one in findings if "datum" in one.message]
-    assert f'datum "{datum}" taken from the start of one' in finding.message
-    assert "so also in two, where the record begins in motion" in finding.message
+    taken, moving = [one.message for one in findings if "datum" in one.message]
+    assert f'datum "{datum}" taken from the start of one:' in taken
+    assert moving == "begins in motion in two, where the datum is that of trials that begin at rest"
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, Severity
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
 from jounce.identify.noise import noise_of
@@ -123,24 +123,27 @@ def start_findings(starts: Starts) -> list[Finding]:
             turned.append(turned_channel(channel, last, trials))
         some = [one for one in both if channel in datums and one[1].matters(datums[channel])]
         if some:
-            chosen.append(_finding(channel, datums[channel], some))
+            chosen += _findings(channel, datums[channel], some)
     return turned + chosen
 
 
-def _finding(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart]]) -> Finding:
+def _findings(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart]]) -> list[Finding]:
     quiet = [trial for trial, start in starts if start.recorded is not None]
     moving = [trial for trial, start in starts if start.recorded is None]
     text = f'datum "{datum}" taken from the start of {_listed(quiet or moving)}: {_MEANING[datum]}'
-    if quiet and moving:
-        text += f"; so also in {_listed(moving)}, where the record begins in motion"
     if datum == "free offset":
-        differ = len({start.datum() for trial, start in starts if trial in quiet}) > 1
+        differ = len({start.datum() for _, start in starts if start.recorded is not None}) > 1
         text += (
             "; the starts of the trials say different things"
             if differ
             else "; the record is neither zeroed at rest nor counts as the model does"
         )
-    return Finding(channel, "warning" if datum == "free offset" else "note", f"{text}; state it as datum of its sensor")
+    severity: Severity = "warning" if datum == "free offset" else "note"
+    found = [Finding(channel, severity, f"{text}; state it as datum of its sensor")]
+    if quiet and moving:
+        text = f"begins in motion in {_listed(moving)}, where the datum is that of trials that begin at rest"
+        found.append(Finding(channel, "note", text))
+    return found
 
 
 def _listed(trials: Sequence[str]) -> str:

@@ -49,8 +49,10 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
     shifts = ", ".join(f"{path} {100.0 * share:+.2g} %" for path, share in moved.items() if abs(share) > _MATTERS)
     text = (
         f"does not agree with the other trials: without it they would leave {100.0 * (1.0 - gains[worst]):.2g} % of "
-        f"what they leave, and the values would move ({shifts})"
+        f"what they leave, and the values would move ({shifts}); check its speed, obstacle, pressure, masses and "
+        "recording"
     )
+    findings = [Finding(problem.trials[worst].source.name, "warning", text, gains[worst])]
     left = residuals.vector[rows[worst]] + jacobian[rows[worst]] @ steps[worst]
     own = jacobian[rows[worst]][:, : len(known)]
     pulled, lengths = own.T @ left, np.maximum((own**2).sum(axis=0), 1e-300)
@@ -58,13 +60,11 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
     best = int(np.argmax(shares))
     if shares[best] > _EXPLAINS:
         i = known[best]
-        change = -pulled[best] / lengths[best] * half[i] / (values[i] or half[i])
-        text += (
-            f"; in it alone {problem.free[i].path} {100.0 * change:+.2g} % explains {100.0 * shares[best]:.0f} % of "
-            "the difference"
-        )
-    text += "; check its speed, obstacle, pressure, masses and recording"
-    return [Finding(problem.trials[worst].source.name, "warning", text, gains[worst])]
+        change = 100.0 * float(-pulled[best] / lengths[best] * half[i] / (values[i] or half[i]))
+        share = 100.0 * float(shares[best])
+        text = f"{problem.free[i].path} {change:+.2g} % in it alone explains {share:.0f} % of how it differs"
+        findings.append(Finding(problem.trials[worst].source.name, "note", text, change))
+    return findings
 
 
 def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:

@@ -652,11 +652,18 @@ def _other_minima(name: str, problem: UpdateProblem, search: Search) -> list[Fin
         if abs(place - here) > SAME_PLACE
     )
     values = ", ".join(f"{path} {value:.4g} {unit}".rstrip() for path, value, unit in moved)
-    text = f"{len(search.others)} of {search.starts} start points led to another fit, the best of these with {values}"
+    count, ratio = len(search.others), min(ratio, 999.0)
     if ratio < _NEARLY:
-        text += f", which leaves only {ratio:.3g} times as much: the data hardly tell the two apart"
+        text = (
+            f"{count} of {search.starts} start points led to another fit, the best of these with {values}, which leaves "
+            f"only {ratio:.3g} times as much: the data hardly tell the two apart"
+        )
         return [*findings, Finding(name, "warning", text, ratio)]
-    return [*findings, Finding(name, "note", f"{text} and {min(ratio, 999.0):.3g} times as much left", ratio)]
+    text = (
+        f"{count} of {search.starts} start points led to another fit, the best of these with {values} and {ratio:.3g} "
+        "times as much left"
+    )
+    return [*findings, Finding(name, "note", text, ratio)]
 
 
 _NEARLY = 1.5
