@@ -655,8 +655,8 @@ def _other_minima(name: str, problem: UpdateProblem, search: Search) -> list[Fin
     count, ratio = len(search.others), min(ratio, 999.0)
     if ratio < _NEARLY:
         text = (
-            f"{count} of {search.starts} start points led to another fit, the best of these with {values}, which leaves "
-            f"only {ratio:.3g} times as much: the data hardly tell the two apart"
+            f"{count} of {search.starts} start points led to another fit, the best of these with {values}, which "
+            f"leaves only {ratio:.3g} times as much: the data hardly tell the two apart"
         )
         return [*findings, Finding(name, "warning", text, ratio)]
     text = (
