@@ -28,7 +28,7 @@ from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, es
 from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepare_trial, project_out
 from jounce.identify.laws import Laws, States
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
-from jounce.identify.richer import SLIDING_OVER, Nuisance, Richer, Ridden
+from jounce.identify.richer import Nuisance, Richer, Ridden
 from jounce.identify.stated_masses import scale_of_masses
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
@@ -272,7 +272,7 @@ class _Run:
         much added to either mass, which :meth:`simulate` does, a force between them that follows their relative one.
         """
         ratio = float(np.cos(self.values.get("strut.angle", 0.0)))
-        return {"presliding": states.sliding(states.velocity, SLIDING_OVER), "arms": -states.acceleration() / ratio**2}
+        return {"presliding": states.sliding(states.velocity), "arms": -states.acceleration() / ratio**2}
 
     def simulate(self, compiled: Compiled, numbers: Mapping[str, float], inputs: Mapping[str, float]) -> Solution:
         values, arms = {**self.base, **numbers}, inputs.get("arms", 0.0)

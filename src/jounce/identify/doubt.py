@@ -40,8 +40,8 @@ class Doubt(Description):
     presliding : float
         Hysteretic force of damper, mounts and seals that builds up over half a millimetre, N.
     guide_presliding : float
-        Share (1) of the guide's friction that builds up over 0.3 mm instead of with the velocity, where that friction
-        is fitted: about one half of it.
+        Share (1) of the guide's friction that builds up over half a millimetre instead of with the velocity, where that
+        friction is fitted: about one half of it.
     arms : float
         Inertia that arms and struts share between body and wheel, as a share (1) of the unsprung mass; of quarter cars,
         whose two masses feel each other through springs and dampers only.

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.identify.richer import GUIDE_SLIDES_OVER, ONSET_VELOCITY, SLIDING_OVER, Richer
+from jounce.identify.richer import ONSET_VELOCITY, SLIDING_OVER, Richer
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
 
@@ -57,10 +57,10 @@ class States:
         names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
         return cls(*(np.concatenate([getattr(one, name)[::every] for one in all_of]) for name in names))
 
-    def sliding(self, velocity: Array, distance: float) -> Array:
-        """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance (m), at any speed."""
+    def sliding(self, velocity: Array) -> Array:
+        """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance, at any velocity."""
         moved = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(self.time)
-        left, ends = np.exp(-np.abs(moved) / distance), np.sign(moved)
+        left, ends = np.exp(-np.abs(moved) / SLIDING_OVER), np.sign(moved)
         z, now = [0.0], 0.0
         for end, share in zip(ends.tolist(), left.tolist(), strict=True):  # plain floats: arrays take ten times as long
             now = end + (now - end) * share if end else now
@@ -78,8 +78,8 @@ class Laws:
     def __init__(self, richer: Richer, states: Sequence[States], every: int = 3) -> None:
         self.richer = richer
         self.seen = States.joined(states, every)
-        self.sliding = np.concatenate([one.sliding(one.velocity, SLIDING_OVER)[::every] for one in states])
-        self.guide_sliding = np.concatenate([one.sliding(one.body, GUIDE_SLIDES_OVER)[::every] for one in states])
+        self.sliding = np.concatenate([one.sliding(one.velocity)[::every] for one in states])
+        self.guide_sliding = np.concatenate([one.sliding(one.body)[::every] for one in states])
         self._plain = richer.rig.parameters()
         self._inverse: dict[str, Array] = {}
 

@@ -28,9 +28,7 @@ _ONSET = math.log(2.0)
 ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
 """Velocity in m/s over which friction turns over where the rig does not say."""
 SLIDING_OVER = 5e-4
-"""Deflection in m over which a presliding force of the strut builds up: its mounts and seals are rubber."""
-GUIDE_SLIDES_OVER = 3e-4
-"""Travel in m over which friction of the guide builds up, where it does: a guide is stiffer than rubber."""
+"""Travel in m over which a presliding force builds up."""
 
 
 @dataclass(frozen=True)

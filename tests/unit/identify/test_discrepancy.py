@@ -24,7 +24,7 @@ from jounce.identify.discrepancy import (
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
-from jounce.identify.richer import SLIDING_OVER, Richer, Ridden
+from jounce.identify.richer import Richer, Ridden
 from jounce.simulation.compiled import compile_rig
 
 RIG = jn.load("kart-quarter-car").with_changes({
@@ -179,12 +179,12 @@ def test_presliding_builds_up_over_a_distance_and_turns_over_with_the_motion():
     time = np.linspace(0.0, 1.0, 2001)
     still = np.zeros_like(time)
     wave = 0.1 * np.sin(2.0 * np.pi * 2.0 * time)
-    z = States(time, still, wave, still, still, still).sliding(wave, SLIDING_OVER)
+    z = States(time, still, wave, still, still, still).sliding(wave)
     assert np.abs(z).max() <= 1.0
     assert z[250] > 0.99
     assert z[499] > 0.99
     assert z[750] < -0.99
-    slow = States(10.0 * time, still, 0.1 * wave, still, still, still).sliding(0.1 * wave, SLIDING_OVER)
+    slow = States(10.0 * time, still, 0.1 * wave, still, still, still).sliding(0.1 * wave)
     assert slow == pytest.approx(z, abs=1e-9)  # a distance, whatever the speed
 
 
