@@ -245,6 +245,8 @@ def test_only_what_writes_pages_opens_them(cli) -> None:
     ids=lambda value: value if isinstance(value, str) else " ".join(value),
 )
 def test_bare_numbers_that_cannot_be_meant_are_questioned(words, message, cli, bump: Path) -> None:
+    rows = "".join(f"{x},{22.7 * x}\n" for x in range(30))  # whether its unit is of length or angle, the file says
+    bump.with_name("x.csv").write_text(f"displacement [mm],force [N]\n{rows}", encoding="utf-8")
     outcome = cli(*words)
     assert outcome.exit_code == 2
     assert message in outcome.err
