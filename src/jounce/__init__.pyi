@@ -27,6 +27,7 @@ from .core.errors import FitError as FitError
 from .core.errors import JounceError as JounceError
 from .core.errors import OutputError as OutputError
 from .core.errors import RecordingError as RecordingError
+from .core.errors import ResourceError as ResourceError
 from .core.errors import SimulationError as SimulationError
 from .core.findings import Finding as Finding
 from .core.serialise import Plain as Plain

@@ -108,7 +108,7 @@ def test_memory_is_limited_by_the_size_of_the_file(evil) -> None:
 @pytest.mark.skipif(not Path("/bin/ps").exists(), reason="memory is looked at by ps")
 def test_memory_is_looked_at_where_the_system_does_not_limit_it(evil, monkeypatch: pytest.MonkeyPatch) -> None:
     begin = "from jounce.recordings.isolated import serve"
-    unlimited = f"from jounce.recordings import isolated; isolated._limit = lambda *_: None; {begin}"
+    unlimited = f"from jounce.recordings import isolated; isolated.limit = lambda *_: None; {begin}"
     monkeypatch.setattr(isolated, "_CHILD", isolated._CHILD.replace(begin, unlimited))
     monkeypatch.setattr(isolated, "_LIMITS_MEMORY", False)
     monkeypatch.setattr(isolated, "_BETWEEN_LOOKS", 0.05)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
-from jounce.core.errors import RecordingError, unforeseen
+from jounce.core.errors import RecordingError, reason
 from jounce.core.findings import Finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -170,7 +170,7 @@ def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation
             knowledge = step(found, knowledge, table, folder)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
             found.failed.append(place)
-            text = f"{unforeseen(error)} The described value is used instead."
+            text = f"{reason(error)} The described value is used instead."
             found.findings.append(Finding(place, "problem", text))
     return found, knowledge
 

@@ -33,7 +33,7 @@ from jounce.campaign.result import (
 )
 from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
-from jounce.core.errors import DescriptionError, FitError, JounceError, unforeseen, unknown
+from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
@@ -236,7 +236,7 @@ def _load_trials(
         try:
             loaded[entry.number], notes = load_trial(entry, roads, folder)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-            findings.append(Finding(place, "problem", f"{unforeseen(error)} The trial is left out."))
+            findings.append(Finding(place, "problem", f"{reason(error)} The trial is left out."))
         else:
             findings += [Finding(f"{place}: {note.place}", note.severity, note.message, note.value) for note in notes]
     return loaded
@@ -339,7 +339,7 @@ class Runner:
                 self.progress(f"update {k} of {len(self.campaign.update)}: {entry.name}")
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(Finding(entry.name, "problem", f"{unforeseen(error)} The update is left out."))
+                self.findings.append(Finding(entry.name, "problem", f"{reason(error)} The update is left out."))
         return list(done.values())
 
     def set_up(
@@ -437,7 +437,7 @@ class Runner:
             found = compare_models(knowledge.rig)
             peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-            text = f"{unforeseen(error)} It is not compared with the 3-D rig."
+            text = f"{reason(error)} It is not compared with the 3-D rig."
             self.findings.append(Finding("lumped model", "warning", text))
             return None
         return replace(found, peaks=tuple(peaks))
@@ -487,7 +487,7 @@ class Runner:
             try:
                 self.compared[key] = compare_trial(trial, lag)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(Finding(trial.name, "problem", str(unforeseen(error))))
+                self.findings.append(Finding(trial.name, "problem", reason(error)))
                 self.compared[key] = (None, {}, [], None)
         return self.compared[key]
 

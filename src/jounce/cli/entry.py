@@ -48,16 +48,22 @@ from jounce.cli.reply import (
     report_error,
     tell,
 )
-from jounce.core.errors import JounceError, OutputError, nearest
+from jounce.core.errors import (
+    JounceError,
+    OutputError,
+    ResourceError,
+    is_of_system,
+    nearest,
+    resource_error,
+    unforeseen,
+)
 from jounce.core.interrupts import INTERRUPTED, signal_of, uncovering_interrupts
-from jounce.core.processes import NO_THREAD
 from jounce.core.text import shortened
 from jounce.core.trust import trusting
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
 _LONGEST = 1000  # characters of what the parser of the command line says
 _TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
-_TOO_LITTLE = "End other programs, or raise the limit of memory (ulimit -v)."
 _SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign", "demo"}
 _CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
@@ -227,23 +233,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _misused(error, as_json=as_json)
     except JounceError as error:
         return refuse(error, as_json=as_json)
-    except OSError as error:
-        hint = "Check the path, the permissions and the disk space."
-        where = str(error.filename or _nameless(error))
-        return refuse(OutputError(error.strerror or str(error), where=where, hint=hint), as_json=as_json)
-    except ImportError as error:
-        hint = "Is the installation whole, and is there memory for it?"
-        return refuse(JounceError("a library cannot be loaded", found=str(error), hint=hint), as_json=as_json)
     except UnicodeEncodeError as error:
         hint = "Is it written in another encoding than UTF-8?"
         return refuse(JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json)
-    except MemoryError:
-        hint = _TOO_LARGE if words[:1] and words[0] in _SAMPLED else _TOO_LITTLE
-        return refuse(JounceError("out of memory", hint=hint), as_json=as_json)
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
-        if str(error) == NO_THREAD:
-            hint = "End other programs, or raise the limit of processes and threads (ulimit -u)."
-            return refuse(JounceError("no more threads can be started", hint=hint), as_json=as_json)
+        if isinstance(error, MemoryError) and hasattr(error, "shape") and words[0] in _SAMPLED:  # of NumPy's arrays
+            return refuse(ResourceError("out of memory", found=str(error), hint=_TOO_LARGE), as_json=as_json)
+        if is_of_system(error):
+            return refuse(resource_error(error, _place_of(error)), as_json=as_json)
+        if isinstance(error, MemoryError):
+            return refuse(unforeseen(error), as_json=as_json)
+        if isinstance(error, OSError):
+            hint = "Check the path, the permissions and the disk space."
+            return refuse(OutputError(error.strerror or str(error), where=_place_of(error), hint=hint), as_json=as_json)
         if debug:
             traceback.print_exc()
         what = shortened(f"internal error: {type(error).__name__}: {error}", _LONGEST)
@@ -253,16 +255,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return exit_code
 
 
-_LIMITS = {errno.EAGAIN: "the limit of processes (ulimit -u)", errno.EMFILE: "the limit of open files (ulimit -n)"}
-
-
-def _nameless(error: OSError) -> str:
-    """What the system was asked for where an error does not name it: files that are written name themselves."""
+def _place_of(error: Exception) -> str:
+    """What the system was asked for; where an error does not name it: files that are written name themselves."""
+    if not isinstance(error, OSError):
+        return ""
+    if error.filename:
+        return str(error.filename)
     if error.errno in (errno.ENOSPC, errno.EFBIG, errno.EIO):
         lead_nowhere(sys.stdout)
         return "standard output"
-    if error.errno in _LIMITS:
-        return _LIMITS[error.errno]
     try:
         os.getcwd()  # noqa: PTH109 - only whether it is there
     except OSError:

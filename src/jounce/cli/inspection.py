@@ -43,7 +43,7 @@ from jounce.cli.reply import (
     tell,
 )
 from jounce.core.display import shown_as
-from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, unknown
+from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, is_of_system, unknown
 from jounce.core.files import existing_file
 from jounce.core.text import visible
 
@@ -394,6 +394,8 @@ def _inspect(
         read = (record, [*said, *overruled])
         found = inspect_record(file, task["tester"], task["vehicle"], task["methods"], limits, read=read)
     except Exception as error:
+        if is_of_system(error):  # the record was not looked at: this is no verdict
+            raise
         # a description that does not fit a readable record is a wrong request, no property of the record
         if store is not None and not (read is not None and isinstance(error, DescriptionError)):
             _keep(store, entry_of(file, facts, **task), refusal_of(error, limits))
@@ -542,8 +544,8 @@ def import_(
             try:
                 kept.append(import_record(file, opened, chosen, methods=method, limits=graded_by))
             except (JounceError, OSError) as error:
-                if isinstance(error, JounceError) and error.where == opened.location:
-                    raise  # the store cannot be used: the other files fare no better
+                if is_of_system(error) or (isinstance(error, JounceError) and error.where == opened.location):
+                    raise  # the other files fare no better
                 failed[str(file)] = str(error)
                 tell(f"{error}")
                 continue

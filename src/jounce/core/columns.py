@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.core.errors import RecordingError, nearest
+from jounce.core.errors import RecordingError, ResourceError, nearest
 from jounce.core.files import existing_file, reading
 from jounce.core.text import unguarded
 from jounce.core.types import Array
@@ -276,7 +276,7 @@ def _check_memory(size: int, file: Path) -> None:
     except (OSError, ValueError, IndexError):
         return
     if size * _MEMORY_A_BYTE > free:
-        raise RecordingError(
+        raise ResourceError(
             "the file takes more memory than there is",
             where=str(file),
             found=f"{size / 1e9:.3g} GB of text, {size * _MEMORY_A_BYTE / 1e9:.3g} GB while it is read",

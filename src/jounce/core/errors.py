@@ -5,6 +5,8 @@ from __future__ import annotations
 import copyreg
 import difflib
 import errno
+import math
+import os
 from collections.abc import Iterable
 from typing import Any
 
@@ -75,20 +77,95 @@ class OutputError(JounceError):
     """A file that cannot be written without losing something."""
 
 
-class DiskError(OutputError):
-    """A disk that is full or fails, or too many open files: this says nothing about the file that was worked on."""
+class ResourceError(JounceError):
+    """Something that the system lacks or that fails, as memory: this says nothing about the file that was worked on."""
 
 
-def is_of_disk(error: BaseException) -> bool:
-    """Whether an error is the disk's or the system's, not that of a file or of what it holds.
+class DiskError(ResourceError, OutputError):
+    """A disk that is full or fails."""
 
-    >>> is_of_disk(OSError(errno.ENOSPC, "")), is_of_disk(OSError(errno.ENOENT, "")), is_of_disk(ValueError())
-    (True, False, False)
+
+NO_THREAD = "can't start new thread"
+"""What Python says where the system gives no more threads."""
+_MEMORY = ("out of memory", "End other programs, or raise the limit of memory (ulimit -v).")
+_PROCESSES = (
+    "no more processes or threads can be started",
+    "End other programs, or raise the limit of processes and threads (ulimit -u).",
+)
+_FILES = ("too many open files", "End other programs, or raise the limit of open files (ulimit -n).")
+_SIZE = ("a file may not grow as large as that", "Raise the limit of the size of files (ulimit -f).")
+_LIBRARY = ("a library cannot be loaded", "Is the installation whole, and is there memory for it (ulimit -v)?")
+WHERE_WRITTEN = "Check the path, the permissions and the space on the disk."
+"""What helps where the system refuses to write, for whatever reason."""
+_DISK = ("the disk is full or fails", WHERE_WRITTEN)
+_LACKING = {
+    "ENOMEM": _MEMORY,
+    "EAGAIN": _PROCESSES,
+    "EMFILE": _FILES,
+    "ENFILE": _FILES,
+    "EFBIG": _SIZE,
+    **dict.fromkeys(("ENOSPC", "EDQUOT", "EIO", "EROFS", "ESTALE"), _DISK),
+}
+"""What the system lacks, and what helps, by the name of its error."""
+_BY_NUMBER = {getattr(errno, name, -1): told for name, told in _LACKING.items()}
+
+
+def is_of_system(error: BaseException) -> bool:
+    """Whether an error is the system's or the disk's, not that of a file or of what it holds.
+
+    >>> is_of_system(OSError(errno.ENOSPC, "")), is_of_system(OSError(errno.ENOENT, "")), is_of_system(MemoryError())
+    (True, False, True)
     """
-    return isinstance(error, OSError) and error.errno in _OF_DISK
+    return isinstance(error, ResourceError) or _lacking(error) is not None
 
 
-_OF_DISK = {getattr(errno, name, -1) for name in ("ENOSPC", "EDQUOT", "EIO", "EROFS", "ESTALE", "EMFILE", "ENFILE")}
+def _lacking(error: BaseException) -> tuple[str, str] | None:
+    """What the system lacks, and what helps; None where an error is about something else."""
+    if isinstance(error, OSError) and error.errno in _BY_NUMBER:
+        return _BY_NUMBER[error.errno]
+    if isinstance(error, MemoryError):
+        return None if _is_larger_than_memory(error) else _MEMORY
+    if isinstance(error, RuntimeError) and str(error) == NO_THREAD:
+        return _PROCESSES
+    if isinstance(error, ImportError) or (isinstance(error, OSError) and "shared object" in str(error)):  # of llvmlite
+        return _LIBRARY
+    return None
+
+
+def _is_larger_than_memory(error: MemoryError) -> bool:
+    """Whether one array alone, as NumPy says, was to be larger than this machine's memory: no machine is to blame."""
+    try:
+        asked = error.dtype.itemsize * math.prod(error.shape)  # type: ignore[attr-defined]
+        return bool(asked > os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
+    except (AttributeError, ValueError, OSError):
+        return False
+
+
+def resource_error(error: BaseException, where: str = "") -> ResourceError:
+    """The error for what the system lacks, with what helps.
+
+    >>> str(resource_error(OSError(errno.EMFILE, "Too many open files")))
+    'too many open files. End other programs, or raise the limit of open files (ulimit -n).'
+    """
+    if isinstance(error, ResourceError):
+        return error
+    what, hint = _lacking(error) or _MEMORY
+    if what == _DISK[0]:
+        return DiskError(what, where=where, found=getattr(error, "strerror", None), hint=hint)
+    return ResourceError(what, where=where, found=str(error) if what == _LIBRARY[0] else None, hint=hint)
+
+
+def reason(error: Exception) -> str:
+    """Why a file, a trial or a variant is left out while the work goes on with the others.
+
+    Raises
+    ------
+    ResourceError
+        Where the system lacks something: it would be wrong of all others, too, and is no reason to leave this one out.
+    """
+    if is_of_system(error):
+        raise resource_error(error) from error
+    return str(unforeseen(error))
 
 
 def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:
@@ -99,6 +176,8 @@ def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = Joun
     """
     if isinstance(error, JounceError):
         return error
+    if is_of_system(error):
+        return resource_error(error, where)
     if isinstance(error, MemoryError):
         told = " ".join(str(error).split())
         return kind("this takes more memory than there is", where=where, found=told or None)

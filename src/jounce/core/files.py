@@ -11,7 +11,7 @@ from contextvars import ContextVar
 from importlib import resources
 from pathlib import Path
 
-from jounce.core.errors import DescriptionError, DiskError, JounceError, is_of_disk, nearest
+from jounce.core.errors import DescriptionError, DiskError, JounceError, is_of_system, nearest
 
 
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
@@ -120,7 +120,7 @@ def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
     try:
         yield
     except OSError as refused:
-        kind = DiskError if is_of_disk(refused) else error
+        kind = DiskError if is_of_system(refused) else error
         raise kind("the file cannot be read", where=str(file), found=refused.strerror or str(refused)) from None
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-from jounce.core.errors import JounceError
+from jounce.core.errors import NO_THREAD, JounceError
 
 
 def refusal() -> JounceError | None:
@@ -68,10 +68,6 @@ def starting_workers() -> Iterator[None]:
     finally:
         if block:
             block(signal.SIG_SETMASK, before)
-
-
-NO_THREAD = "can't start new thread"
-"""What Python says where the system gives no more threads."""
 
 
 def _lacking(error: Exception) -> str:

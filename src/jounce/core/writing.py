@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from jounce.core.errors import DiskError, OutputError, is_of_disk
+from jounce.core.errors import WHERE_WRITTEN, DiskError, OutputError, is_of_system, resource_error
 from jounce.core.locking import holding
 from jounce.core.optional import require
 
@@ -333,11 +333,10 @@ def _told(where: Path, what: str) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise (DiskError if is_of_disk(error) else OutputError)(
-            what,
-            where=str(where),
-            found=error.strerror or str(error),
-            hint="Check the path, the permissions and the space on the disk.",
+        is_lacking = is_of_system(error)
+        hint = resource_error(error).hint if is_lacking else WHERE_WRITTEN
+        raise (DiskError if is_lacking else OutputError)(
+            what, where=str(where), found=error.strerror or str(error), hint=hint
         ) from error
 
 

@@ -24,7 +24,7 @@ import numpy as np
 
 from jounce.core import errors, optional
 from jounce.core.columns import Column, ColumnTable
-from jounce.core.errors import JounceError, RecordingError, shown
+from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, shown, unforeseen
 from jounce.core.findings import Finding
 from jounce.recordings.reader import Reader, ReaderOptions, SignalTable
 
@@ -38,6 +38,8 @@ _CHILD = f"""{_PATH}from jounce.recordings.isolated import serve
 from jounce.recordings.readers import READERS
 serve(READERS)"""
 _NUMBERS = "fiub"
+_READY = b"+"
+"""What a child says once it has loaded what it needs."""
 _LARGEST_WORKER = 1e9  # bytes that a child may keep between two files
 
 
@@ -84,10 +86,8 @@ class _Child:
                 env={**os.environ, **threads},
             )
         except OSError as error:
-            raise RecordingError(
-                f"no process to read files in could be started ({error.strerror or error})",
-                hint="Close other programs, or raise the limit of processes.",
-            ) from None
+            raise resource_error(error, "a process to read files in") from None
+        self.is_ready = False
 
     def ask(self, reader: str, path: Path, options: ReaderOptions) -> tuple[dict[str, Any], list[Any]]:
         """Give what the child answers about a file."""
@@ -109,6 +109,7 @@ class _Child:
         watch = _Watch(self.process, 3.0 * seconds, memory)
         watch.start()
         try:
+            self.is_ready = self.is_ready or stdout.read(1) == _READY
             stdin.write(json.dumps(told).encode() + b"\n")
             stdin.flush()
             return _received(stdout)
@@ -119,9 +120,19 @@ class _Child:
         finally:
             watch.over.set()
 
-    def _fate(self, path: Path, seconds: float, *, late: bool) -> RecordingError:
-        """Why the child has ended, as the error about the file."""
+    def _fate(self, path: Path, seconds: float, *, late: bool) -> RecordingError | ResourceError:
+        """Why the child has ended, as the error about the file, or about what the system lacks."""
         code = self.process.wait()
+        if not late and (-code in _FROM_OUTSIDE or not self.is_ready):
+            how = f"{signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
+            return ResourceError(
+                "the process that reads files was ended from outside"
+                if self.is_ready
+                else "the process that reads files does not start",
+                where=str(path),
+                found=how,
+                hint="Are there memory, processes and open files enough? Then read the file again.",
+            )
         if late or -code == getattr(signal, "SIGXCPU", None):
             return RecordingError(
                 "reading the file does not end: it is damaged",
@@ -149,6 +160,10 @@ class _Child:
             if pipe is not None:
                 with contextlib.suppress(OSError):
                     pipe.close()
+
+
+_FROM_OUTSIDE = {getattr(signal, name, None) for name in ("SIGKILL", "SIGTERM", "SIGHUP")}
+"""Signals that no library sends, but a user, or a system without memory."""
 
 
 def _folder() -> str:
@@ -255,6 +270,8 @@ def serve(readers: Sequence[Reader]) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what libraries print is no answer
+    answers.write(_READY)
+    answers.flush()
     for line in sys.stdin.buffer:
         told = json.loads(line)
         arrays: list[np.ndarray[Any, Any]] = []
@@ -266,10 +283,11 @@ def serve(readers: Sequence[Reader]) -> None:
         except JounceError as error:
             answer, arrays = {"error": _plain_error(error)}, []
         except MemoryError as error:
-            answer, arrays = {"error": _plain_error(too_much_memory(error, told["path"], told["memory"]))}, []
+            path, memory = told["path"], told["memory"]
+            known = resource_error(error, path) if _has_less_than(memory) else too_much_memory(error, path, memory)
+            answer, arrays = {"error": _plain_error(known)}, []
         except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
-            kind = errors.DiskError if errors.is_of_disk(error) else RecordingError
-            answer, arrays = {"error": _plain_error(errors.unforeseen(error, told["path"], kind))}, []
+            answer, arrays = {"error": _plain_error(unforeseen(error, told["path"], RecordingError))}, []
         os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
         answer["is_last"] = _resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)
@@ -307,6 +325,16 @@ def limit(memory: float, seconds: float) -> None:
         _, hard = resource.getrlimit(kind)
         with contextlib.suppress(ValueError, OSError):
             resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+
+
+def _has_less_than(memory: float) -> bool:
+    """Whether the user or the system gives this process less memory than a file may take."""
+    try:
+        import resource
+    except ImportError:
+        return False
+    most = [resource.getrlimit(kind)[1] for kind in (resource.RLIMIT_DATA, resource.RLIMIT_AS)]
+    return any(0 <= one < _used_memory() + memory for one in most if one != resource.RLIM_INFINITY)
 
 
 def _used_memory() -> float:

@@ -278,8 +278,14 @@ def _of_sign(moved: Array, rate: Array, name: str, at: str) -> Iterator[Finding]
     steps = np.gradient(moved)
     if np.ptp(rate) == 0.0 or min(np.max(steps), -np.min(steps)) < 0.1 * np.max(np.abs(steps)):
         return
-    if np.min(rate) >= 0.0 and np.corrcoef(np.abs(steps), rate)[0, 1] > _SAME:
+    if np.min(rate) >= 0.0 and _correlation(np.abs(steps), rate) > _SAME:
         text = f"it is the absolute value of the rate of {name}: its sign is lost; leave it out"
         yield Finding(at, "problem", text)
-    elif np.corrcoef(steps, rate)[0, 1] < -_SAME:
+    elif _correlation(steps, rate) < -_SAME:
         yield Finding(at, "warning", f"it is the rate of {name} with the other sign; turn one of them round")
+
+
+def _correlation(first: Array, second: Array) -> float:
+    """Coefficient of correlation of two rows; not a number where one of them does not change."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return float(np.corrcoef(first, second)[0, 1])

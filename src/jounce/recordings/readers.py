@@ -29,7 +29,7 @@ from jounce.core.columns import (
     parse_header,
     text_of,
 )
-from jounce.core.errors import JounceError, RecordingError, is_of_disk, nearest
+from jounce.core.errors import JounceError, RecordingError, is_of_system, nearest, resource_error
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding
 from jounce.core.optional import require
@@ -112,7 +112,7 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
     try:
         signals = (read_isolated if is_read_in_child(path) else _read_here)(chosen, path, options)
     except MemoryError as error:
-        raise too_much_memory(error, str(path)) from None
+        raise (resource_error if is_of_system(error) else too_much_memory)(error, str(path)) from None
     for table in signals.tables:
         _check_shape(table, chosen, path)
     return signals
@@ -165,7 +165,7 @@ def _understood(path: Path, what: str) -> Iterator[None]:
     except (JounceError, MemoryError):
         raise
     except Exception as error:  # bare Exceptions, KeyErrors and struct errors alike
-        if is_of_disk(error):
+        if is_of_system(error):
             raise
         text = " ".join(str(error).split())[:200]
         with PROCESS_SETTINGS:

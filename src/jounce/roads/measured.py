@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from jounce.core.columns import read_columns_csv
-from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.errors import DescriptionError, RecordingError, is_of_system, resource_error
 from jounce.core.files import State, existing_file, state_of
 from jounce.core.process_settings import caught_warnings
 from jounce.core.samples import Listed
@@ -359,6 +359,8 @@ def _read(file: str) -> Any:
     except FileNotFoundError as error:
         raise RecordingError(_one_line(error, file), where=file, hint="Put it there or change the name.") from None
     except (ValueError, OSError, IndexError, KeyError, ArithmeticError, TypeError, MemoryError) as error:
+        if is_of_system(error):
+            raise resource_error(error, file) from None
         raise RecordingError(f"not a readable OpenCRG file: {_one_line(error, file)}", where=file) from None
     problems += [text for text in road.read_warnings if not _HARMLESS.search(text) or _is_misspelt(text)]
     problems += [

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from jounce.core.datasets import dataset
-from jounce.core.errors import DescriptionError, JounceError, SimulationError, unforeseen, unknown
+from jounce.core.errors import DescriptionError, JounceError, SimulationError, reason, unknown
 from jounce.core.remembered import remembered
 from jounce.core.samples import as_values
 from jounce.core.types import Array
@@ -642,7 +642,7 @@ class _Group:
         try:
             found = run()
         except Exception as error:  # noqa: BLE001 - one variant must not stop a million
-            results.reasons[row] = str(unforeseen(error))
+            results.reasons[row] = reason(error)
             return
         if found.findings:
             results.found.add(found.findings)

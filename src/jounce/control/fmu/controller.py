@@ -26,7 +26,7 @@ from jounce.control.actuators import OWN, RATE, ActiveActuator
 from jounce.control.controller import CallbackController, Limits, Regulator, Setting
 from jounce.control.fmu import caller
 from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpacked
-from jounce.core.errors import DescriptionError, SimulationError, unknown
+from jounce.core.errors import DescriptionError, SimulationError, resource_error, unknown
 from jounce.core.findings import Finding
 from jounce.core.text import shortened
 from jounce.core.trust import trust_said
@@ -808,7 +808,7 @@ class _Child:
             )
         except OSError as error:
             self._place.__exit__(None, None, None)
-            raise caller.FmuFailedError(f"no process for it could be started ({error.strerror or error})") from None
+            raise resource_error(error, "a process to run an FMU in") from None
         self._send(json.dumps(told).encode() + b"\n")
 
     def start(self) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
-from jounce.core.errors import OutputError, unknown
+from jounce.core.errors import OutputError, is_of_system, resource_error, unknown
 from jounce.core.programs import program_on_path
 
 C = Path(__file__).parent / "c"
@@ -59,6 +59,8 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
     try:
         done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_LONGEST, env=places)
     except (OSError, subprocess.TimeoutExpired) as error:
+        if is_of_system(error):
+            raise resource_error(error, f"{platform}, {name}") from None
         raise OutputError(f"the C of the FMU was not compiled: {error}", where=platform, hint=_HINT) from None
     if done.returncode:
         raise OutputError(

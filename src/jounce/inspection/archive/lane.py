@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jounce.core.description import toml_table
-from jounce.core.errors import JounceError, OutputError, RecordingError
+from jounce.core.errors import JounceError, OutputError, RecordingError, ResourceError, is_of_system, resource_error
 from jounce.core.files import content_of
 from jounce.core.writing import working_folder
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
@@ -251,9 +251,11 @@ def import_record(
         entry = _with_tester(entry, tester)
         entry, graded = _evaluated(entry, vehicle, limits)
         grading = grading_of(graded)
-    except (OutputError, OSError):  # a disk that is full or fails: the record was not looked at, and is no verdict
+    except (OutputError, OSError):  # the record was not looked at: this is no verdict
         raise
     except Exception as error:  # noqa: BLE001 - whatever the evaluation meets, the record must not be lost
+        if is_of_system(error):
+            raise resource_error(error, str(file)) from None
         problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
         grading = refusal_of(problem, limits)
     number, is_new = store.accept(entry, grading)
@@ -337,7 +339,7 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
         try:
             record, findings = read_record(file, tester)
             record = record.load()
-        except OutputError:
+        except (OutputError, ResourceError):
             raise
         except JounceError as error:
             where = error.where.replace(beside, "")

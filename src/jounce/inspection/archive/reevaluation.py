@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import JounceError, RecordingError
+from jounce.core.errors import JounceError, RecordingError, ResourceError, is_of_system, resource_error
 from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import to_plain
 from jounce.inspection.archive.entries import Grading, RecordEntry, unpack
@@ -119,7 +119,7 @@ def _results(task: _Task, batches: list[list[int]], workers: int) -> Iterator[It
                 results = pool.map(_work, batches)
             yield results
         except BrokenProcessPool:
-            raise JounceError(
+            raise ResourceError(
                 "a process was ended from outside", hint="What was done is stored; start again."
             ) from None
         finally:
@@ -173,6 +173,8 @@ def _again(store: Store, task: _Task, number: int) -> _Found:
     except _Lost as error:
         return _Found(number, before, problem=str(error))
     except Exception as error:  # noqa: BLE001 - one record must not stop ten thousand
+        if is_of_system(error):
+            raise resource_error(error, entry.name) from None
         problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
         grading = refusal_of(problem, task.limits)
     return _Found(number, before, None if newest is not None and _is_same(newest, grading) else grading)

@@ -9,7 +9,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from jounce.core.errors import DiskError, JounceError, OutputError, RecordingError, is_of_disk, unforeseen
+from jounce.core.errors import (
+    JounceError,
+    OutputError,
+    RecordingError,
+    ResourceError,
+    is_of_system,
+    resource_error,
+    unforeseen,
+)
 from jounce.core.files import existing_file, state_of
 from jounce.inspection.archive.database import DamagedStoreError
 from jounce.inspection.archive.entries import storable
@@ -134,7 +142,7 @@ class FolderWatch:
                 if seen is not None:
                     self.store.note_watched(path, *stamp, seen.problem)
                 self._done[path] = stamp
-        except OutputError as error:
+        except (OutputError, ResourceError) as error:
             reason = f"{error.what} {error.found}"
             if self._busy == reason:
                 return None
@@ -154,12 +162,11 @@ class FolderWatch:
             return Seen(file, imported, imported.problem)
         except (DamagedStoreError, OutputError):
             raise
-        except OSError as error:
-            told = f"cannot be read: {error.strerror or error}"
-            if is_of_disk(error):
-                raise DiskError(told, where=str(file)) from None
-            return Seen(file, None, told)
         except Exception as error:  # noqa: BLE001 - one record never stops the watch
+            if is_of_system(error):
+                raise resource_error(error, str(file)) from None
+            if isinstance(error, OSError):
+                return Seen(file, None, f"cannot be read: {error.strerror or error}")
             return Seen(file, None, str(unforeseen(error, str(file))))
 
 
