@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 import jounce as jn
 from jounce.core.errors import OutputError
 from jounce.core.workbooks import CONTROL
-from jounce.plots.style import rendered
+from jounce.plots.figures import rendered
 from jounce.report.page import Page, Section, Table
 from jounce.report.render import write_page
 

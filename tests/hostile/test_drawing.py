@@ -6,7 +6,6 @@ import json
 import shutil
 import subprocess
 import sys
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -16,10 +15,10 @@ import jounce.report.campaign as campaign_report
 from jounce.cli import main
 from jounce.core.errors import OutputError
 from jounce.core.findings import DrawingError
+from jounce.plots import figures
 from jounce.plots.fits import damper_loops
 from jounce.report import Page, Paragraph, Picture, Section, render, write_page
 
-style = import_module("jounce.plots.style")  # the package has a function of the same name
 NAMES = {
     "mathtext": "$x^{$ \\frac",
     "length": "Größe " * 70,
@@ -132,7 +131,7 @@ def test_a_process_that_ends_while_it_draws(tmp_path: Path) -> None:
 
 
 def test_two_figures_of_one_name_are_still_refused(tmp_path: Path) -> None:
-    pictures = tuple(Picture(style.new_figure(1.0), "same", "A figure.", "A figure.") for _ in range(2))
+    pictures = tuple(Picture(figures.new_figure(1.0), "same", "A figure.", "A figure.") for _ in range(2))
     with pytest.raises(OutputError, match="two figures have the same name"):
         write_page(Page("twice", (Section("Both", (Paragraph("two"), *pictures)),)), tmp_path / "out")
 
@@ -151,7 +150,7 @@ def test_commands_tell_what_they_computed_where_the_figure_fails(
         raise ValueError("no glyph")
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(style, "rendered", fails)
+    monkeypatch.setattr(figures, "rendered", fails)
     assert main([*command, "--figure", "out.png", "--json"]) == 1
     plain = said()
     assert plain["figure"] is None
@@ -182,7 +181,7 @@ def test_a_protocol_that_fails_leaves_its_values(tmp_path: Path, monkeypatch: py
 def test_long_names_leave_room_and_an_underscore_hides_nothing() -> None:
     velocity = [-1.0, 0.0, 1.0]
     figure = damper_loops([], velocity, velocity, {NAMES["underscore"]: velocity}, title=NAMES["length"] * 3)
-    svg = style.rendered(figure, [".svg"])[".svg"].decode()
+    svg = figures.rendered(figure, [".svg"])[".svg"].decode()
     assert NAMES["underscore"] in svg
     assert NAMES["length"][:100] in svg
     assert "…" in svg

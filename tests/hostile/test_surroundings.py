@@ -93,7 +93,7 @@ def test_widths_that_no_terminal_has(columns: str, monkeypatch: pytest.MonkeyPat
 
 
 def test_a_window_that_figures_do_not_need() -> None:
-    script = "from jounce.plots.style import style\nwith style(): import matplotlib.figure"
+    script = "from jounce.plots.figures import style\nwith style(): import matplotlib.figure"
     asked = [sys.executable, "-c", script]
     environment = {**os.environ, "MPLBACKEND": "nonsense"}
     ran = subprocess.run(asked, env=environment, capture_output=True, text=True, check=False)

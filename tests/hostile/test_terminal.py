@@ -54,7 +54,7 @@ def test_other_text_stays(text: str) -> None:
 
 @pytest.mark.parametrize("name", ["$x^$", "cost $1", "${\\frac", "a_b^c_", "%s {0}"])
 def test_names_are_no_markup_in_pictures(name: str) -> None:
-    from jounce.plots.style import new_figure, rendered, styled
+    from jounce.plots.figures import new_figure, rendered, styled
 
     @styled
     def draw():

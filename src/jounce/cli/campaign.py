@@ -290,7 +290,7 @@ def _write_posterior(found: Posterior, campaign: Campaign, out: Path, *, force: 
     from dataclasses import replace
 
     from jounce.core.serialise import to_json
-    from jounce.plots.style import rendered
+    from jounce.plots.figures import rendered
     from jounce.recordings.writers import netcdf_of
     from jounce.report import Page, Picture, posterior_page, write_page
     from jounce.report.page import slug

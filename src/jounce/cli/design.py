@@ -377,8 +377,8 @@ def _write_kinematics(
     """Write what was found, and then its page; give what could not be drawn."""
     from jounce.core.serialise import to_json
     from jounce.parts.files import updated_text
+    from jounce.plots.figures import rendered
     from jounce.plots.kinematic_design import design_pictures
-    from jounce.plots.style import rendered
     from jounce.report import write_page
 
     computed: dict[str, bytes | str] = {
@@ -452,8 +452,8 @@ def _write_front(found: KinematicFront, sources: Mapping[str, Path], out: Path, 
         for name, rig in found.rigs(k).items():
             files[f"{name or 'rig'}-{k + 1:02d}.toml"] = updated_text(texts[name], rig)
     with drawing() as missing:
+        from jounce.plots.figures import rendered
         from jounce.plots.kinematic_design import front_lines
-        from jounce.plots.style import rendered
 
         files["front.png"] = rendered(front_lines(found), [".png"])[".png"]
     write_files(out, files, force=force)

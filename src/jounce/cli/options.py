@@ -309,7 +309,7 @@ def check_outputs(
 
         REPORTS.check(report, force=force)
     if figure is not None:
-        from jounce.plots.style import FIGURES
+        from jounce.plots.figures import FIGURES
 
         FIGURES.check(figure, force=force)
 
@@ -325,7 +325,7 @@ def write_picture(
         return None, ()
     try:
         from jounce.plots import figure_of
-        from jounce.plots.style import FIGURES, name_figure
+        from jounce.plots.figures import FIGURES, name_figure
 
         drawn = result() if callable(result) else figure_of(result)
         FIGURES.write(name_figure(drawn, title), figure, force=force)

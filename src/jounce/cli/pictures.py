@@ -82,8 +82,8 @@ def plot(
     drawn = wanted or common_channels(runs, None)
     if figure is not None:
         from jounce.plots.comparison import compare
+        from jounce.plots.figures import FIGURES
         from jounce.plots.signals import time_history
-        from jounce.plots.style import FIGURES
 
         picture = compare(runs, wanted) if more else time_history(runs[next(iter(runs))], wanted)
         FIGURES.write(picture, figure, force=force)
@@ -160,7 +160,7 @@ def draw(
 
     Example: jounce draw kart-double-wishbone --travel "-20 mm:20 mm:20 mm" --figure kart.png
     """
-    from jounce.plots.style import FIGURES
+    from jounce.plots.figures import FIGURES
 
     file = FIGURES.check(f"{Path(rig).stem}.png" if figure is None else figure, force=force)
     with progress() as say:

@@ -100,7 +100,7 @@ def sweep(
 def _write(found: SweepResult, study: Path, out: Path) -> Sequence[Finding]:
     """Write summary and table, and then the page; give what could not be drawn."""
     from jounce.core.serialise import to_json
-    from jounce.plots.style import rendered
+    from jounce.plots.figures import rendered
     from jounce.report import Picture, sweep_page, write_page
     from jounce.variants.study import extreme_runs, read_sweep
 

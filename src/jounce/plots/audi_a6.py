@@ -9,7 +9,7 @@ from jounce.core.display import DisplayUnit, display_unit, shown_as
 from jounce.core.errors import RecordingError, nearest
 from jounce.papers.audi_a6_paper import FREE_LENGTH, READ_LENGTH
 from jounce.plots.display import quantity
-from jounce.plots.style import INK, MUTED, PALETTE, legend_above, new_figure, styled
+from jounce.plots.figures import INK, MUTED, PALETTE, legend_above, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,7 +11,7 @@ from jounce.core.display import DisplayUnit, display_unit, shown_as
 from jounce.core.errors import FitError
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
-from jounce.plots.style import (
+from jounce.plots.figures import (
     AFTER,
     BEFORE,
     GRADES,

@@ -11,8 +11,8 @@ from jounce.core.display import display_unit
 from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import words_of
+from jounce.plots.figures import PALETTE, legend_outside, new_figure, styled
 from jounce.plots.signals import MOST_COLUMNS
-from jounce.plots.style import PALETTE, legend_outside, new_figure, styled
 from jounce.plots.thinning import thinned
 
 if TYPE_CHECKING:

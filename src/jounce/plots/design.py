@@ -10,9 +10,7 @@ import numpy as np
 
 from jounce.core.display import display_unit, shown_as
 from jounce.plots.display import number, quantity
-from jounce.plots.labels import name_points
-from jounce.plots.parallel import between_ends, draw_uprights
-from jounce.plots.style import (
+from jounce.plots.figures import (
     AFTER,
     BEFORE,
     INK,
@@ -26,6 +24,8 @@ from jounce.plots.style import (
     raised,
     styled,
 )
+from jounce.plots.labels import name_points
+from jounce.plots.parallel import between_ends, draw_uprights
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.errors import JounceError
 from jounce.core.writing import lasting_folder
 from jounce.plots import audi_a6, campaign, design, fits, inspection, kinematic_design, kinematics, signals, variants
+from jounce.plots.figures import write_figure
 from jounce.plots.mechanisms import mechanism
-from jounce.plots.style import write_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit, shown_as
+from jounce.core.display import DisplayUnit as DisplayUnit  # noqa: PLC0414 - offered by the package, too
+from jounce.core.display import display_unit as display_unit  # noqa: PLC0414
+from jounce.core.display import shown_as
 from jounce.core.types import Array
 from jounce.recordings.schema import QUANTITIES, quantity_of
 

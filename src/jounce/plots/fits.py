@@ -15,7 +15,7 @@ from jounce.identify.force_deflection import ForceDeflectionTrial, renamed, seat
 from jounce.identify.free_response import alternating, decay_response, turning_points
 from jounce.identify.motion import MOTIONS, motion_of, order_of
 from jounce.plots.display import digits_for, number, quantity
-from jounce.plots.style import (
+from jounce.plots.figures import (
     AFTER,
     BEFORE,
     INK,

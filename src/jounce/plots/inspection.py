@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.core.types import Array
 from jounce.inspection.sweep import turns_of_sweep
-from jounce.plots.style import MUTED, PALETTE, legend_above, new_figure, styled
+from jounce.plots.figures import MUTED, PALETTE, legend_above, new_figure, styled
 
 if TYPE_CHECKING:
     import xarray as xr

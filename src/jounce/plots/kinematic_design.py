@@ -10,8 +10,8 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots.display import settled
+from jounce.plots.figures import INK, MUTED, PALETTE, fill_cells, new_figure, styled
 from jounce.plots.parallel import between_ends, draw_uprights
-from jounce.plots.style import INK, MUTED, PALETTE, fill_cells, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -13,7 +13,7 @@ from jounce.core.errors import RecordingError, nearest
 from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.plots.display import FAR_AWAY, PARALLEL, settled
-from jounce.plots.style import MUTED, PALETTE, columns_of, in_legend, legend_outside, new_figure, rendered, styled
+from jounce.plots.figures import MUTED, PALETTE, columns_of, in_legend, legend_outside, new_figure, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.types import Array
-from jounce.plots.style import INK, MUTED, lay_out
+from jounce.plots.figures import INK, MUTED, lay_out
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

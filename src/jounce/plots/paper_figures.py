@@ -9,7 +9,7 @@ import numpy as np
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.plots.campaign import lively_window
 from jounce.plots.display import quantity, words_of
-from jounce.plots.style import AFTER, BEFORE, MEASURED, PALETTE, new_figure, styled
+from jounce.plots.figures import AFTER, BEFORE, MEASURED, PALETTE, new_figure, styled
 from jounce.recordings.schema import QUANTITIES, quantity_of
 from jounce.roads import Train, read_roads
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.plots.display import number
-from jounce.plots.style import INK, limits
+from jounce.plots.figures import INK, limits
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,7 +8,7 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import FitError, unknown
-from jounce.plots.style import INK, MUTED, PALETTE, at_tick, columns_of, in_lines, legend_outside, new_figure, styled
+from jounce.plots.figures import INK, MUTED, PALETTE, at_tick, columns_of, in_lines, legend_outside, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

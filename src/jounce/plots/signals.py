@@ -12,7 +12,7 @@ from jounce.core.display import display_unit, shown_as
 from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
-from jounce.plots.style import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
+from jounce.plots.figures import AFTER, MUTED, PALETTE, in_legend, legend_above, limits, log_axes, new_figure, styled
 from jounce.plots.thinning import thinned
 from jounce.recordings.schema import QUANTITIES, quantity_of
 

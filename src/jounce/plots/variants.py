@@ -9,8 +9,8 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError
+from jounce.plots.figures import INK, MUTED, PALETTE, at_tick, in_lines, legend_outside, new_figure, styled
 from jounce.plots.parallel import between_ends, draw_uprights
-from jounce.plots.style import INK, MUTED, PALETTE, at_tick, in_lines, legend_outside, new_figure, styled
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 from jounce.variants.summary import bands
 

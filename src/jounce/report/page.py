@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from jounce.core.findings import Finding, not_drawn
-from jounce.plots.style import raised
+from jounce.plots.figures import raised
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
 

@@ -183,7 +183,7 @@ def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[
             whole = chart_svg(picture, chart_style(), note)
             found |= {name: whole if name == "svg" else png_of(whole) for name in formats}
         return found
-    from jounce.plots.style import add_note, rendered
+    from jounce.plots.figures import add_note, rendered
 
     add_note(picture.figure, note)
     suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
@@ -200,7 +200,7 @@ def _panels(picture: Picture | Chart) -> dict[str, bytes]:
         panels = (replace(panel, x_label=panel.x_label or last) for panel in picture.panels)
         alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in panels)
         return {f"{name}-{k}.svg": plain_colours(chart_svg(one, chart_style())).encode() for k, one in enumerate(alone)}
-    from jounce.plots.style import rendered
+    from jounce.plots.figures import rendered
 
     return {f"{name}.svg": rendered(picture.figure, (".svg",), salt=picture.name)[".svg"]}
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from jounce.core.optional import require
-from jounce.plots.style import library
+from jounce.plots.figures import library
 
 TYPESETTER = ("typst", "pdf")
 """The package that sets documents and draws SVG, and the extra that it comes with."""

@@ -95,7 +95,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
     from jounce.exchange.roads import ROAD_FORMATS
     from jounce.inspection.archive.exporting import TABLES
     from jounce.kinematics.sweeps import SWEEP_FILES
-    from jounce.plots.style import FIGURES
+    from jounce.plots.figures import FIGURES
     from jounce.recordings.writers import RECORDING_FILES
     from jounce.report.protocol import PROTOCOLS
     from jounce.report.render import REPORTS

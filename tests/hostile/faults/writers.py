@@ -98,7 +98,7 @@ def _not_yet() -> bytes:
 
 
 def _page(title: str) -> None:
-    from jounce.plots.style import new_figure
+    from jounce.plots.figures import new_figure
     from jounce.report import Page, Picture, Section, write_page
 
     def page() -> Page:

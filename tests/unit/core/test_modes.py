@@ -13,7 +13,7 @@ import jounce as jn
 from jounce.core.writing import replacing, write_atomically, write_files
 from jounce.inspection.archive.store import Store
 from jounce.kernel import cache
-from jounce.plots.style import write_figure
+from jounce.plots.figures import write_figure
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="modes are those of POSIX")
 

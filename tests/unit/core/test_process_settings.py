@@ -8,7 +8,7 @@ import warnings
 from concurrent.futures import ThreadPoolExecutor
 
 from jounce.core.process_settings import caught_warnings
-from jounce.plots.style import library, style
+from jounce.plots.figures import library, style
 from jounce.recordings.readers import _quiet
 
 

@@ -12,7 +12,7 @@ import jounce as jn
 from jounce.core import writing
 from jounce.core.errors import OutputError
 from jounce.plots import add_note, new_figure, rendered, road_profile, show, write_figure
-from jounce.plots.style import log_axes, style
+from jounce.plots.figures import log_axes, style
 
 OBSTACLE = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF"}

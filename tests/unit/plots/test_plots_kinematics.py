@@ -7,8 +7,8 @@ import pytest
 
 import jounce as jn
 from jounce.plots import kinematics
+from jounce.plots.figures import name_figure
 from jounce.plots.kinematics import SHEETS, kinematic_curves, write_kinematics
-from jounce.plots.style import name_figure
 
 RIG = jn.load("reference-double-wishbone")
 

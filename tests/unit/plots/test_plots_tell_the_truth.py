@@ -9,9 +9,9 @@ import xarray as xr
 import jounce as jn
 from jounce.plots.design import ride_spectra, trade_off
 from jounce.plots.display import kinematic_value, settled
+from jounce.plots.figures import new_figure
 from jounce.plots.fits import _draw_correlation
 from jounce.plots.kinematics import kinematic_curves
-from jounce.plots.style import new_figure
 from jounce.report.live import Packed
 from jounce.report.papers import _headline
 from jounce.ride.study import RideStudy, compare_rides, iso_trial

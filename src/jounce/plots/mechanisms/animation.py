@@ -17,6 +17,7 @@ from jounce.core.programs import program_on_path
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import Formats
+from jounce.plots.figures import INK, MUTED, style
 from jounce.plots.mechanisms.drawing import (
     MM,
     View,
@@ -28,7 +29,6 @@ from jounce.plots.mechanisms.drawing import (
     views_of,
 )
 from jounce.plots.mechanisms.scene import REACH, Poses, Roadway, Scene, poses_of, roadway_of, scene_of
-from jounce.plots.style import INK, MUTED, style
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -11,9 +11,9 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.types import Array
+from jounce.plots.figures import INK, MUTED, figure_type, styled
 from jounce.plots.labels import column_height, column_width, write_names
 from jounce.plots.mechanisms.scene import MIDDLE, Pose, Poses, Scene, poses_of, scene_of
-from jounce.plots.style import INK, MUTED, figure_type, styled
 
 if TYPE_CHECKING:
     import xarray as xr

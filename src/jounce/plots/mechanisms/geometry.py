@@ -13,9 +13,9 @@ from jounce.core.display import display_unit
 from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import PARALLEL, kinematic_value, number
+from jounce.plots.figures import INK, MUTED, PALETTE, figure_type, styled
 from jounce.plots.mechanisms.drawing import MM, Look, View, draw_pose, everything, show_ticks, views_of
 from jounce.plots.mechanisms.scene import Pose, Scene, scene_of
-from jounce.plots.style import INK, MUTED, PALETTE, figure_type, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

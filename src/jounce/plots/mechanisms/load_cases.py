@@ -16,9 +16,9 @@ from jounce.core.types import Array
 from jounce.core.writing import write_files
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.load_cases import from_across
+from jounce.plots.figures import MUTED, rendered, styled
 from jounce.plots.mechanisms.drawing import MM, ROAD, View, axis_view, draw_pose, everything, show_ticks
 from jounce.plots.mechanisms.scene import MIDDLE, Pose, Scene, poses_of, scene_of
-from jounce.plots.style import MUTED, rendered, styled
 
 if TYPE_CHECKING:
     import xarray as xr

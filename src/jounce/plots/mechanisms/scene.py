@@ -16,8 +16,8 @@ from jounce.core.remembered import Recent
 from jounce.core.types import Array
 from jounce.mechanics.contact import towards_road
 from jounce.plots.display import number
+from jounce.plots.figures import INK, PALETTE
 from jounce.plots.signals import sampled
-from jounce.plots.style import INK, PALETTE
 
 if TYPE_CHECKING:
     import xarray as xr
