@@ -134,6 +134,18 @@ def test_completion_is_installed_where_the_shell_looks(cli, tmp_path: Path, monk
     assert "_JOUNCE_COMPLETE" in file.read_text(encoding="utf-8")
 
 
+def test_completion_without_a_home_is_printed_only(cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    def nowhere() -> Path:
+        raise RuntimeError("Could not determine home directory.")  # as pathlib says it of a user without an entry
+
+    monkeypatch.setattr(Path, "home", nowhere)
+    outcome = cli("completion", "bash", "--install")
+    assert outcome.exit_code == 2
+    assert "no home folder is known" in outcome.err
+    assert "without --install" in outcome.err
+    assert cli("completion", "bash").exit_code == 0
+
+
 def test_rows_that_go_on_have_the_unit_of_the_row_above() -> None:
     rows = [("force", "N", "left", 4.4482216), ("", "", "right", 44.482216), ("ratio", "1", "left", 2.0)]
     with shown_in("imperial"):

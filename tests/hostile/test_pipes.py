@@ -5,9 +5,14 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
 from importlib import resources
+from pathlib import Path
 
 import pytest
+from corpus.outputs import folder_for, targets, words
+
+from jounce.cli import main, pipes
 
 pytestmark = pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="there are no names of open files")  # noqa: PTH110
 COMMAND = [sys.executable, "-m", "jounce"]
@@ -80,6 +85,66 @@ def test_an_option_and_a_result(tmp_path):
     words = ["simulate", "kart-quarter-car", "--road=/dev/stdin", "--speed", "2 m/s", "--duration", "1 s", "--json"]
     ended = run(words, tmp_path, ROAD)
     assert ended.returncode == 0, ended.stderr
+
+
+def filled(pipe, content):
+    """Write into a pipe as another program does; give the thread."""
+    os.mkfifo(pipe)
+    thread = threading.Thread(target=pipe.write_bytes, args=(content,))
+    thread.start()
+    return thread
+
+
+@pytest.mark.parametrize("name", ["rig", "rig.toml"])
+def test_a_pipe_that_has_a_name(tmp_path, name):
+    thread = filled(tmp_path / name, RIG)
+    ended = run(["modes", name, "--json"], tmp_path)
+    thread.join()
+    assert ended.returncode == 0, ended.stderr
+
+
+def test_two_pipes_of_one_name_and_an_option(tmp_path):
+    both = [tmp_path / folder / "a" for folder in ("rigs", "roads")]
+    for pipe in both:
+        pipe.parent.mkdir()
+    threads = [filled(pipe, content) for pipe, content in zip(both, (RIG, ROAD), strict=True)]
+    asked = ["simulate", "rigs/a", "--road=roads/a", "--speed", "2 m/s", "--duration", "1 s", "--json"]
+    ended = run(asked, tmp_path)
+    for thread in threads:
+        thread.join()
+    assert ended.returncode == 0, ended.stderr
+
+
+def test_a_pipe_into_which_nobody_writes_keeps_nobody_waiting(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(pipes, "_PATIENCE", 0.1)
+    os.mkfifo(tmp_path / "rig.toml")
+    assert main(["modes", str(tmp_path / "rig.toml")]) == 2
+    assert "nobody writes into this pipe" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("target", [t for t in targets() if t[1] != "FOLDER"], ids=" ".join)
+def test_no_output_takes_the_place_of_a_pipe(target, capsys):
+    """A pipe that others hold was replaced under --force."""
+    command, option, suffix = target
+    with folder_for(command):
+        pipe = Path(f"x{suffix}")
+        os.mkfifo(pipe)
+        place = "there already" if option == "--store" else "there already, --force"
+        code = main(words((command, option, suffix, place), pipe.name))
+        assert code == 2
+        assert pipe.is_fifo()
+        said = capsys.readouterr().err
+        assert said.count("jounce: ") == 1
+        assert "a pipe or a device" in said or "is a file, not a folder" in said or "not a file" in said
+
+
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/null"])
+def test_devices_are_no_outputs(name, tmp_path):
+    asked = ["simulate", "kart-quarter-car", "--road", "detrended_rms_course_1in", "--speed", "2 m/s"]
+    ended = run([*asked, "--duration", "0.2 s", "--out", name, "--force"], tmp_path)
+    assert ended.returncode == 2
+    assert b"a pipe or a device, which no file can replace" in ended.stderr
+    assert b"--json" in ended.stderr
 
 
 @pytest.mark.parametrize(("name", "what"), [("folder", b"a folder, not a file"), ("/dev/null", b"a pipe or a device")])

@@ -171,7 +171,14 @@ def completion(
     from typer.completion import install as install_completion  # type: ignore[attr-defined]
 
     if install:
-        _, file = install_completion(shell.value, "jounce", _COMPLETION)
+        try:
+            _, file = install_completion(shell.value, "jounce", _COMPLETION)
+        except RuntimeError:  # of pathlib
+            raise OutputError(
+                "no home folder is known, in which a shell keeps its settings",
+                where="--install",
+                hint="Set HOME, or print the script without --install and let the shell read it.",
+            ) from None
         plain = {"shell": shell.value, "installed": str(file)}
         return Reply(plain, lambda out: out.print(f"installed: {file}; it works in new shells"), as_json)
     script = get_completion_script(prog_name="jounce", complete_var=_COMPLETION, shell=shell.value)

@@ -1,4 +1,4 @@
-"""Pipes in the place of files: ``jounce modes <(cat rig.toml)``, ``/dev/stdin``.
+"""Pipes in the place of files: ``jounce modes <(cat rig.toml)``, ``/dev/stdin``, pipes with names (``mkfifo``).
 
 A reader may look at a file twice, and knows its format by its suffix. So each pipe is read once, into a file that goes
 when the command has ended, with the suffix that its content calls for.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import select
 import shutil
 import stat
 import tomllib
@@ -20,6 +21,9 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.writing import lasting_folder
 
 _PIPE = re.compile(r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))")
+_OUTPUTS = {"--out", "--figure", "--report", "--store", "--animation"}
+"""Options whose files are written: a pipe there is refused, not read."""
+_PATIENCE = 30.0  # s until somebody writes into a pipe that has a name
 _LARGEST = 1_000_000_000  # bytes
 _SHARE = 1 << 20
 _BEGINS = {
@@ -39,18 +43,51 @@ _BEGINS = {
 def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
     """Give a command line with the names of files in the place of pipes that are open for reading."""
     found = [match if match and _is_readable(_number(match)) else None for match in map(_PIPE.fullmatch, words)]
-    if not any(found):
+    pipes = [
+        None if before in _OUTPUTS else _named_pipe(word) for before, word in zip(["", *words], words, strict=False)
+    ]
+    if not any(found) and not any(pipes):
         yield list(words)
         return
     folder = lasting_folder()
     try:
         copies = {number: _copy(number, folder) for number in {_number(match) for match in found if match}}
+        named = {pipe: _copy_named(pipe, folder) for pipe in dict.fromkeys(filter(None, pipes))}
         yield [
-            f"{match['before']}{copies[_number(match)]}" if match else word
-            for word, match in zip(words, found, strict=True)
+            f"{match['before']}{copies[_number(match)]}"
+            if match
+            else (word.removesuffix(pipe) + str(named[pipe]) if pipe else word)
+            for word, match, pipe in zip(words, found, pipes, strict=True)
         ]
     finally:
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _named_pipe(word: str) -> str | None:
+    """Name of the pipe that a word, or the value of its option, is; None where it is none, or one to be written to."""
+    option, _, value = word.rpartition("=") if word.startswith("--") else ("", "", word)
+    try:
+        is_pipe = stat.S_ISFIFO(os.stat(value).st_mode)  # noqa: PTH116 - a word may be no path at all
+    except (OSError, ValueError):
+        return None
+    return value if is_pipe and option not in _OUTPUTS else None
+
+
+def _copy_named(pipe: str, folder: Path) -> Path:
+    """Read what somebody writes into a pipe that has a name; give the file that holds it."""
+    handle = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    try:
+        poll = select.poll()
+        poll.register(handle, select.POLLIN)
+        if not poll.poll(1e3 * _PATIENCE):
+            waited, hint = f"nothing within {_PATIENCE:g} s", "Start what writes into it first."
+            raise DescriptionError("nobody writes into this pipe", where=pipe, found=waited, hint=hint)
+        os.set_blocking(handle, True)
+        own = folder / str(len(os.listdir(folder)))  # noqa: PTH208 - two pipes may have one name
+        own.mkdir()
+        return _copy(handle, own, Path(pipe).name)
+    finally:
+        os.close(handle)
 
 
 def _number(match: re.Match[str]) -> int:
@@ -69,9 +106,9 @@ def _is_readable(number: int) -> bool:
     return not writes and (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode) or stat.S_ISREG(mode))
 
 
-def _copy(number: int, folder: Path) -> Path:
+def _copy(number: int, folder: Path, name: str = "") -> Path:
     """Read what is open under a number to its end; give the file that holds it."""
-    name = "stdin" if number == 0 else f"pipe-{number}"
+    name = name or ("stdin" if number == 0 else f"pipe-{number}")
     file, size = folder / name, 0
     try:
         with os.fdopen(os.dup(number), "rb") as source, file.open("wb") as target:
@@ -84,7 +121,7 @@ def _copy(number: int, folder: Path) -> Path:
     except OSError as error:
         hint = "Check the space there (TMPDIR)."
         raise OutputError("a pipe cannot be copied", where=str(folder), found=error.strerror, hint=hint) from error
-    return file.rename(file.with_suffix(_suffix(file)))
+    return file if file.suffix else file.rename(file.with_suffix(_suffix(file)))
 
 
 def _suffix(file: Path) -> str:

@@ -26,6 +26,9 @@ from jounce.core.optional import require
 def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False) -> Path:
     """Refuse an output of another suffix, that exists (without ``force``) or whose folder is missing; give the path."""
     file = Path(path)
+    if file.exists() and not file.is_file() and not file.is_dir():
+        hint = "Write a file and read it from there; what a command prints with --json goes to pipes."
+        raise OutputError("a pipe or a device, which no file can replace", where=str(file), hint=hint)
     if suffixes and file.suffix.lower() not in suffixes:
         problem, allowed = f"{what} are not written in this format", ", ".join(suffixes)
         raise OutputError(problem, where=str(file), found=file.suffix, allowed=allowed)

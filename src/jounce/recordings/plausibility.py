@@ -245,6 +245,7 @@ def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator
             yield Finding(f"{where}: {force}" if where else force, "problem", text, work / cycles)
 
 
+_ROUNDING = 1e-12  # range of a channel that does not change, as a share of its size
 _SAME = 0.95  # correlation from which two signals are one
 
 
@@ -255,7 +256,8 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
         *_beside(channels, ("vz",), ("az",)),
     ]
     for name, rate in pairs:
-        if "road" in place_of(name).split("."):
+        is_at_rest = np.ptp(channels[name]) <= _ROUNDING * np.max(np.abs(channels[name]))
+        if "road" in place_of(name).split(".") or is_at_rest:
             continue
         yield from _of_sign(channels[name], channels[rate], name, f"{where}: {rate}" if where else rate)
         moved, turns = (

@@ -6,6 +6,7 @@ import io
 import json
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -168,10 +169,15 @@ def _mdf_of(dataset: xr.Dataset) -> bytes:
         for name, signal in signals.items()
     ]
     buffer = io.BytesIO()
-    with working_folder() as folder, asammdf.MDF(version="4.10", temporary_folder=str(folder)) as file:
-        file.append(rows, acq_name="recording", common_timebase=True)
-        file.header.description = _about(dataset)
-        file.save(buffer, compression=2)
+    with working_folder() as folder:
+        file = asammdf.MDF(version="4.10", temporary_folder=str(folder))
+        try:
+            file.append(rows, acq_name="recording", common_timebase=True)
+            file.header.description = _about(dataset)
+            file.save(buffer, compression=2)
+        finally:
+            with suppress(OSError):  # its temporary file, which goes with the folder; as a block it prints a traceback
+                file.close()
     return buffer.getvalue()
 
 

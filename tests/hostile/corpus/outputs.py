@@ -49,8 +49,9 @@ USES = {
     "campaign run": "campaign run c/campaign.toml --out r",
     "campaign posterior": "campaign posterior c/campaign.toml --out drawn",
     "sweep": "sweep sweep.toml --out swept",
+    "fit stiffness": "fit stiffness spring.csv --rig kart-quarter-car",
 }
-"""Right uses that need a file of their own."""
+"""Right uses that need a file or a rig of their own."""
 
 REFUSED = (
     "there already",
@@ -127,6 +128,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
                     "import hardpoints",
                     "import mjcf",
                     "fit hardpoints",
+                    "fit stiffness",
                     "design springs",
                     "design optimise",
                 )

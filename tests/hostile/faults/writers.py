@@ -34,8 +34,14 @@ def writers() -> Iterator[Writer]:
         "simulate --out .nc, a new file", partial(command, *RUN, "--out", "new.nc"), partial(files, "simulate")
     )
     study = Path("sweep.toml")
-    yield Writer("sweep", partial(command, "sweep", "sweep.toml", "--out", "swept", "--workers", "1"),
-                 lambda: study.write_text(_SWEEP, encoding="utf-8"), parts=True, again=_resumed)  # fmt: skip
+    yield Writer(
+        "sweep",
+        partial(command, "sweep", "sweep.toml", "--out", "swept", "--workers", "1"),
+        lambda: study.write_text(_SWEEP, encoding="utf-8"),
+        between=(_not_yet(),),
+        parts=True,
+        again=_resumed,
+    )
     yield Writer("report in a folder", partial(_page, "another"), partial(_page, "old"), between=(_not_yet(),))
     yield Writer("campaign run --table xlsx", _campaign, _old_campaign, between=(_not_yet(),))
     yield Writer("inspect import, another record", _imported("lane.csv"), partial(_lane, ("plate.csv",)))

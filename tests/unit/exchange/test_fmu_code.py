@@ -5,13 +5,15 @@ from __future__ import annotations
 import ctypes
 import shutil
 import subprocess
+import sys
+from pathlib import Path
 
 import casadi as ca
 import numpy as np
 import pytest
 
 from jounce.exchange.fmu import code
-from jounce.exchange.fmu.build import C
+from jounce.exchange.fmu.build import C, compile_library
 from jounce.kernel import lowering
 from jounce.kernel.packing import SHARED, Packed, Parts
 
@@ -89,3 +91,28 @@ def test_constants_without_end_have_their_words_in_c():
     for word in (" INFINITY", "(-INFINITY)", "NAN", "(-2.5)"):
         assert word in text
     assert "inf" not in text
+
+
+def test_compilers_leave_nothing_elsewhere(tmp_path, monkeypatch) -> None:
+    """Zig keeps some 50 MB in the home folder where nobody says another place."""
+    script = tmp_path / "compiler.py"
+    script.write_text(
+        "import os, sys\n"
+        "names = 'TMPDIR', 'ZIG_LOCAL_CACHE_DIR', 'ZIG_GLOBAL_CACHE_DIR'\n"
+        "open(sys.argv[sys.argv.index('-o') + 1], 'w').write('|'.join(os.environ[name] for name in names))\n"
+    )
+    (tmp_path / "work").mkdir()
+    (tmp_path / "work" / "model.c").touch()
+    monkeypatch.delenv("ZIG_GLOBAL_CACHE_DIR", raising=False)
+    monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path / "cache"))
+
+    def places() -> list[str]:
+        asked = ("zig", [sys.executable, str(script)])
+        said = compile_library(tmp_path / "work", 2, "x86_64-linux", asked).decode().split("|")
+        return [str(Path(one).relative_to(tmp_path)) for one in said]
+
+    assert places() == ["work", "work/zig", "cache/zig"]
+    monkeypatch.setenv("JOUNCE_CACHE_DIR", "nowhere")  # not absolute: none is known
+    assert places() == ["work", "work/zig", "work/zig"]
+    monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(tmp_path / "own"))
+    assert places() == ["work", "work/zig", "own"]

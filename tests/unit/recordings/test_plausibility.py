@@ -149,6 +149,13 @@ def test_limits_of_time_of_work_and_of_rates() -> None:
         assert implausible({"left.z": moved["left.z"], "right.vz": moved["left.vz"]}, STEP, where="") == []
 
 
+def test_rounding_at_rest_has_no_rate() -> None:
+    """As a run on a flat road gives it: NumPy warned of correlations, and a velocity was 1e15 times too large."""
+    noise = 4e-18 * np.sin(np.arange(TIME.size))
+    for moved in (np.full(TIME.size, -0.00148778), np.zeros(TIME.size)):
+        assert implausible({"unsprung.z": moved, "unsprung.vz": noise}, STEP, where="") == []
+
+
 @pytest.mark.parametrize("name", ["sprung.az", "wheel.az"])
 def test_gravity_is_looked_for_in_a_second_of_record(name: str) -> None:
     for mean, samples, told in ((0.981, 1000, 1), (1.019, 1000, 1), (0.979, 1000, 0), (1.021, 1000, 0), (1.0, 999, 0)):

@@ -12,6 +12,7 @@ from pathlib import Path
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import OutputError, is_of_system, resource_error, unknown
 from jounce.core.programs import program_on_path
+from jounce.kernel.cache import cache_folder
 
 C = Path(__file__).parent / "c"
 _LARGE = 1_000_000  # bytes of C: beyond, -O2 takes half as long again for code without branches, and gains nothing
@@ -56,6 +57,8 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
     if "linux" in platform:
         words.append("-lm")
     places = {**os.environ, **dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(folder))}  # which goes, however this ends
+    if name == "zig":
+        places = {"ZIG_GLOBAL_CACHE_DIR": _zig_folder(folder), **places, "ZIG_LOCAL_CACHE_DIR": str(folder / "zig")}
     try:
         done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_LONGEST, env=places)
     except (OSError, subprocess.TimeoutExpired) as error:
@@ -70,6 +73,14 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
             hint=_HINT,
         )
     return out.read_bytes()
+
+
+def _zig_folder(folder: Path) -> str:
+    """Where zig keeps the libraries of platforms, which take it minutes: jounce's cache, or what goes with the rest."""
+    try:
+        return str(cache_folder() / "zig")
+    except RuntimeError:
+        return str(folder / "zig")
 
 
 _HINT = "Give no platform (the sources alone), and compile on the target."
