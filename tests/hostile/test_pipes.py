@@ -123,8 +123,9 @@ def test_a_pipe_into_which_nobody_writes_keeps_nobody_waiting(tmp_path, monkeypa
 
 
 @pytest.mark.parametrize("target", [t for t in targets() if t[1] != "FOLDER"], ids=" ".join)
-def test_no_output_takes_the_place_of_a_pipe(target, capsys):
+def test_no_output_takes_the_place_of_a_pipe(target, tmp_path_factory, monkeypatch, capsys):
     """A pipe that others hold was replaced under --force."""
+    monkeypatch.chdir(tmp_path_factory.getbasetemp())  # where the files of all targets are made once
     command, option, suffix = target
     with folder_for(command):
         pipe = Path(f"x{suffix}")
