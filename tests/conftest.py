@@ -27,6 +27,16 @@ hypothesis.settings.register_profile("jounce", derandomize=True, deadline=None, 
 hypothesis.settings.register_profile("quick", derandomize=True, deadline=None, max_examples=15)
 hypothesis.settings.load_profile("jounce")
 
+
+@pytest.fixture
+def units_kept() -> Iterator[None]:
+    """Let arithmetic with channels keep their units, as newer versions of xarray do by themselves."""
+    import xarray as xr
+
+    with xr.set_options(keep_attrs=True):
+        yield
+
+
 _CACHE = pytest.StashKey[str]()
 COLLECTED = pytest.StashKey[set[str]]()
 SOURCES = pytest.StashKey[dict[str, dict[str, str] | None]]()

@@ -9,6 +9,7 @@ import re
 import shlex
 import tomllib
 from collections.abc import Iterator
+from importlib import metadata
 from pathlib import Path
 from types import ModuleType
 
@@ -260,6 +261,9 @@ def test_help_shows_every_command_with_an_example(faces: ModuleType):
 
 
 def test_written_faces_are_what_the_registries_say(faces: ModuleType):
+    pinned = re.search(r"^pydantic==(\S+)", (ROOT / "requirements" / "runtime.txt").read_text(), re.MULTILINE)
+    if pinned is None or metadata.version("pydantic") != pinned[1]:
+        pytest.skip("other versions of pydantic write schemas in other words")
     texts = {**faces.stubs(), **{faces.SCHEMAS / name: text for name, text in faces.schemas().items()}}
     for file, text in texts.items():
         assert file.read_text(encoding="utf-8") == text, f"{file.name} is out of date: run `make faces`"

@@ -12,7 +12,7 @@ import pytest
 from rules import CONFIGURATION, ROOT, packages_below
 
 PACKAGES = sorted(folder.parent.name for folder in (ROOT / "src" / "jounce").glob("*/__init__.py"))
-RUN = "from importlinter.cli import lint_imports_command as run; run(['--no-cache', '--no-logo'])"
+RUN = "from importlinter.cli import lint_imports_command as run; run(['--no-cache'])"
 
 
 def lint_imports(folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:

@@ -10,6 +10,7 @@ import pytest
 import jounce as jn
 from jounce.identify.datum import QuietStart, with_datums
 
+pytestmark = pytest.mark.usefixtures("units_kept")
 RIG = jn.load("kart-quarter-car")
 TRUTH = RIG.with_changes(
     {"strut.spring.rate": "21.5 N/mm", "tyre.stiffness": "130 N/mm", "strut.damper.coefficient": 110.0}

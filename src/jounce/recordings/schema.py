@@ -298,7 +298,8 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
         raise RecordingError("the channel is not a signal over time", where=at, found=f"dimensions {variable.dims}")
     unit = variable.attrs.get("units")
     if unit is None:
-        raise RecordingError("the channel has no unit", where=at, allowed="an attribute 'units'")
+        hint = "Arithmetic with older xarray drops it: xarray.set_options(keep_attrs=True), or assign_attrs(units=...)."
+        raise RecordingError("the channel has no unit", where=at, allowed="an attribute 'units'", hint=hint)
     quantity = quantity_of(name)
     if quantity not in ("", "command") and not is_spelling(unit, channel_unit(name)):  # a command has its actuator's
         raise RecordingError("the channel has another unit", where=at, found=unit, allowed=channel_unit(name))

@@ -121,7 +121,8 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     @router.websocket("/api/live")
     async def live(socket: WebSocket) -> None:
         """Tell how the jobs are, now and whenever that changes."""
-        await socket.accept(PROTOCOL if PROTOCOL in socket.scope["subprotocols"] else None)
+        # Some versions of uvicorn do not split what a browser offers, so its scope is not asked.
+        await socket.accept(PROTOCOL if "sec-websocket-protocol" in socket.headers else None)
         await asyncio.to_thread(jobs.prepare)
         before = ""
         try:

@@ -351,6 +351,7 @@ def test_a_doubt_that_leaves_its_prior_is_named():
     assert any(finding.place == "unsprung.mass" and "doubt.values" in finding.message for finding in found.findings)
 
 
+@pytest.mark.usefixtures("units_kept")
 def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
     """A gain of one sensor moves no rate over a mass: what it leaves of the record is in the intervals."""
     made = [

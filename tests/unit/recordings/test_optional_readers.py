@@ -224,7 +224,7 @@ def test_parquet_with_bytes_between_its_columns(tmp_path: Path, options: dict[st
     file.write_bytes(content[:at] + b"rest of another file" + content[at:])
     said = [one for one in read_recording(file)[1] if "bytes" in one.message]
     assert (said[0].severity, said[0].value) == ("warning", 20.0)
-    file.write_bytes(content[: at - 3] + content[at:])
+    file.write_bytes(content[: at // 2] + content[at:])
     with pytest.raises(RecordingError, match=r"a\.parquet: .*damaged"):
         read_recording(file)
 

@@ -121,6 +121,7 @@ def test_what_is_refused(parameters, objective, options, message):
         jn.gradient(QUARTER, TRIAL, parameters, objective, **options)
 
 
+@pytest.mark.usefixtures("units_kept")
 def test_recordings_that_are_refused():
     measured = jn.simulate(QUARTER, TRIAL)[["sprung.az"]]
     later = measured.assign_coords(time=measured["time"] + 1.0)
@@ -134,6 +135,7 @@ def test_recordings_that_are_refused():
         jn.gradient(QUARTER, TRIAL, ["sprung.mass"], measured, weights={"unsprung.az": 1.0})
 
 
+@pytest.mark.usefixtures("units_kept")
 @pytest.mark.parametrize(
     ("change", "text"),
     [
