@@ -106,3 +106,24 @@ def _is_empty(group):
             return True
         time.sleep(0.05)
     return False
+
+
+COUNTED = """
+import os, signal, time
+from multiprocessing import get_context, resource_tracker
+from jounce.core.processes import starting_workers
+with starting_workers():
+    lock = get_context("spawn").Lock()
+counts = resource_tracker._resource_tracker._pid
+for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+    os.kill(counts, number)
+time.sleep(0.5)
+print(os.waitpid(counts, os.WNOHANG))
+"""
+
+
+def test_the_process_that_counts_semaphores_hears_nothing():
+    """It ended with a closed terminal, and its successor printed a traceback below the one line."""
+    ended = subprocess.run([sys.executable, "-c", COUNTED], capture_output=True, text=True, check=True)
+    assert ended.stdout == "(0, 0)\n"
+    assert ended.stderr == ""

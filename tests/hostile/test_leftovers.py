@@ -187,3 +187,67 @@ def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_befor
         writing.check_folder(tmp_path / "mine.txt" / "a" / "out")
     with pytest.raises(OutputError, match="the folder cannot be written; found 'File name too long'"):
         writing.check_folder(tmp_path / ("x" * 300))
+
+
+LEFT = ".jounce-00000000-1-a"  # of another machine
+
+
+def day_old(*folders: Path) -> None:
+    for folder in folders:
+        os.utime(folder, (time.time() - 2 * 86400.0,) * 2)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need a permission there")
+@pytest.mark.parametrize("name", ["jounce-ready", "jounce-old"])
+def test_a_link_in_the_place_of_a_leftover_moves_nothing(tmp_path: Path, name: str) -> None:
+    """An archive that brought such a link emptied the folder that it leads to."""
+    mine, work = tmp_path / "mine", tmp_path / "work"
+    for folder in (mine, work / LEFT):
+        folder.mkdir(parents=True)
+    (mine / "thesis.txt").write_text("mine")
+    (work / LEFT / name).symlink_to(mine)
+    day_old(work / LEFT)
+    write_atomically(work / "run.csv", "whole")
+    assert [file.name for file in mine.iterdir()] == ["thesis.txt"]
+    assert [file.name for file in work.iterdir()] == ["run.csv"]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need a permission there")
+def test_nothing_is_moved_through_a_link(tmp_path: Path) -> None:
+    mine, work = tmp_path / "mine", tmp_path / "work"
+    for folder in (mine, work / LEFT / "jounce-ready" / "keys"):
+        folder.mkdir(parents=True)
+    (work / "keys").symlink_to(mine)
+    (work / LEFT / "jounce-ready" / "keys" / "own").write_text("foreign")
+    day_old(work / LEFT)
+    write_atomically(work / "run.csv", "whole")
+    assert not list(mine.iterdir())
+    assert (work / "run.csv").read_text() == "whole"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes there")
+def test_pipes_and_links_among_leftovers_keep_nobody_waiting(tmp_path: Path) -> None:
+    ready = tmp_path / LEFT / "jounce-ready"
+    ready.mkdir(parents=True)
+    os.mkfifo(ready / "pipe")
+    (ready / "loop").symlink_to("loop")
+    os.mkfifo(tmp_path / ".jounce-00000000-2-b")
+    day_old(tmp_path / LEFT, tmp_path / ".jounce-00000000-2-b")
+    write_files(tmp_path, {"a.txt": "a"})
+    assert (tmp_path / "a.txt").read_text() == "a"
+    assert not list(tmp_path.glob(".jounce-*"))
+
+
+def test_leftovers_that_lie_deep_stay(tmp_path: Path) -> None:
+    """Two thousand folders in each other, which Python's own functions walk by recursion."""
+    deepest = os.open(tmp_path, os.O_RDONLY)
+    for name in (LEFT, "jounce-ready", *["d"] * 2000):
+        os.mkdir(name, dir_fd=deepest)
+        within = os.open(name, os.O_RDONLY, dir_fd=deepest)
+        os.close(deepest)
+        deepest = within
+    os.close(deepest)
+    day_old(tmp_path / LEFT)
+    write_files(tmp_path, {"a.txt": "a"})
+    assert (tmp_path / "a.txt").read_text() == "a"
+    subprocess.run(["rm", "-rf", str(tmp_path / LEFT)], check=True)

@@ -52,10 +52,11 @@ class NoWorkersError(JounceError):
 def starting_workers() -> Iterator[None]:
     """Start worker processes in a block; where the system refuses, the error says what it lacks.
 
-    The workers never hear Ctrl-C, not even while they load: the first process tells them when to stop.
+    The workers never hear Ctrl-C or a closed terminal, not even while they load: the first process tells them when to
+    stop. Nor does the process in which Python counts semaphores, whose successor would print a traceback.
     """
     block = getattr(signal, "pthread_sigmask", None)
-    before = block(signal.SIG_BLOCK, {signal.SIGINT}) if block else None
+    before = block(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP}) if block else None
     try:
         yield
     except (OSError, RuntimeError) as error:

@@ -311,16 +311,26 @@ def _move(names: Iterable[str], source: Path, target: Path) -> None:
 
 
 def _settle(aside: Path) -> bool:
-    """Finish an exchange that was cut off, or undo it; tell whether every file is in its place."""
-    kept = aside / (_READY if (aside / _READY).is_dir() else _OLD)
-    files = [file for file in kept.rglob("*") if file.is_symlink() or not file.is_dir()]
+    """Finish an exchange that was cut off, or undo it; tell whether every file is in its place.
+
+    A folder that came with an archive may hold links: nothing is moved out of another folder, or into one.
+    """
+    kept = aside / (_READY if _is_folder(aside / _READY) else _OLD)
+    files = [file for file in kept.rglob("*") if not _is_folder(file)] if _is_folder(kept) else []
     targets = [aside.parent / file.relative_to(kept) for file in files]
+    root = aside.parent.resolve()
     for file, target in zip(files, targets, strict=True):
-        with contextlib.suppress(OSError):
-            if not os.path.lexists(target):  # somebody may have written there since
+        with contextlib.suppress(OSError, OutputError):
+            is_inside = resolved(target.parent).is_relative_to(root)
+            if is_inside and not os.path.lexists(target):  # somebody may have written there since
                 target.parent.mkdir(parents=True, exist_ok=True)
                 file.rename(target)
     return all(map(os.path.lexists, targets))
+
+
+def _is_folder(path: Path) -> bool:
+    """Whether a path is a folder itself, and no link to one."""
+    return path.is_dir() and not path.is_symlink()
 
 
 def _remove(aside: Path) -> None:
@@ -399,7 +409,8 @@ def _machine() -> str:
 def _sweep(folder: Path) -> None:
     """Remove what killed processes of this user left in a folder: of this machine at once, of others after a day."""
     for left in folder.glob(".jounce-*-*-*"):
-        with contextlib.suppress(OSError, ValueError, OverflowError):  # names that others gave, files that are gone
+        # Names that others gave, files that are gone, folders in each other that no process of ours makes.
+        with contextlib.suppress(OSError, ValueError, OverflowError, RecursionError):
             _, machine, process, rest = left.name.split("-", 3)
             found = left.lstat()
             if os.name == "posix" and found.st_uid != os.geteuid():

@@ -55,6 +55,7 @@ class Writer:
     work: Callable[[], int]
     prepare: Callable[[], object] = lambda: None
     between: tuple[bytes, ...] = ()  # contents that are neither old nor new, and whole
+    first: frozenset[str] = frozenset()  # files that are there together before the others
     parts: bool = False  # files that are whole each, and do not belong together
     optional: bool = False  # where it cannot be written, the work goes on
     again: Callable[[], int] | None = None
@@ -293,8 +294,9 @@ def _wrong(writer: Writer, before: Listing, after: Listing, found: Listing, vari
     wrong += [f"lost: {lost}"] if lost else []
     changed = [name for name in {*before} | {*after} if before.get(name) != after.get(name) and name not in varied]
     is_new = {found.get(name) == after.get(name) for name in changed if found.get(name) not in between}
-    if len(is_new) > 1 and not (writer.parts or writer.optional):
-        wrong.append(f"a mixture: {[name for name in changed if found.get(name) == after.get(name)]} are new")
+    new = {name for name in changed if found.get(name) == after.get(name)}
+    if len(is_new) > 1 and new != writer.first and not (writer.parts or writer.optional):
+        wrong.append(f"a mixture: {sorted(new)} are new")
     return wrong
 
 
