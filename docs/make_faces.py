@@ -1,8 +1,8 @@
 """Write what registries and command line say: names for type checkers, JSON schemas for editors, tables for the docs.
 
-``make faces`` runs this after a road, a controller or a description has changed: it writes the last part of the stubs
-(``__init__.pyi``) and ``docs/schemas``, which are committed. The tables and the reference of the commands are written
-when the documentation is built.
+``make faces`` runs this after an operation, a road, a controller or a description has changed: it writes the last part
+of the stubs (``__init__.pyi``), the index of operations and ``docs/schemas``, which are committed. The tables and the
+reference of the commands are written when the documentation is built.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
 from jounce.kinematics.catalogue import Quantity
 from jounce.mechanics.joints import Joint
+from jounce.operations.describe import described
 from jounce.parts.files import RIGS, VEHICLES
 from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
@@ -273,6 +274,14 @@ def schemas() -> dict[str, str]:
     return {name: json.dumps(schema, indent=1, allow_nan=False) + "\n" for name, schema in found.items()}
 
 
+INDEX = SOURCE / "operations" / "index.json"
+
+
+def operations_index() -> str:
+    """Operations as their functions describe them, for faces that import none of these."""
+    return json.dumps(described(), indent=1, ensure_ascii=False) + "\n"
+
+
 STUB_PART = "# isort: split\n# Written by `make faces`: members of the registries."
 
 
@@ -431,5 +440,6 @@ def write_tables() -> None:
 
 
 if __name__ == "__main__":
-    for file, text in {**stubs(), **{SCHEMAS / name: text for name, text in schemas().items()}}.items():
+    committed = {**stubs(), INDEX: operations_index(), **{SCHEMAS / name: text for name, text in schemas().items()}}
+    for file, text in committed.items():
         file.write_text(text, encoding="utf-8")

@@ -32,7 +32,7 @@ from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.reply import Reply, console
 
-HERE = Path(__file__).parent
+HERE, SOURCE = Path(__file__).parent, Path(jn.__file__).parent
 TOLERANCE = 1e-4  # of the size of a number
 LONG = 6  # items: a longer list is recorded by a few of them
 VARYING = {
@@ -109,7 +109,13 @@ def answer(words: list[str], folder: str) -> dict[str, Any]:
         data = out.getvalue().splitlines()
     written = sorted(set(files(Path())) - before)
     found = {"exit": code, "data": condensed(data), "errors": err.getvalue().splitlines(), "written": written}
-    plain: dict[str, Any] = json.loads(json.dumps({**found, "text": shown}).replace(folder, "HERE"))
+    text = (
+        json.dumps({**found, "text": shown})
+        .replace(folder, "HERE")
+        .replace(str(SOURCE), "SOURCE")
+        .replace(str(Path.home()), "HOME")
+    )
+    plain: dict[str, Any] = json.loads(text)
     return plain
 
 

@@ -52,7 +52,7 @@ def test_optimise(cli):
         "--figure", "best.svg", "--out", "best.toml", "--report", "best.html",
     )  # fmt: skip
     assert tight.exit_code == 0, tight.err
-    assert "active" in tight.out
+    assert "holds the design" in tight.out
     assert "converged" in tight.out
     assert Path("best.svg").read_text(encoding="utf-8").startswith("<?xml")
     text = words_of("best.html")

@@ -138,7 +138,7 @@ def test_crash_asks_for_a_report(cli, monkeypatch: pytest.MonkeyPatch) -> None:
     def crash(*words: object) -> None:
         raise ZeroDivisionError("by hand")
 
-    monkeypatch.setattr("jounce.parts.load", crash)
+    monkeypatch.setattr("jounce.parts.options.load", crash)
     outcome = cli("modes", "kart-quarter-car", "--json")
     assert outcome.exit_code == 1
     assert "ZeroDivisionError: by hand" in outcome.err
@@ -150,7 +150,7 @@ def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str], monkeypat
     def crash(*words: object) -> None:
         raise ZeroDivisionError("by hand")
 
-    monkeypatch.setattr("jounce.parts.load", crash)
+    monkeypatch.setattr("jounce.parts.options.load", crash)
     assert main(["modes", "kart-quarter-car", "--debug"]) == 1
     assert "Traceback" in capsys.readouterr().err
 

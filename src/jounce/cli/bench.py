@@ -15,13 +15,11 @@ from jounce.cli.options import (
     bare_numbers,
     optional_positive,
     optional_quantity,
-    pairs,
-    positive_quantity,
-    quantity,
 )
 from jounce.cli.reply import Reply, estimates, show_findings, table
 from jounce.core.display import size
 from jounce.core.errors import DescriptionError
+from jounce.core.typed import pairs, positive_quantity, quantity
 
 if TYPE_CHECKING:
     from rich.console import Console

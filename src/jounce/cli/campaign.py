@@ -10,10 +10,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import AsJson, Force, changes, check_outputs, positive_quantity
+from jounce.cli.options import (
+    AsJson,
+    Force,
+    changes,
+    check_outputs,
+)
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, table
 from jounce.core.commands import command_line
 from jounce.core.optional import require
+from jounce.core.typed import positive_quantity
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -19,12 +19,12 @@ from jounce.cli.options import (
     changes,
     check_outputs,
     chosen_rig,
-    quantity,
     write_picture,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
+from jounce.core.typed import quantity
 
 if TYPE_CHECKING:
     import xarray as xr

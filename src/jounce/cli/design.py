@@ -9,53 +9,38 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from jounce.cli.derived import add_commands
 from jounce.cli.options import (
     AsJson,
     Changes,
     FigureFile,
     Force,
     ReportFile,
-    VehicleName,
-    bare_number,
+    RigFile,
     changes,
     check_outputs,
     chosen_rig,
-    optional_positive,
-    optional_quantity,
-    pairs,
-    positive_quantity,
-    quantity,
     write_picture,
     write_report,
+    write_rig,
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
-from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError
+from jounce.core.typed import ends, pairs, positive_quantity, quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign, TargetResult
-    from jounce.design.optimise import Optimisation
-    from jounce.design.pareto import ParetoFront
-    from jounce.design.springs import SpringDesign
     from jounce.parts import Rig
     from jounce.report import Page
 
 
 app = typer.Typer(no_args_is_help=True, help="Springs, dampers, hardpoints and best designs.")
-FreeNumbers = Annotated[
-    list[str],
-    typer.Option(
-        "--free",
-        metavar="PATH=BOUNDS",
-        help='Design variable and its bounds: front.spring_rate="±30 %" or "20..40 N/mm". Repeat it.',
-    ),
-]
+add_commands(app, "design")
 Limits = Annotated[
     list[str] | None,
     typer.Option(
@@ -75,53 +60,6 @@ RoadBand = Annotated[
         help='Band of spatial frequencies: iso (0.011 to 2.83 1/m) or "0.02..3"; unlimited by default where possible.',
     ),
 ]
-RigFile = Annotated[Path | None, typer.Option(help="Write the design as a rig file, RIG.toml.")]
-
-
-@app.command("springs")
-def springs(
-    vehicle: VehicleName,
-    frequency: Annotated[
-        str,
-        typer.Option(
-            help='Natural frequency of the body, e.g. "1.2 Hz"; of the front axle if --rear-frequency is given.'
-        ),
-    ],
-    damping_ratio: Annotated[str, typer.Option(help="Damping ratio, e.g. 0.3 or 30 %.")],
-    rear_frequency: Annotated[str | None, typer.Option(help="Frequency of the rear axle, if different.")] = None,
-    rear_damping_ratio: Annotated[
-        str | None, typer.Option(help="Damping ratio of the rear axle, if different.")
-    ] = None,
-    with_tyre: Annotated[bool, typer.Option(help="The frequency includes the tyre in series with the spring.")] = False,
-    set_: Changes = None,
-    out: RigFile = None,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Size springs and dampers for a natural frequency and a damping ratio, compared with those of the vehicle.
-
-    Example: jounce design springs audi-a6-full-car --frequency "1.2 Hz" --rear-frequency "1.35 Hz" --damping-ratio 0.3
-    """
-    check_outputs(rig=out, force=force)
-    target = positive_quantity(frequency, "Hz", "--frequency")
-    share = quantity(damping_ratio, "1", "--damping-ratio")
-    rear = [
-        optional_positive(rear_frequency, "Hz", "--rear-frequency"),
-        optional_quantity(rear_damping_ratio, "1", "--rear-damping-ratio"),
-    ]
-    from jounce.design.springs import design_springs
-
-    wanted = changes(set_)
-    design = design_springs(
-        chosen_rig(vehicle, wanted),
-        target if rear[0] is None else (target, rear[0]),
-        share if rear[1] is None else (share, rear[1]),
-        with_tyre=with_tyre,
-    )
-    comment = f"Springs and dampers of {vehicle} for {frequency} and a damping ratio of {damping_ratio}."
-    _write_rig(design.rig, out, comment, force=force)
-    plain = {"rig": vehicle, "set": wanted, **design.to_dict(), "out": out and str(out)}
-    return Reply(plain, lambda console: draw_springs(console, plain, design), as_json)
 
 
 @app.command("optimise")
@@ -176,8 +114,8 @@ def optimise(
     if not free or not objective:
         missing_ = "--free" if not free else "--objective"
         raise DescriptionError("nothing is given", where=missing_, hint="Or give a study file that says it.")
-    bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
-    limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
+    bounds = {path: ends(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
+    limits = {name: ends(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
     weights = _weights(objective)
     wanted = changes(set_)
     with progress() as say:
@@ -188,7 +126,7 @@ def optimise(
         driven = _driven(rig, road, speed, duration, band)
         say("searching")
         found = find_best(rig, bounds, weights, limits, **driven, starts=starts)
-    _write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
+    write_rig(found.rig, out, f"{vehicle}, best for {', '.join(weights)} over {found.driven}.", force=force)
     title = f"{vehicle} over {found.driven}"
     drawn, missing = write_picture(found, figure, title, force=force)
 
@@ -201,7 +139,14 @@ def optimise(
     plain = {"rig": vehicle, "set": wanted, **found.to_dict()}
     plain |= {"out": out and str(out), "figure": drawn, "report": document}
     missing = [*missing, *undrawn]
-    return Reply(plain, lambda console: draw_optimisation(console, plain, found), as_json, missing=missing)
+
+    def draw(console: Console) -> None:
+        from jounce.cli.terminal import show_page
+
+        show_page(console, page())
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json, missing=missing)
 
 
 def _refuse_beside_study(*given: object) -> None:
@@ -228,7 +173,7 @@ def _from_study(
         say("searching")
         found = run_optimisation(study)
     if isinstance(found, Optimisation):
-        _write_rig(found.rig, out, f"Best of {study.name} over {found.driven}.", force=force)
+        write_rig(found.rig, out, f"Best of {study.name} over {found.driven}.", force=force)
     drawn, missing = write_picture(found, figure, study.stem, force=force)
 
     def page() -> Page:
@@ -245,63 +190,12 @@ def _from_study(
     plain = {**named, **found.to_dict(), "out": out and str(out), "figure": drawn, "report": document}
 
     def draw(console: Console) -> None:
-        if isinstance(found, Optimisation):
-            draw_optimisation(console, plain, found)
-        elif isinstance(found, DesignFront):
-            draw_design_front(console, plain, found)
-        else:
-            draw_front(console, plain, found)
+        from jounce.cli.terminal import show_page
+
+        show_page(console, page())
+        show_written(console, plain)
 
     return Reply(plain, draw, as_json, missing=[*missing, *undrawn])
-
-
-@app.command("pareto")
-def pareto(
-    vehicle: VehicleName,
-    free: FreeNumbers,
-    road: DesignRoad = "iso:C",
-    speed: DesignSpeed = "20 m/s",
-    comfort: Annotated[str, typer.Option(help="Metric of comfort.")] = "sprung.az",
-    holding: Annotated[str, typer.Option(help="Metric of road holding.")] = "tyre.force coefficient",
-    travel: Annotated[str, typer.Option(help="Metric reported alongside.")] = "strut.deflection",
-    limit: Limits = None,
-    points: Annotated[int, typer.Option(help="Number of designs.")] = 25,
-    band: RoadBand = None,
-    set_: Changes = None,
-    figure: FigureFile = None,
-    report: ReportFile = None,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Find the Pareto front between comfort and road holding, with the best dampers in closed form and by search.
-
-    Example: jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png
-    """
-    check_outputs(figure=figure, report=report, force=force)
-    bounds = {path: _pair(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
-    limits = {name: _pair(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
-    velocity, waves = positive_quantity(speed, "m/s", "--speed"), _band(band)
-    wanted = changes(set_)
-    with progress() as say:
-        say("loading")
-        from jounce.design.pareto import pareto as find_front
-
-        say("searching")
-        front = find_front(
-            chosen_rig(vehicle, wanted), bounds, road, velocity,
-            comfort=comfort, holding=holding, travel=travel, constraints=limits, points=points, band=waves,
-        )  # fmt: skip
-    drawn, missing = write_picture(front, figure, vehicle, force=force)
-
-    def page() -> Page:
-        from jounce.report import front_page
-
-        return front_page(front, title=Path(vehicle).stem)
-
-    document, undrawn = write_report(page, report, force=force)
-    plain = {"rig": vehicle, "set": wanted, **front.to_dict(), "figure": drawn, "report": document}
-    missing = [*missing, *undrawn]
-    return Reply(plain, lambda console: draw_front(console, plain, front), as_json, missing=missing)
 
 
 def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | None) -> dict[str, Any]:
@@ -540,27 +434,15 @@ def _wanted_text(target: TargetResult, factor: float) -> str:
     return "0 from it" if target.has_curve else f"{target.wanted * factor:.5g}"
 
 
-def _pair(text: str) -> tuple[str | float, str | float] | None:
-    """Both ends of ``LOW..HIGH UNIT``; a unit behind the second is that of both. None where the text is no range."""
-    low, dots, high = text.partition("..")
-    if not dots:
-        return None
-    first, second = bare_number(low.strip()), bare_number(high.strip())
-    if isinstance(first, float) and isinstance(second, str):
-        unit = second.lstrip("+-0123456789.eE ")
-        return f"{low.strip()} {unit}", second
-    return first, second
-
-
 def _band(text: str | None) -> Any:
     if text is None or text == "iso":
         return text
-    ends = _pair(text)
-    if ends is None:
+    pair = ends(text)
+    if pair is None:
         raise DescriptionError(
             "not a band of spatial frequencies", where="--band", found=text, allowed="iso, LOW..HIGH"
         )
-    return tuple(quantity(str(end), "1/m", "--band") for end in ends)
+    return tuple(quantity(str(end), "1/m", "--band") for end in pair)
 
 
 def _weights(texts: list[str]) -> dict[str, float]:
@@ -572,91 +454,3 @@ def _weights(texts: list[str]) -> dict[str, float]:
             raise DescriptionError("given twice", where="--objective", found=name.strip())
         found[name.strip()] = quantity(weight, "1", f"--objective {name.strip()}") if equals else 1.0
     return found
-
-
-def _write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
-    if out is not None:
-        from jounce.core.writing import write_atomically
-        from jounce.parts.files import rig_text
-
-        write_atomically(out, rig_text(rig, [comment]), force=force)
-
-
-def draw_springs(console: Console, plain: dict[str, Any], design: SpringDesign) -> None:
-    """Print springs and dampers as they are and as wanted."""
-    header = (
-        "wheel", "", "sprung mass kg", "frequency Hz", "damping ratio", "spring rate N/m", "damping N*s/m", "sag mm",
-    )  # fmt: skip
-    rows = []
-    for wheel in design.wheels:
-        for name, found in (("present", wheel.present), ("target", wheel.wanted)):
-            numbers = found.frequency_hz, found.damping_ratio, found.spring_rate, found.damping_coefficient
-            rows.append((wheel.place or "wheel", name, wheel.sprung_mass, *numbers, 1e3 * found.static_deflection))
-    tyre = "spring and tyre in series" if design.with_tyre else "the tyre rigid"
-    console.print(table(f"Springs and dampers of {plain['rig']}, {tyre}", header, rows, text=(0, 1)))
-    show_findings(console, design.findings)
-    show_written(console, plain)
-
-
-def draw_optimisation(console: Console, plain: dict[str, Any], found: Optimisation) -> None:
-    """Print numbers, objective and limits of the best design."""
-    rows: list[tuple[object, ...]] = []
-    for item in found.numbers:
-        other = shown_as(item.unit)
-        flat = item.flat and " … ".join(f"{end * other.factor:.5g}" for end in item.flat)
-        rows.append((item.path, item.unit, item.start, item.value, item.lower, item.upper, flat))
-    header = ("parameter", "unit", "start", "best", "lower bound", "upper bound", "objective within 1 %")
-    console.print(table(f"Best parameters of {plain['rig']}: {found.driven}", header, rows, text=(0, 1, 6)))
-    changed = [
-        (
-            name,
-            found.units[name],
-            found.before[name],
-            found.after[name],
-            100.0 * (found.after[name] / found.before[name] - 1.0),
-        )
-        for name in found.objective
-    ]
-    console.print(table("Objective (SI)", ("metric", "unit", "start", "best", "change %"), changed, text=(0, 1)))
-    if found.constraints:
-        limits = []
-        for one in found.constraints:
-            bounds = one.lower, one.upper, one.is_active, one.gain
-            limits.append((one.name, one.channel, one.unit, one.start, one.value, *bounds))
-        columns = ("limit", "channel", "unit", "start", "best", "at least", "at most", "active", "gain")
-        console.print(table("Limits; gain: objective % for 1 % of the limit", columns, limits, text=(0, 1, 2)))
-    slopes = "exact gradients" if found.derivatives == "exact" else "finite-difference gradients"
-    end = "converged" if found.converged else "did not converge"
-    console.print(f"{end} after {found.iterations} steps, {found.evaluations} designs, {slopes}")
-    show_findings(console, found.findings)
-    show_written(console, plain)
-
-
-def draw_design_front(console: Console, plain: dict[str, Any], front: DesignFront) -> None:
-    """Print the designs of a front of several metrics, the rig as it is first."""
-    units = {**front.goal_units, **front.number_units}
-    columns, present = {**front.goals, **front.numbers}, {**front.present, **front.start}
-    rows = [("as it is", *present.values())]
-    rows += [(str(i + 1), *(float(column[i]) for column in columns.values())) for i in range(front.count)]
-    heads = [f"{name} [{'–' if units[name] == '1' else units[name]}]" for name in columns]
-    console.print(table(f"Best designs of {plain['rig']}: {front.driven}", ("", *heads), rows))
-    show_findings(console, front.findings)
-    show_written(console, plain)
-
-
-def draw_front(console: Console, plain: dict[str, Any], front: ParetoFront) -> None:
-    """Print the designs of a front and what stands beside it."""
-    units = ["–" if front.units[role] == "1" else front.units[role] for role in front.roles]
-    names = [f"{front.metrics[role]} [{unit}]" for role, unit in zip(front.roles, units, strict=True)]
-    numbers = [f"{path} [{front.number_units[path]}]" for path in front.numbers]
-    columns = [*(getattr(front, role) for role in front.roles), *front.numbers.values()]
-    rows = [(str(i + 1), *(float(column[i]) for column in columns)) for i in range(len(front.comfort))]
-    title = f"Pareto front, {front.heading}: {plain['rig']}, {front.driven}"
-    console.print(table(title, ("", *names, *numbers), rows))
-    marks = []
-    for mark in front.marks:
-        dampers = ", ".join(f"{path} = {value:.5g}" for path, value in mark.values.items()) or "–"
-        marks.append((mark.name, mark.kind, *(getattr(mark, role) for role in front.roles), dampers))
-    console.print(table("For comparison", ("design", "by", *names, "dampers"), marks, text=(0, 1, 2 + len(names))))
-    show_findings(console, front.findings)
-    show_written(console, plain)

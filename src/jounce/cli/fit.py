@@ -25,15 +25,13 @@ from jounce.cli.options import (
     files,
     optional_positive,
     optional_quantity,
-    pairs,
-    positive_quantity,
-    quantity,
     reading,
     write_picture,
     write_report,
 )
 from jounce.cli.reply import Reply, estimates, number, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError, OutputError, RecordingError, nearest, unknown
+from jounce.core.typed import pairs, positive_quantity, quantity
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -23,8 +23,6 @@ from jounce.cli.options import (
     ReportFile,
     changes,
     check_outputs,
-    positive_quantity,
-    quantity,
     warn_of,
     write_picture,
     write_report,
@@ -46,6 +44,7 @@ from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, is_of_system, unknown
 from jounce.core.files import existing_file
 from jounce.core.text import visible
+from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -14,18 +14,17 @@ from jounce.cli.options import (
     Force,
     ReportFile,
     RigName,
-    bare_number,
     bare_numbers,
     changes,
     check_outputs,
     chosen_rig,
     optional_quantity,
-    pairs,
     write_report,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, table, tell
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import not_drawn
+from jounce.core.typed import bare_number, pairs
 
 if TYPE_CHECKING:
     import numpy as np

@@ -17,12 +17,12 @@ from jounce.cli.options import (
     changes,
     check_outputs,
     chosen_rig,
-    pairs,
     write_report,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import not_drawn
+from jounce.core.typed import pairs
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -115,7 +115,7 @@ def _car(texts: list[str]) -> LoadedAxle:
 
 
 def _cases(texts: list[str] | None) -> dict[str, LoadCase] | None:
-    from jounce.cli.options import bare_number
+    from jounce.core.typed import bare_number
     from jounce.kinematics import LoadCase
 
     if not texts:

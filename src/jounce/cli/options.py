@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -13,6 +12,7 @@ import typer
 from jounce.cli.reply import tell
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import not_drawn
+from jounce.core.typed import bare_number, pairs, positive_quantity, quantity, toml_value
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
@@ -86,33 +86,9 @@ VehicleName = Annotated[
 ]
 
 
-def quantity(text: str, unit: str, option: str, *, most: float | None = None) -> float:
-    """Read the value of an option into SI; a bare number is SI, as in the files, unless that cannot be meant.
-
-    ``most`` bounds bare numbers more closely than their unit does.
-    """
-    from jounce.core.units import to_si
-
-    return to_si(_questioned(text, unit, option, most), unit, where=option)
-
-
-def _questioned(text: str, unit: str, option: str, most: float | None) -> str | float:
-    from jounce.core.units import bare_si
-
-    given = bare_number(text)
-    return given if isinstance(given, str) else bare_si(given, unit, where=option, most=most)
-
-
 def optional_quantity(text: str | None, unit: str, option: str, *, most: float | None = None) -> float | None:
     """Read the value of an option that may be left out."""
     return None if text is None else quantity(text, unit, option, most=most)
-
-
-def positive_quantity(text: str, unit: str, option: str, *, most: float | None = None) -> float:
-    """Read the value of an option that must be above 0."""
-    from jounce.core.units import positive_si
-
-    return positive_si(_questioned(text, unit, option, most), unit, where=option)
 
 
 def optional_positive(text: str | None, unit: str, option: str, *, most: float | None = None) -> float | None:
@@ -124,36 +100,10 @@ LENGTH, STROKE, STEP, ANGLE = 10.0, 1.0, 1.0, 0.35
 """Bounds of bare numbers: sizes of parts (m), strokes (m), sampling intervals (s), angles that are adjusted (rad)."""
 
 
-def pairs(texts: Sequence[str] | None, option: str, example: str) -> dict[str, str]:
-    """Split ``NAME=VALUE`` texts."""
-    found: dict[str, str] = {}
-    for text in texts or ():
-        name, equals, value = text.partition("=")
-        name, value = name.strip(), value.strip()
-        if not (equals and name and value):
-            raise DescriptionError("not NAME=VALUE", where=option, found=text, allowed=f"e.g. {example}")
-        if name in found:
-            raise DescriptionError(f"{name!r} is given twice", where=option, found=text)
-        found[name] = value
-    return found
-
-
 def changes(texts: Sequence[str] | None) -> dict[str, Any]:
     """Values by path from ``--set``: text with a unit, or anything that TOML writes on one line."""
     given = pairs(texts, "--set", 'strut.spring.rate="25 N/mm"')
-    return {path: _toml_value(value) for path, value in given.items()}
-
-
-def question_bare(rig: Rig, wanted: dict[str, Any]) -> None:
-    """Refuse numbers of ``--set`` without a unit that cannot be meant."""
-    from jounce.core.units import bare_si
-    from jounce.parts.rig import unit_of
-
-    known = rig.parameters()
-    for path, value in wanted.items():
-        if path in known and isinstance(value, float):
-            unit = unit_of(rig, path)
-            bare_si(value, unit, where=f"--set {path}", most=LENGTH if unit == "m" else None)
+    return {path: toml_value(value) for path, value in given.items()}
 
 
 def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
@@ -195,14 +145,6 @@ def files(names: Sequence[str], option: str) -> list[Path]:
     return found
 
 
-def bare_number(text: str) -> str | float:
-    """Give the number when the text is one, otherwise the text."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
 def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]) -> dict[str, str | float]:
     """Values of the fields of a description as it takes them; numbers without a unit are refused as in `quantity`.
 
@@ -216,19 +158,6 @@ def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[
         if units and isinstance(value, float):
             bare_si(value, units[0], where=option(name), most=LENGTH if units[0] == "m" else None)
     return given
-
-
-def _toml_value(text: str) -> Any:
-    try:
-        from jounce.core.description import toml_table
-
-        value = toml_table(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
-        return text
-    try:
-        return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
-    except OverflowError:  # refused where it is read as a size
-        return value
 
 
 StrokeSign = Annotated[
@@ -248,6 +177,7 @@ ReportFile = Annotated[
     typer.Option("--report", help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf."),
 ]
 FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
+RigFile = Annotated[Path | None, typer.Option("--out", help="Write the design as a rig file, RIG.toml.")]
 NumbersFile = Annotated[Path | None, typer.Option("--out", help="Write the numbers: .csv (SI), or .json as --json.")]
 
 
@@ -350,13 +280,20 @@ def write_report(page: Callable[[], Page], report: Path | None, *, force: bool) 
     return str(report), ()
 
 
+def write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
+    """Write a rig with a comment as its first line, if a file is asked for."""
+    if out is not None:
+        from jounce.core.writing import write_atomically
+        from jounce.parts.files import rig_text
+
+        write_atomically(out, rig_text(rig, [comment]), force=force)
+
+
 def chosen_rig(name: str, wanted: dict[str, Any]) -> Rig:
     """Load a rig and change its values; every warning about it is one line on stderr, as in ``jounce check``."""
-    from jounce.parts import load
+    from jounce.parts.options import chosen_rig as made_rig
 
-    rig = load(name)
-    question_bare(rig, wanted)
-    rig = rig.with_changes(wanted) if wanted else rig
+    rig = made_rig(name, wanted)
     warn_of(rig, name)
     return rig
 

@@ -25,13 +25,12 @@ from jounce.cli.options import (
     Variable,
     changes,
     check_outputs,
-    positive_quantity,
-    quantity,
     reading,
     trial_of,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, tell
 from jounce.core.errors import DescriptionError, OutputError
+from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
     import numpy as np

@@ -28,8 +28,6 @@ from jounce.cli.options import (
     chosen_rig,
     columns,
     optional_positive,
-    positive_quantity,
-    quantity,
     reading,
     write_numbers,
     write_picture,
@@ -39,6 +37,7 @@ from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.display import shown_as, size
 from jounce.core.errors import DescriptionError
 from jounce.core.trust import trusting
+from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -30,7 +30,6 @@ from jounce.cli.options import (
     check_numbers,
     check_outputs,
     chosen_rig,
-    positive_quantity,
     trial_of,
     write_numbers,
     write_picture,
@@ -38,6 +37,7 @@ from jounce.cli.options import (
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
 from jounce.core.display import size
+from jounce.core.typed import positive_quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -18,12 +18,11 @@ from jounce.cli.options import (
     changes,
     check_outputs,
     chosen_rig,
-    pairs,
-    quantity,
     write_picture,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, tell
 from jounce.core.errors import DescriptionError
+from jounce.core.typed import pairs, quantity
 
 if TYPE_CHECKING:
     from jounce.kinematics import ContactLoad

@@ -21,13 +21,12 @@ from jounce.cli.options import (
     check_numbers,
     check_outputs,
     chosen_rig,
-    positive_quantity,
-    quantity,
     write_numbers,
     write_picture,
     write_report,
 )
 from jounce.cli.reply import Reply, drawing, progress, show_findings, show_written, table
+from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
     from rich.console import Console

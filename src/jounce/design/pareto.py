@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
+from jounce.core.operation import Count, Mark, operation
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
@@ -18,10 +19,12 @@ from jounce.core.types import Array
 from jounce.core.waiting import told
 from jounce.design.cases import Case
 from jounce.design.optimise import check_kept, driven_over, is_optimal, search, task_of
+from jounce.design.options import FREE, LIMITS, RANDOM_ROAD, ROAD_BAND, ROAD_SPEED
 from jounce.design.problem import DesignProblem, Limit, LimitGiven, StationaryEvaluator, combined, design_problem
 from jounce.design.springs import wheels_of
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig, as_rig
+from jounce.parts.options import AnyRig
 from jounce.parts.rig import unit_of
 from jounce.ride.closed_forms import comfort_damping, road_holding_damping
 from jounce.ride.family import Families, LinearFamily
@@ -204,27 +207,39 @@ class ParetoFront(Plain):
         return "\n".join([head, *aligned(rows), *beside, *map(str, self.findings)])
 
 
+@operation(
+    "design pareto",
+    named={"rig": "vehicle", "changes": "set", "constraints": "limit"},
+    faces={"road": "iso:C", "speed": "20 m/s"},
+    python_only=("cases", "spread", "samples", "seed"),
+    echo={"rig": "vehicle", "set": "set"},
+    offers=("figure", "report"),
+    page="jounce.report:front_page",
+    doing="searching",
+    example='jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png',
+)
 def pareto(  # noqa: PLR0913 - each is a choice of its own
-    rig: Rig | str | Path,
-    free: Mapping[str, Bounds],
-    road: str | float | Density | None = None,
-    speed: float | str | None = None,
+    rig: AnyRig,
+    free: Annotated[Mapping[str, Bounds], FREE],
+    road: Annotated[str | float | Density | None, RANDOM_ROAD] = None,
+    speed: Annotated[float | str | None, ROAD_SPEED] = None,
     *,
-    comfort: str = COMFORT,
-    holding: str = HOLDING,
-    travel: str = TRAVEL,
-    constraints: Mapping[str, LimitGiven] | None = None,
-    points: int = 25,
-    band: tuple[float, float] | Literal["iso"] | None = None,
+    comfort: Annotated[str, Mark("Metric of comfort.", "METRIC")] = COMFORT,
+    holding: Annotated[str, Mark("Metric of road holding.", "METRIC")] = HOLDING,
+    travel: Annotated[str, Mark("Metric reported alongside.", "METRIC")] = TRAVEL,
+    constraints: Annotated[Mapping[str, LimitGiven] | None, LIMITS] = None,
+    points: Annotated[int, Count("Number of designs, ends included.", "NUMBER", _FEWEST, _MOST)] = 25,
+    band: Annotated[tuple[float, float] | Literal["iso"] | None, ROAD_BAND] = None,
     cases: Mapping[str, Case] | None = None,
     spread: Mapping[str, Spread] | None = None,
     samples: int = 32,
     seed: int = 1,
 ) -> ParetoFront:
-    """Designs between most comfort and best road holding, none of which is worse in both than any other.
+    """Find the Pareto front between comfort and road holding, with the best dampers in closed form and by search.
 
-    The two ends are the least of each metric; between them comfort is sought under falling limits of road holding
-    (the epsilon-constraint method), each search starting from the design before it.
+    No design of the front is worse in both than any other. The two ends are the least of each metric; between them
+    comfort is sought under falling limits of road holding (the epsilon-constraint method), each search starting from
+    the design before it.
 
     Parameters
     ----------

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding
+from jounce.core.operation import MadeBy, Number, Switch, operation
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import to_si
-from jounce.parts import QuarterCar, Rig
+from jounce.parts import QuarterCar, Rig, as_rig
 from jounce.parts.elements import LinearDamper
+from jounce.parts.options import AnyRig
 from jounce.parts.vehicles import FullCar3D, HalfCar, Vehicle
 from jounce.ride.closed_forms import (
     LumpedCorner,
@@ -151,20 +153,48 @@ class SpringDesign(Shown):
         return plain_table({name: getattr(self, name) for name in ("wheels", "with_tyre", "changes", "findings")})
 
 
+_FREQUENCY = 'Natural frequency of the body, e.g. "1.2 Hz"; of the front axle if --rear-frequency is given.'
+_REAR_FREQUENCY = "Frequency of the rear axle, if different."
+_REAR_DAMPING = "Damping ratio of the rear axle, if different."
+
+
+def _frequencies(
+    frequency: Annotated[float, Number(_FREQUENCY, "FREQUENCY", "Hz", is_positive=True)],
+    rear_frequency: Annotated[float | None, Number(_REAR_FREQUENCY, "FREQUENCY", "Hz", is_positive=True)] = None,
+) -> float | tuple[float, float]:
+    return frequency if rear_frequency is None else (frequency, rear_frequency)
+
+
+def _damping_ratios(
+    damping_ratio: Annotated[float, Number("Damping ratio, e.g. 0.3 or 30 %.", "RATIO")],
+    rear_damping_ratio: Annotated[float | None, Number(_REAR_DAMPING, "RATIO")] = None,
+) -> float | tuple[float, float]:
+    return damping_ratio if rear_damping_ratio is None else (damping_ratio, rear_damping_ratio)
+
+
+@operation(
+    "design springs",
+    named={"rig": "vehicle", "changes": "set"},
+    echo={"rig": "vehicle", "set": "set"},
+    offers=("rig",),
+    page="jounce.report:springs_page",
+    comment="Springs and dampers of {vehicle} for {frequency} and a damping ratio of {damping_ratio}.",
+    example='jounce design springs audi-a6-full-car --frequency "1.2 Hz" --rear-frequency "1.4 Hz" --damping-ratio 0.3',
+)
 def design_springs(
-    rig: Rig,
-    frequency: float | str | tuple[float | str, float | str],
-    damping_ratio: float | tuple[float, float],
+    rig: AnyRig,
+    frequency: Annotated[float | str | tuple[float | str, float | str], MadeBy("jounce.design.springs:_frequencies")],
+    damping_ratio: Annotated[float | tuple[float, float], MadeBy("jounce.design.springs:_damping_ratios")],
     *,
-    with_tyre: bool = False,
+    with_tyre: Annotated[bool, Switch("The frequency includes the tyre in series with the spring.")] = False,
 ) -> SpringDesign:
-    """Springs and dampers that give every wheel's share of the body a natural frequency and a damping ratio.
+    """Size springs and dampers for a natural frequency and a damping ratio, compared with those of the vehicle.
 
     Parameters
     ----------
-    rig : Rig
-        Quarter car, half car or full car with one rate a spring and a linear damper. The lever rule gives the sprung
-        mass on each wheel of a vehicle.
+    rig : Rig, str or Path
+        Quarter car, half car or full car, its file or its name in the library, with one rate a spring and a linear
+        damper. The lever rule gives the sprung mass on each wheel of a vehicle.
     frequency : float, str or tuple
         Hz; a pair for front and rear.
     damping_ratio : float or tuple of float
@@ -189,6 +219,7 @@ def design_springs(
     >>> [round(wheel.wanted.spring_rate, -1) for wheel in demo.wheels]
     [28000.0, 21000.0]
     """
+    rig = as_rig(rig)
     wheels, values = wheels_of(rig), rig.parameters()
     wanted = zip(
         wheels, _each(frequency, wheels, "frequency"), _each(damping_ratio, wheels, "damping_ratio"), strict=True

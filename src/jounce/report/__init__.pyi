@@ -6,6 +6,7 @@ from .campaign import write_campaign as write_campaign
 from .decisions import design_front_page as design_front_page
 from .decisions import front_page as front_page
 from .decisions import optimisation_page as optimisation_page
+from .decisions import springs_page as springs_page
 from .equivalence import equivalence_page as equivalence_page
 from .fits import damper_page as damper_page
 from .fits import decay_page as decay_page

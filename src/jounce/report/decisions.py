@@ -8,15 +8,29 @@ from jounce.core.display import display_unit
 from jounce.plots import figure_of
 from jounce.plots.display import number, percent, quantity
 from jounce.plots.figures import raised
-from jounce.report.page import Block, Cell, Fact, Facts, Findings, Page, Picture, Section, Table, Tone
+from jounce.report.page import (
+    Block,
+    Cell,
+    Column,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    Picture,
+    Section,
+    Table,
+    Tone,
+    table_of,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from jounce.core.types import Array
     from jounce.design.goal_front import DesignFront
     from jounce.design.optimise import DesignConstraint, DesignNumber, Optimisation
-    from jounce.design.pareto import ParetoFront
+    from jounce.design.pareto import ParetoFront, ParetoMark
+    from jounce.design.springs import SpringDesign
 
 
 def optimisation_page(found: Optimisation, *, title: str) -> Page:
@@ -60,7 +74,7 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
         rows.append((name, unit.name or "–", *ends, _change(found, name)))
     words = "What is minimised, the limits and the numbers, from the start to the best design."
     metrics = (
-        Picture(figure_of(found), "optimisation", words, words),
+        Picture(lambda: figure_of(found), "optimisation", words, words),
         Table("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
     )
     return Page(
@@ -135,50 +149,77 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
         To be written with :data:`jounce.report.REPORTS`.
     """
     roles = front.roles
-    columns = {role: getattr(front, role) for role in roles}
-    units = {role: display_unit(front.units[role], float(abs(columns[role]).max())) for role in roles}
-    ends = [
-        Fact(
-            {"comfort": "comfort", "holding": "road holding", "travel": "travel"}[role],
-            _from_to(columns[role], front.units[role]),
-            front.metrics[role],
-        )
-        for role in roles
-    ]
+    names = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
+    ends = [Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.metrics[role]) for role in roles]
     state = "all designs are optimal" if front.converged else "some designs are not optimal"
     tone: Tone = "good" if front.converged else "bad"
     facts = Facts((*ends, Fact("designs on the front", str(len(front.comfort)), state, tone)))
-    heads = [units[role].label(front.metrics[role]) for role in roles]
-    marks = tuple(
-        (
-            mark.name,
-            mark.kind,
-            *(number(getattr(mark, role) * units[role].factor) for role in roles),
-            ", ".join(
-                f"{path}: {quantity(value, front.number_units.get(path, '1'))}" for path, value in mark.values.items()
-            )
-            or "–",
-        )
-        for mark in front.marks
+    marks = (
+        Column("design", [mark.name for mark in front.marks]),
+        Column("by", [mark.kind for mark in front.marks]),
+        *(
+            Column(front.metrics[role], [getattr(mark, role) for mark in front.marks], front.units[role])
+            for role in roles
+        ),
+        Column("dampers", [_dampers(mark, front.number_units) for mark in front.marks]),
     )
-    beside = Table("For comparison", ("design", "by", *heads, "dampers"), marks, f"ll{'r' * len(heads)}l")
-    given = {path: display_unit(front.number_units[path], float(abs(v).max())) for path, v in front.numbers.items()}
-    rows = tuple(
-        (
-            str(i + 1),
-            *(number(float(columns[role][i]) * units[role].factor) for role in roles),
-            *(number(float(values[i]) * given[path].factor) for path, values in front.numbers.items()),
-        )
-        for i in range(len(front.comfort))
+    designs = (
+        Column("design", [str(i + 1) for i in range(len(front.comfort))]),
+        *(Column(front.metrics[role], getattr(front, role).tolist(), front.units[role]) for role in roles),
+        *(Column(path, values.tolist(), front.number_units[path]) for path, values in front.numbers.items()),
     )
-    header = ("", *heads, *(unit.label(path) for path, unit in given.items()))
-    every = Table(f"From {front.heading}", header, rows, "r" * len(header))
     words = f"Designs on the front, from {front.heading}, beside the present one; numbers along the front."
-    answer: list[Block] = [facts, Picture(figure_of(front), "front", words, words), beside]
+    picture = Picture(lambda: figure_of(front), "front", words, words)
+    answer: list[Block] = [facts, picture, table_of("For comparison", marks)]
     if front.findings:
         answer.append(Findings(front.findings))
-    sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))
-    return Page(title, sections, f"Pareto front on {raised(front.driven)}")
+    every = Section("Every design", (table_of(f"From {front.heading}", designs),))
+    return Page(
+        title, (Section("Answer", tuple(answer)), every), f"Pareto front, {front.heading}, on {raised(front.driven)}"
+    )
+
+
+def _dampers(mark: ParetoMark, units: Mapping[str, str]) -> str:
+    """Write the dampers of a design beside the front."""
+    texts = (f"{path}: {quantity(value, units.get(path, '1'))}" for path, value in mark.values.items())
+    return ", ".join(texts) or "–"
+
+
+def springs_page(design: SpringDesign, *, title: str) -> Page:
+    """Put springs and dampers for a frequency on a page, beside those of the rig.
+
+    Parameters
+    ----------
+    design : SpringDesign
+        As :func:`jounce.design_springs` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    rows = [
+        (wheel, name, of)
+        for wheel in design.wheels
+        for name, of in (("present", wheel.present), ("target", wheel.wanted))
+    ]
+    columns = (
+        Column("wheel", [wheel.place or "wheel" for wheel, _, _ in rows]),
+        Column("", [name for _, name, _ in rows]),
+        Column("sprung mass", [wheel.sprung_mass for wheel, _, _ in rows], "kg"),
+        Column("frequency", [of.frequency_hz for _, _, of in rows], "Hz"),
+        Column("damping ratio", [of.damping_ratio for _, _, of in rows], "1"),
+        Column("spring rate", [of.spring_rate for _, _, of in rows], "N/m"),
+        Column("damping", [of.damping_coefficient for _, _, of in rows], "N*s/m"),
+        Column("sag", [of.static_deflection for _, _, of in rows], "m"),
+    )
+    tyre = "spring and tyre in series" if design.with_tyre else "the tyre rigid"
+    blocks: list[Block] = [table_of(f"Springs and dampers, {tyre}", columns)]
+    if design.findings:
+        blocks.append(Findings(design.findings))
+    return Page(title, (Section("Answer", tuple(blocks)),))
 
 
 def design_front_page(front: DesignFront, *, title: str) -> Page:
@@ -222,7 +263,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     words = (
         "Designs, none of them better in every metric than another: pairs of metrics, and all of them with the numbers."
     )
-    answer: list[Block] = [facts, Picture(figure_of(front), "front", words, words)]
+    answer: list[Block] = [facts, Picture(lambda: figure_of(front), "front", words, words)]
     if front.findings:
         answer.append(Findings(front.findings))
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))

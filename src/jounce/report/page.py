@@ -8,7 +8,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
+from jounce.core.display import display_unit
 from jounce.core.findings import Finding, not_drawn
+from jounce.plots.display import number
 from jounce.plots.figures import raised
 from jounce.report.chart import Chart
 from jounce.report.live import Viewer
@@ -70,13 +72,56 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Picture:
-    """A figure with its file name (without suffix), what it shows, and the same for readers who cannot see it."""
+class Column:
+    """One column of numbers of an SI unit, or of texts: ``unit`` is empty then."""
 
-    figure: Figure
+    label: str
+    values: Sequence[float | str | Cell | None]
+    unit: str = ""
+
+
+def table_of(caption: str, columns: Sequence[Column], note: str = "") -> Table:
+    """Make a table of columns of one length, with numbers in the units that are chosen.
+
+    >>> table_of("Rates", (Column("wheel", ["front"]), Column("rate", [22730.0], "N/m"))).header
+    ('wheel', 'rate [N/mm]')
+    """
+    written = [_written(column) for column in columns]
+    header = tuple(label for label, _ in written)
+    rows = tuple(zip(*(cells for _, cells in written), strict=True))
+    return Table(caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note)
+
+
+def _written(column: Column) -> tuple[str, list[Cell | str]]:
+    """Write the label and the cells of a column."""
+    if not column.unit:
+        return column.label, [value if isinstance(value, Cell) else str(value) for value in column.values]
+    numbers = [value for value in column.values if isinstance(value, float)]
+    unit = display_unit(column.unit, max(map(abs, numbers), default=0.0))
+    cells = [
+        number(value * unit.factor) if isinstance(value, float) else "–" if value is None else value
+        for value in column.values
+    ]
+    return unit.label(column.label) if unit.name else column.label, cells
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure, or what draws it, with its file name (without suffix), and what it shows in words.
+
+    ``alternative`` is for readers who cannot see it. A function draws only where a document is written: a terminal
+    shows the rest of the page without it.
+    """
+
+    source: Figure | Callable[[], Figure]
     name: str
     caption: str
     alternative: str
+
+    @property
+    def figure(self) -> Figure:
+        """The figure; drawn now where a function draws it."""
+        return self.source() if callable(self.source) else self.source
 
 
 @dataclass(frozen=True)

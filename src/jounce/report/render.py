@@ -185,9 +185,10 @@ def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[
         return found
     from jounce.plots.figures import add_note, rendered
 
-    add_note(picture.figure, note)
+    figure = picture.figure
+    add_note(figure, note)
     suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
-    drawn = rendered(picture.figure, tuple(suffixes), salt=picture.name)
+    drawn = rendered(figure, tuple(suffixes), salt=picture.name)
     page = inline_svg(drawn[".svg"], identity, picture.alternative)
     return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
 

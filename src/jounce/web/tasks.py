@@ -267,29 +267,22 @@ class ParetoTask(_Task):
 
     kind: Literal["pareto"]
     vehicle: Text
-    road: Text = "iso:C"
-    speed: Text = "20 m/s"
+    road: Text = ""
+    speed: Text = ""
     free: Annotated[dict[str, Text], Field(min_length=1, max_length=20)]
-    comfort: Text = "sprung.az"
-    holding: Text = "tyre.force coefficient"
-    travel: Text = "strut.deflection"
+    comfort: Text = ""
+    holding: Text = ""
+    travel: Text = ""
     limit: Annotated[dict[str, Text], Field(max_length=20)] = Field(default_factory=dict)
-    points: Annotated[int, Field(ge=2, le=200)] = 15
+    points: Annotated[int, Field(ge=3, le=500)] | None = None
 
     def _doing(self, project: Project) -> Doing:
+        from jounce.operations.index import operations
+        from jounce.operations.request import Request
+
         vehicle = _rig(project, self.vehicle)
-        words = ["design", "pareto", vehicle, *(f"--free={path}={text}" for path, text in self.free.items())]
-        words += [f"--road={self.road}", f"--speed={self.speed}", f"--comfort={self.comfort}"]
-        words += [f"--holding={self.holding}", f"--travel={self.travel}", f"--points={self.points}"]
-        words += [f"--limit={name}={text}" for name, text in self.limit.items()]
-        free = {path: _pair(text) for path, text in self.free.items()}
-        limits = {name: _pair(text) for name, text in self.limit.items()}
-        python = (
-            f"import jounce as jn\n\nfront = jn.pareto(\n    jn.load({vehicle!r}), {free!r}, {self.road!r}, "
-            f"{self.speed!r},\n    comfort={self.comfort!r}, holding={self.holding!r}, travel={self.travel!r},\n"
-            f"    constraints={limits!r}, points={self.points},\n)\nprint(front)\n"
-        )
-        return Doing(f"Best designs of {Path(vehicle).stem}", words, _REPORT, python)
+        request = Request(operations()["design pareto"], {**self.model_dump(exclude={"kind"}), "vehicle": vehicle})
+        return Doing(f"Best designs of {Path(vehicle).stem}", request.words(), _REPORT, request.python())
 
 
 class EvaluateTask(_Task):
@@ -607,13 +600,3 @@ def _store(project: Project, path: str) -> str:
     if not path.endswith((".sqlite", ".db")):
         raise DescriptionError("not the name of a store", where="store", found=path, allowed="one that ends in .sqlite")
     return _plain(path)
-
-
-def _pair(text: str) -> str | tuple[str, str]:
-    """Both ends of ``LOW..HIGH UNIT``, each with the unit, as the command reads them."""
-    first, dots, last = (part.strip() for part in text.partition(".."))
-    if not dots:
-        return text
-    _, space, unit = last.partition(" ")
-    is_bare = not first.strip("0123456789.eE+-")
-    return (f"{first} {unit}" if is_bare and space else first), last

@@ -65,6 +65,7 @@ def documented(section: str) -> dict[str, str]:
 def is_physical(annotation: object) -> bool:
     """Tell whether values of this annotation are numbers with a unit."""
     text = annotation if isinstance(annotation, str) else getattr(annotation, "__name__", str(annotation))
+    text = re.sub(r"^Annotated\[(.*?), (?:\w+\(.*|[A-Z_]+)\]$", r"\1", text)  # a mark says how it is given
     if "Callable" in text or "Literal" in text:
         return False
     return bool(_PHYSICAL.search(text)) or any(re.search(rf"\b{name}\b", text) for name in _WITH_UNIT)

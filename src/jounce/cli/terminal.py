@@ -1,0 +1,49 @@
+"""A page as a terminal shows it: facts, tables and findings, in order; figures need a document."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from jounce.cli.reply import show_findings, table
+from jounce.report.page import Bullets, Cell, Facts, Findings, Paragraph, Subsection, Table, alignments
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from jounce.report.page import Block, Page
+
+
+def show_page(out: Console, page: Page) -> None:
+    """Print a page."""
+    out.print(page.title if not page.subtitle else f"{page.title}: {page.subtitle}")
+    for section in page.sections:
+        _show_blocks(out, section.blocks)
+
+
+def _show_blocks(out: Console, blocks: Sequence[Block]) -> None:
+    for block in blocks:
+        if isinstance(block, Table):
+            rows = [[_text(cell) for cell in row] for row in block.rows]
+            texts = [k for k, side in enumerate(alignments(block)) if side == "left"]
+            out.print(table(block.caption, block.header, rows, text=texts))
+            if block.note:
+                out.print(block.note)
+        elif isinstance(block, Facts):
+            for fact in block.items:
+                out.print(f"{fact.label}: {fact.value}" + (f" ({fact.note})" if fact.note else ""))
+        elif isinstance(block, Findings):
+            show_findings(out, block.items)
+        elif isinstance(block, Paragraph):
+            out.print(block.text)
+        elif isinstance(block, Bullets):
+            out.print(*(f"- {item}" for item in block.items), sep="\n")
+        elif isinstance(block, Subsection):
+            out.print(block.title)
+            _show_blocks(out, block.blocks)
+
+
+def _text(cell: Cell | str) -> str:
+    if isinstance(cell, str):
+        return cell
+    return f"{cell.text} ({cell.note})" if cell.note else cell.text

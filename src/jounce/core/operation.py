@@ -1,0 +1,194 @@
+"""Operations: public functions whose signature and docstring describe their command, their job and their form.
+
+Types say what Python takes. A mark beside a type says how people give the value: the unit of a typed number, how pairs
+are written, which options make a rig. The function itself stays as it is; `jounce.operations` derives the faces::
+
+    @operation("design pareto", named={"constraints": "limit"}, offers=("figure", "report"))
+    def pareto(rig: AnyRig, free: Annotated[Mapping[str, Bounds], Ranges()], *, points: int = 25) -> ParetoFront: ...
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Literal, TypeVar
+
+Offer = Literal["rig", "figure", "report"]
+"""What a result can be written as."""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """How people give a parameter: as text, unless a subclass says otherwise.
+
+    Attributes
+    ----------
+    help : str
+        Help of the option; the docstring of the function has it where this is empty.
+    metavar : str
+        Word for the value in the help of a command.
+    """
+
+    help: str = ""
+    metavar: str = ""
+    is_repeated: ClassVar[bool] = False
+
+    def read(self, given: Any, where: str) -> Any:  # noqa: ARG002 - of those that convert
+        """Convert what was given into what the function takes; errors name the option ``where``."""
+        return given
+
+    def texts(self, given: Any) -> list[str]:
+        """Write what was given as values of the option, one for each time that it is repeated."""
+        return [str(given)]
+
+
+@dataclass(frozen=True)
+class Number(Mark):
+    """A number with a unit; a bare number is in SI."""
+
+    unit: str = "1"
+    is_positive: bool = False
+
+    def read(self, given: Any, where: str) -> float:
+        """Convert the number to SI."""
+        from jounce.core.typed import positive_quantity, quantity
+
+        return (positive_quantity if self.is_positive else quantity)(str(given), self.unit, where)
+
+
+@dataclass(frozen=True)
+class Count(Mark):
+    """A whole number; forms show the bounds, the function refuses what lies outside of them."""
+
+    least: int | None = None
+    most: int | None = None
+
+
+@dataclass(frozen=True)
+class Switch(Mark):
+    """True or false."""
+
+
+@dataclass(frozen=True)
+class Pairs(Mark):
+    """A mapping, given as repeated ``NAME=VALUE``."""
+
+    example: str = ""
+    is_repeated: ClassVar[bool] = True
+
+    def read(self, given: Any, where: str) -> dict[str, Any]:
+        """Split the pairs and convert each value."""
+        from jounce.core.typed import pairs
+
+        texts = given if isinstance(given, Mapping) else pairs(given, where, self.example)
+        return {name: self.value(text) for name, text in texts.items()}
+
+    def value(self, text: str) -> Any:
+        """Convert one value."""
+        return text
+
+    def texts(self, given: Any) -> list[str]:
+        """Write the pairs."""
+        return [f"{name}={text}" for name, text in given.items()] if isinstance(given, Mapping) else list(given)
+
+
+@dataclass(frozen=True)
+class Ranges(Pairs):
+    """Pairs of a name and ``LOW..HIGH UNIT``, or any other value that the function takes."""
+
+    def value(self, text: str) -> Any:
+        """Convert a range to a pair."""
+        from jounce.core.typed import ends
+
+        return ends(text) or text
+
+
+@dataclass(frozen=True)
+class Settings(Pairs):
+    """Pairs of a path and a value as TOML writes it."""
+
+    def value(self, text: str) -> Any:
+        """Convert the value as a TOML file would."""
+        from jounce.core.typed import toml_value
+
+        return toml_value(text)
+
+
+@dataclass(frozen=True)
+class Band(Mark):
+    """``LOW..HIGH``, or a word that the function knows."""
+
+    unit: str = "1"
+    words: tuple[str, ...] = ()
+
+    def read(self, given: Any, where: str) -> Any:
+        """Convert both ends to SI."""
+        from jounce.core.typed import ends, quantity, unreadable_band
+
+        if given in self.words:
+            return given
+        pair = ends(given)
+        if pair is None:
+            raise unreadable_band(given, where, self.words)
+        return tuple(quantity(str(end), self.unit, where) for end in pair)
+
+
+MARKS = {kind.__name__: kind for kind in (Mark, Number, Count, Switch, Pairs, Ranges, Settings, Band)}
+
+
+@dataclass(frozen=True)
+class MadeBy:
+    """A value that several options make: they are the parameters of its maker.
+
+    Attributes
+    ----------
+    maker, python : str
+        ``module:function``: the one makes the value of the options, the other writes that as Python; where it is
+        empty, Python has the value itself.
+    """
+
+    maker: str
+    python: str = ""
+
+
+@dataclass(frozen=True)
+class Registration:
+    """What a function is registered with; see :func:`operation`."""
+
+    function: Callable[..., Any]
+    command: str
+    named: Mapping[str, str] = field(default_factory=dict)
+    faces: Mapping[str, Any] = field(default_factory=dict)
+    python_only: tuple[str, ...] = ()
+    echo: Mapping[str, str] = field(default_factory=dict)
+    offers: tuple[Offer, ...] = ()
+    page: str = ""
+    comment: str = ""
+    doing: str = "computing"
+    example: str = ""
+
+
+REGISTERED: dict[str, Registration] = {}
+_F = TypeVar("_F", bound=Callable[..., Any])
+
+
+def operation(command: str, **more: Any) -> Callable[[_F], _F]:
+    """Register a public function as an operation, and leave it as it is.
+
+    Parameters
+    ----------
+    command : str
+        Words of its command, such as ``"design pareto"``.
+    **more
+        ``named``: parameters whose option has another name. ``faces``: defaults of options that differ from those of
+        the function. ``python_only``: parameters without an option. ``echo``: keys of ``--json`` that repeat an option.
+        ``offers``: what the result can be written as. ``page``: ``module:function`` that puts the result on a page.
+        ``comment``: first line of a rig file, with options in braces. ``doing``: what is shown while it runs.
+        ``example``: a command line.
+    """
+
+    def register(function: _F) -> _F:
+        REGISTERED[command] = Registration(function, command, **more)
+        return function
+
+    return register

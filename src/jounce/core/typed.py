@@ -1,0 +1,91 @@
+"""Values that people type: numbers with units, ranges, pairs, and values of TOML."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from typing import Any
+
+from jounce.core.errors import DescriptionError
+
+
+def quantity(text: str, unit: str, where: str, *, most: float | None = None) -> float:
+    """Read a number with its unit into SI; a bare number is SI, as in the files, unless that is implausible.
+
+    ``most`` bounds bare numbers more closely than their unit does.
+    """
+    from jounce.core.units import to_si
+
+    return to_si(_plausible(text, unit, where, most), unit, where=where)
+
+
+def positive_quantity(text: str, unit: str, where: str, *, most: float | None = None) -> float:
+    """Read a number that must be above 0."""
+    from jounce.core.units import positive_si
+
+    return positive_si(_plausible(text, unit, where, most), unit, where=where)
+
+
+def _plausible(text: str, unit: str, where: str, most: float | None) -> str | float:
+    from jounce.core.units import bare_si
+
+    given = bare_number(text)
+    return given if isinstance(given, str) else bare_si(given, unit, where=where, most=most)
+
+
+def bare_number(text: str) -> str | float:
+    """Give the number when the text is one, otherwise the text."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def ends(text: str) -> tuple[str | float, str | float] | None:
+    """Split ``LOW..HIGH UNIT``; a unit behind the second end is that of both. None where the text is no range.
+
+    >>> ends("20..40 N/mm"), ends("300..6000"), ends("10 %")
+    (('20 N/mm', '40 N/mm'), (300.0, 6000.0), None)
+    """
+    low, dots, high = text.partition("..")
+    if not dots:
+        return None
+    first, second = bare_number(low.strip()), bare_number(high.strip())
+    if isinstance(first, float) and isinstance(second, str):
+        unit = second.lstrip("+-0123456789.eE ")
+        return f"{low.strip()} {unit}", second
+    return first, second
+
+
+def unreadable_band(text: object, where: str, words: Sequence[str]) -> DescriptionError:
+    """Refuse what is no band of spatial frequencies."""
+    allowed = ", ".join([*words, "LOW..HIGH"])
+    return DescriptionError("not a band of spatial frequencies", where=where, found=text, allowed=allowed)
+
+
+def pairs(texts: Sequence[str] | None, where: str, example: str) -> dict[str, str]:
+    """Split ``NAME=VALUE`` texts."""
+    split: dict[str, str] = {}
+    for text in texts or ():
+        name, equals, value = text.partition("=")
+        name, value = name.strip(), value.strip()
+        if not (equals and name and value):
+            raise DescriptionError("not NAME=VALUE", where=where, found=text, allowed=f"e.g. {example}")
+        if name in split:
+            raise DescriptionError(f"{name!r} is given twice", where=where, found=text)
+        split[name] = value
+    return split
+
+
+def toml_value(text: str) -> Any:
+    """Read anything that TOML writes on one line; what is no TOML is text."""
+    from jounce.core.description import toml_table
+
+    try:
+        value = toml_table(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+    try:
+        return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+    except OverflowError:  # refused where it is read as a size
+        return value

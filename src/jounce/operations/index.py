@@ -1,0 +1,118 @@
+"""The index of operations: parameters, help and defaults of each, without the functions themselves."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module, resources
+from typing import Any
+
+from jounce.core.operation import MARKS, MadeBy, Mark
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter as faces ask for it.
+
+    Attributes
+    ----------
+    name : str
+        Of the function, or of the maker of one of its parameters.
+    option : str
+        As commands and jobs call it, with underscores.
+    mark : Mark
+        How it is given.
+    default : object
+        Of the option, as people type it; None without one.
+    is_required, is_positional : bool
+        Whether it must be given, and whether a command takes it without its name.
+    made : str
+        Parameter of the function that it helps to make; empty where it is one itself.
+    takes_text : bool
+        Whether the function reads what people type by itself.
+    source : str
+        ``module:function`` whose signature and docstring describe it.
+    """
+
+    name: str
+    option: str
+    mark: Mark
+    default: Any = None
+    is_required: bool = False
+    is_positional: bool = False
+    made: str = ""
+    takes_text: bool = False
+    source: str = ""
+
+    @property
+    def flag(self) -> str:
+        """Give the option as it is written on a command line.
+
+        >>> Parameter("damping_ratio", "damping_ratio", Mark()).flag
+        '--damping-ratio'
+        """
+        return f"--{self.option.replace('_', '-')}"
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One operation.
+
+    Attributes
+    ----------
+    function : str
+        ``module:name``.
+    summary : str
+        First line of its docstring.
+    parameters : tuple of Parameter
+        In the order of the command.
+    makers : dict
+        Parameter of the function to what makes it of options.
+    command, echo, offers, page, comment, doing, example
+        As :func:`jounce.core.operation.operation` takes them.
+    """
+
+    command: str
+    function: str
+    summary: str
+    parameters: tuple[Parameter, ...]
+    makers: Mapping[str, MadeBy]
+    echo: Mapping[str, str]
+    offers: tuple[str, ...]
+    page: str
+    comment: str
+    doing: str
+    example: str
+
+    @property
+    def subject(self) -> str:
+        """Option that names what it is about: the one that a command takes without its name."""
+        return next(parameter.option for parameter in self.parameters if parameter.is_positional)
+
+
+def resolve(path: str) -> Any:
+    """Import ``module:name``."""
+    module, _, name = path.partition(":")
+    return getattr(import_module(module), name)
+
+
+@cache
+def operations() -> dict[str, Operation]:
+    """Read the index: operations by command."""
+    text = resources.files("jounce.operations").joinpath("index.json").read_text(encoding="utf-8")
+    return {row["command"]: _operation(row) for row in json.loads(text)}
+
+
+def _operation(row: Mapping[str, Any]) -> Operation:
+    parameters = tuple(_parameter(given) for given in row["parameters"])
+    makers = {name: MadeBy(**given) for name, given in row["makers"].items()}
+    return Operation(**{**row, "parameters": parameters, "makers": makers, "offers": tuple(row["offers"])})
+
+
+def _parameter(row: Mapping[str, Any]) -> Parameter:
+    given: dict[str, Any] = dict(row["mark"])
+    kind: Any = MARKS[given.pop("kind")]
+    values = {name: tuple(value) if isinstance(value, list) else value for name, value in given.items()}
+    return Parameter(**{**row, "mark": kind(**values)})

@@ -1,0 +1,86 @@
+"""A request: an operation with what people gave for its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from jounce.operations.index import Operation, Parameter, resolve
+
+_NOTHING: tuple[Any, ...] = (None, "", [], {})
+Values: TypeAlias = "Sequence[tuple[Parameter, Any]]"
+
+
+@dataclass(frozen=True)
+class Request:
+    """One request, the same for command line, job and Python.
+
+    Attributes
+    ----------
+    operation : Operation
+        What is asked for.
+    given : dict
+        Values by option, as they were given: text, numbers and switches.
+    """
+
+    operation: Operation
+    given: Mapping[str, Any]
+
+    def values(self) -> Iterator[tuple[Parameter, Any]]:
+        """Give each parameter that has a value, with the value as it was given, or the default."""
+        for parameter in self.operation.parameters:
+            value = self.given.get(parameter.option)
+            value = parameter.default if value in _NOTHING else value
+            if value not in _NOTHING:
+                yield parameter, value
+
+    def read(self) -> Values:
+        """Convert all values, so that a wrong one is refused before anything is made.
+
+        Raises
+        ------
+        DescriptionError
+            For a value that cannot be read, with the option.
+        """
+        return [(parameter, parameter.mark.read(value, parameter.flag)) for parameter, value in self.values()]
+
+    def make(self, values: Values) -> dict[str, Any]:
+        """Make the parameters that several options make, of values that were read."""
+        return {
+            name: resolve(makes.maker)(**{p.name: value for p, value in values if p.made == name})
+            for name, makes in self.operation.makers.items()
+        }
+
+    def call(self, values: Values, made: Mapping[str, Any]) -> Any:
+        """Call the function with values that were read and made."""
+        return resolve(self.operation.function)(**made, **{p.name: value for p, value in values if not p.made})
+
+    def words(self) -> list[str]:
+        """Write the request as words of a command; an equals sign keeps each value with its option."""
+        words = self.operation.command.split()
+        for parameter, value in self.values():
+            if parameter.is_positional:
+                words.append(str(value))
+            elif value is True:
+                words.append(parameter.flag)
+            elif value != parameter.default:
+                words += [f"{parameter.flag}={text}" for text in parameter.mark.texts(value)]
+        return words
+
+    def python(self) -> str:
+        """Write the request as Python that prints its result."""
+        name = self.operation.function.partition(":")[2]
+        arguments = []
+        for made, makes in self.operation.makers.items():
+            options = {p.name: p.mark.read(value, p.flag) for p, value in self.values() if p.made == made}
+            text = resolve(makes.python)(**options) if makes.python else repr(resolve(makes.maker)(**options))
+            arguments.append(f"{made}={text}")
+        for parameter, value in self.values():
+            if parameter.made:
+                continue
+            is_text = parameter.takes_text and isinstance(value, str)
+            written = value if is_text else parameter.mark.read(value, parameter.flag)
+            arguments.append(f"{parameter.name}={written!r}")
+        lines = "".join(f"    {argument},\n" for argument in arguments)
+        return f"import jounce as jn\n\nresult = jn.{name}(\n{lines})\nprint(result)\n"

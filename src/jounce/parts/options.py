@@ -1,0 +1,59 @@
+"""Rigs of options: a file or a shipped name, and changes of its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, TypeAlias
+
+from jounce.core.operation import MadeBy, Mark, Settings
+from jounce.parts.files import load
+from jounce.parts.rig import Rig, unit_of
+
+AnyRig: TypeAlias = Annotated[
+    Rig | str | Path, MadeBy("jounce.parts.options:chosen_rig", "jounce.parts.options:rig_in_python")
+]
+"""A rig, its file or its name in the library; faces ask for the file or name, and for changes."""
+LONGEST_BARE = 10.0
+"""Length (m) above which a bare number is taken for millimetres: no part of a suspension is longer."""
+
+
+def chosen_rig(
+    rig: Annotated[str, Mark("A vehicle or rig file, or a name of `jounce library`.")],
+    changes: Annotated[
+        Mapping[str, Any] | None,
+        Settings(
+            'Change a parameter of the rig: strut.spring.rate="25 N/mm".', "PATH=VALUE", 'strut.spring.rate="25 N/mm"'
+        ),
+    ] = None,
+) -> Rig:
+    """Load a rig and change its values.
+
+    Raises
+    ------
+    DescriptionError
+        For unknown names, unknown parameters, and bare numbers that are implausible in SI.
+    """
+    loaded, wanted = load(rig), dict(changes or {})
+    refuse_implausible(loaded, wanted)
+    return loaded.with_changes(wanted) if wanted else loaded
+
+
+def rig_in_python(rig: str, changes: Mapping[str, Any] | None = None) -> str:
+    """Write the rig as Python.
+
+    >>> rig_in_python("kart-quarter-car", {"sprung.mass": "17 kg"})
+    "jn.load('kart-quarter-car').with_changes({'sprung.mass': '17 kg'})"
+    """
+    return f"jn.load({rig!r})" + (f".with_changes({dict(changes)!r})" if changes else "")
+
+
+def refuse_implausible(rig: Rig, changes: Mapping[str, Any]) -> None:
+    """Refuse bare numbers that are implausible in SI."""
+    from jounce.core.units import bare_si
+
+    known = rig.parameters()
+    for path, value in changes.items():
+        if path in known and isinstance(value, float):
+            unit = unit_of(rig, path)
+            bare_si(value, unit, where=f"--set {path}", most=LONGEST_BARE if unit == "m" else None)

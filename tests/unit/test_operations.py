@@ -1,0 +1,78 @@
+"""Operations: what a request means is the same for the command line, for a job and for Python."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import DescriptionError
+from jounce.core.typed import ends
+from jounce.operations.index import operations, resolve
+from jounce.operations.request import Request
+
+DAMPER = "strut.damper.coefficient"
+
+
+def pareto(**given: object) -> Request:
+    free = {DAMPER: "300..6000"}
+    return Request(operations()["design pareto"], {"vehicle": "audi-a6-quarter-car", "free": free, **given})
+
+
+def result_of(request: Request):
+    values = request.read()
+    return request.call(values, request.make(values))
+
+
+def test_every_operation_is_public_and_its_page_exists():
+    for operation in operations().values():
+        assert getattr(jn, operation.function.partition(":")[2])
+        assert callable(resolve(operation.page))
+        assert operation.example.startswith(f"jounce {operation.command} ")
+        assert all(parameter.mark.help for parameter in operation.parameters)
+
+
+def test_words_python_and_call_mean_the_same(capsys):
+    request = pareto(points=3, limit={"strut.deflection": "20 mm"}, set={"sprung.mass": "450 kg"})
+    assert request.words() == [
+        "design", "pareto", "audi-a6-quarter-car", "--set=sprung.mass=450 kg", f"--free={DAMPER}=300..6000",
+        "--limit=strut.deflection=20 mm", "--points=3",
+    ]  # fmt: skip
+    names: dict[str, object] = {}
+    exec(request.python(), names)  # noqa: S102 - that is what it is for
+    found = result_of(request)
+    assert "Pareto" in capsys.readouterr().out or found
+    np.testing.assert_allclose(names["result"].comfort, found.comfort, rtol=1e-12)
+    rig = jn.load("audi-a6-quarter-car").with_changes({"sprung.mass": "450 kg"})
+    limit = {"strut.deflection": "20 mm"}
+    direct = jn.pareto(rig, {DAMPER: (300.0, 6000.0)}, "iso:C", "20 m/s", points=3, constraints=limit)
+    np.testing.assert_allclose(found.comfort, direct.comfort, rtol=1e-12)
+
+
+def test_defaults_of_faces_are_those_of_the_function():
+    assert {p.option: value for p, value in pareto().values()}["points"] == 25
+    assert "--points" not in " ".join(pareto(points=25).words())
+
+
+def test_values_are_read_before_anything_is_made():
+    with pytest.raises(DescriptionError, match="--speed: wrong unit"):
+        pareto(vehicle="no-such-rig", speed="20 kg").read()
+
+
+def test_options_that_make_one_value_need_no_second():
+    request = Request(
+        operations()["design springs"],
+        {"vehicle": "sldemo-half-car", "frequency": "1.4 Hz", "damping_ratio": "40 %", "rear_damping_ratio": "43 %"},
+    )
+    ratios = [wheel.wanted.damping_ratio for wheel in result_of(request).wheels]
+    assert ratios == pytest.approx([0.4, 0.43])
+    assert "frequency=1.4," in request.python()
+    assert "damping_ratio=(0.4, 0.43)," in request.python()
+
+
+@pytest.mark.parametrize(
+    ("text", "pair"),
+    [("1..3 mm", ("1 mm", "3 mm")), ("-1e-3 .. 2", (-1e-3, 2.0)), ("±30 %", None), ("20 mm", None)],
+)
+def test_ends_of_ranges(text, pair):
+    assert ends(text) == pair
