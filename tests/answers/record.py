@@ -74,9 +74,10 @@ def write_csv(file: Path, columns: Mapping[str, Any]) -> None:
     file.write_text("\n".join([*lines, ""]), encoding="utf-8")
 
 
-def answers() -> Iterator[tuple[str, dict[str, Any]]]:
-    """Run all commands in an empty folder; give each line with its answer."""
-    lines = [line for line in (HERE / "commands.txt").read_text(encoding="utf-8").splitlines() if line.strip()]
+def answers(words: str) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Run the commands that begin with some words in an empty folder; give each line with its answer."""
+    lines = (HERE / "commands.txt").read_text(encoding="utf-8").splitlines()
+    lines = [line for line in lines if line.strip() and line.startswith(words)]
     with tempfile.TemporaryDirectory() as name, contextlib.chdir(name):
         make_files(Path(name))
         for line in lines:
@@ -108,7 +109,7 @@ def answer(words: list[str], folder: str) -> dict[str, Any]:
     except json.JSONDecodeError:
         data = out.getvalue().splitlines()
     written = sorted(set(files(Path())) - before)
-    found = {"exit": code, "data": condensed(data), "errors": err.getvalue().splitlines(), "written": written}
+    found = {"exit": code, "data": condensed(data), "errors": [line for line in err.getvalue().splitlines() if not _PROGRESS.search(line)], "written": written}
     text = (
         json.dumps({**found, "text": shown})
         .replace(folder, "HERE")
@@ -117,6 +118,9 @@ def answer(words: list[str], folder: str) -> dict[str, Any]:
     )
     plain: dict[str, Any] = json.loads(text)
     return plain
+
+
+_PROGRESS = re.compile(r", \d+ s$")
 
 
 def files(folder: Path) -> Iterator[str]:
@@ -193,7 +197,7 @@ def _rounded(match: re.Match[str]) -> str:
 def compare(old: Mapping[str, Any], new: Mapping[str, Any]) -> int:
     """Print what differs; 1 where it is more than texts of tables."""
     data, texts = [], []
-    for line in [*old["answers"], *(line for line in new["answers"] if line not in old["answers"])]:
+    for line in dict.fromkeys((*old["answers"], *new["answers"])):
         if line not in old["answers"] or line not in new["answers"]:
             data.append(f"{line}: {'not recorded before' if line in new['answers'] else 'not run'}")
             continue
@@ -209,15 +213,18 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", type=Path, help="the record")
     parser.add_argument("--compare", action="store_true", help="compare with the record instead of writing it")
+    parser.add_argument("--only", default="", metavar="WORDS", help="compare only commands that begin so")
     asked = parser.parse_args()
     os.environ.pop("COLUMNS", None)
     started, found = time.process_time(), {}
-    for line_, answer_ in answers():
+    for line_, answer_ in answers(asked.only):
         found[line_] = answer_
         sys.stderr.write(f"{time.process_time() - started:7.1f} s  {answer_['exit']}  {line_}\n")
     record = {"options": options(), "answers": found}
     if asked.compare:
-        sys.exit(compare(json.loads(asked.file.read_text(encoding="utf-8")), record))
+        old = json.loads(asked.file.read_text(encoding="utf-8"))
+        old["answers"] = {line: row for line, row in old["answers"].items() if line.startswith(asked.only)}
+        sys.exit(compare(old, record))
     rows = [f" {json.dumps(line)}: {json.dumps(row, ensure_ascii=False)}" for line, row in found.items()]
     text = '{"options": ' + json.dumps(record["options"]) + ',\n"answers": {\n' + ",\n".join(rows) + "}}\n"
     asked.file.write_text(text, encoding="utf-8")

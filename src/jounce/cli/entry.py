@@ -68,6 +68,50 @@ _SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign
 _CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
+def _panels() -> dict[str, dict[str, Any]]:
+    """Commands and groups by the panel of the help in which they are listed."""
+    return {
+        "From measurements to decisions": {
+            "bench": bench.app,
+            "fit": fit.app,
+            "campaign": campaign.app,
+            "inspect": inspection.app,
+            "study": study.app,
+            "demo": campaign.demo,
+        },
+        "Simulation": {
+            "simulate": simulate.simulate,
+            "modes": simulate.modes,
+            "ride": ride.ride,
+            "ride-metrics": ride.ride_metrics,
+            "compare": ride.compare,
+            "sweep": sweep.sweep,
+            "iri": ride.iri,
+        },
+        "Kinematics and design": {
+            "kinematics": kinematics.kinematics,
+            "adjust": kinematics.adjust,
+            "load-cases": load_cases.load_cases,
+            "clearances": clearances.clearances,
+            "steering-effort": steering_effort.steering_effort,
+            "design": design.app,
+        },
+        "Files and pictures": {
+            "check": files.check,
+            "library": files.library,
+            "import": files.import_app,
+            "export": exchange.export_app,
+            "plot": pictures.plot,
+            "draw": pictures.draw,
+            "animate": pictures.animate,
+        },
+        "Workbench and shell": {"serve": serve.serve, "completion": completion, "version": version},
+    }
+
+
+_CLASSES: dict[str, Any] = {"compare": ride.NamesControllers}
+
+
 def application() -> typer.Typer:
     """Put the commands together."""
     app = typer.Typer(
@@ -78,35 +122,12 @@ def application() -> typer.Typer:
         add_completion=False,
         rich_markup_mode="rich",
     )
-    app.command("demo")(campaign.demo)
-    app.add_typer(campaign.app, name="campaign")
-    app.command("simulate")(simulate.simulate)
-    app.command("modes")(simulate.modes)
-    app.command("adjust")(kinematics.adjust)
-    app.command("kinematics")(kinematics.kinematics)
-    app.command("load-cases")(load_cases.load_cases)
-    app.command("clearances")(clearances.clearances)
-    app.command("steering-effort")(steering_effort.steering_effort)
-    app.command("ride")(ride.ride)
-    app.command("ride-metrics")(ride.ride_metrics)
-    app.command("compare", cls=ride.NamesControllers)(ride.compare)
-    app.command("iri")(ride.iri)
-    app.command("sweep")(sweep.sweep)
-    app.add_typer(design.app, name="design")
-    app.command("plot")(pictures.plot)
-    app.command("draw")(pictures.draw)
-    app.command("animate")(pictures.animate)
-    app.command("serve")(serve.serve)
-    app.command("check")(files.check)
-    app.command("library")(files.library)
-    app.add_typer(files.import_app, name="import")
-    app.add_typer(exchange.export_app, name="export")
-    app.add_typer(fit.app, name="fit")
-    app.add_typer(bench.app, name="bench")
-    app.add_typer(inspection.app, name="inspect")
-    app.add_typer(study.app, name="study")
-    app.command("completion")(completion)
-    app.command("version")(version)
+    for panel, rows in _panels().items():
+        for name, row in rows.items():
+            if isinstance(row, typer.Typer):
+                app.add_typer(row, name=name, rich_help_panel=panel)
+            else:
+                app.command(name, rich_help_panel=panel, cls=_CLASSES.get(name))(row)
 
     @app.callback()
     def above(  # the options before a command; its text is that of the application
