@@ -109,7 +109,12 @@ def answer(words: list[str], folder: str) -> dict[str, Any]:
     except json.JSONDecodeError:
         data = out.getvalue().splitlines()
     written = sorted(set(files(Path())) - before)
-    found = {"exit": code, "data": condensed(data), "errors": [line for line in err.getvalue().splitlines() if not _PROGRESS.search(line)], "written": written}
+    found = {
+        "exit": code,
+        "data": condensed(data),
+        "errors": [line for line in err.getvalue().splitlines() if not _PROGRESS.search(line)],
+        "written": written,
+    }
     text = (
         json.dumps({**found, "text": shown})
         .replace(folder, "HERE")

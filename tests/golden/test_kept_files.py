@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.cli.files import check_file
+from jounce.operations.checks import check_file
 from jounce.parts.testers import load_tester
 
 KEPT = Path(__file__).parents[1] / "files" / "kept"

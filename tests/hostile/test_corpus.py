@@ -15,7 +15,7 @@ from corpus.__main__ import PARTS, TITLES
 from corpus.judging import BAD, judge
 from corpus.mutations import KINDS
 
-from jounce.cli.files import _SCHEMAS
+from jounce.operations.checks import _SCHEMAS
 from jounce.recordings import READERS
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="limits of memory and time are a thing of POSIX")

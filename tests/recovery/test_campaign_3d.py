@@ -9,10 +9,10 @@ import pytest
 
 import jounce as jn
 from jounce.campaign import run_campaign
-from jounce.cli.files import check_file
 from jounce.core.errors import DescriptionError
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
+from jounce.operations.checks import check_file
 from jounce.papers import demo, virtual_bench
 from jounce.papers.table2 import table2
 from jounce.papers.virtual_bench import campaign_texts, shipped_truth, true_pass

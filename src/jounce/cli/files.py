@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,12 +12,11 @@ import typer
 
 from jounce.cli.options import LENGTH, AsJson, Force, files, optional_positive
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, table, tell
-from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
+from jounce.core.errors import DescriptionError, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.control import FmuVariable
     from jounce.core.findings import Finding
 
 
@@ -40,6 +38,7 @@ def check(
 
     Example: jounce check campaign.toml rig.toml roads/*.toml
     """
+    from jounce.operations.checks import check_file
     from jounce.parts import library as rigs
 
     checked, every = [], files(given, "FILE")
@@ -83,303 +82,6 @@ def _draw_checked(out: Console, plain: dict[str, Any]) -> None:
         if item.get("parameters"):
             numbers = [(path, found["value"], found["unit"]) for path, found in item["parameters"].items()]
             out.print(table(f"{item['file']}: parameters", ("path", "value", "unit"), numbers, text=(0, 2)))
-
-
-@dataclass
-class Checked:
-    """Outcome for one file: what it is, in words, everything wrong with it, and the numbers that ``--set`` changes."""
-
-    file: Path
-    kind: str = "unknown"
-    what: str = ""
-    problems: list[str] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    parameters: dict[str, dict[str, float | str]] = field(default_factory=dict)
-
-    @contextmanager
-    def step(self) -> Iterator[None]:
-        """Note the error of one step and let the next one run."""
-        try:
-            yield
-        except JounceError as error:
-            self.problems.append(str(error))
-        except OSError as error:
-            self.problems.append(f"{error.filename or self.file}: {error.strerror or error}.")
-
-
-def check_file(file: Path) -> Checked:
-    """Check one file by what it is: a description (TOML), the header of a record, a road, a table or a recording."""
-    checked = Checked(file)
-    with checked.step():
-        checks: dict[str, Callable[[Checked], None]] = {".toml": _check_toml, ".crg": _check_road, ".fmu": _check_fmu}
-        checks.get(file.suffix.lower(), _check_measured)(checked)
-    return checked
-
-
-def _check_toml(checked: Checked) -> None:
-    from jounce.core.description import read_toml
-    from jounce.inspection.record import NUMBERS, SIDES, TEXTS, flat_facts
-
-    table, text = read_toml(checked.file)
-    of_header = {*TEXTS, *(f"{side}.{name}" for side in SIDES for name in NUMBERS)}
-    further = {key for key, value in table.items() if isinstance(value, (dict, list))} - {*SIDES}
-    if "schema" not in table and not further and not of_header.isdisjoint(flat_facts(table)):
-        _check_header(checked, flat_facts(table), text)
-        return
-    schema = table.get("schema", "jounce.road/1" if "kind" in table else None)
-    if schema is None:
-        raise DescriptionError("the schema line is missing", where=str(checked.file), allowed=", ".join(_SCHEMAS))
-    schema = str(schema)
-    if schema not in _SCHEMAS:
-        raise unknown(schema, _SCHEMAS, what="schema", where=str(checked.file))
-    checked.kind = schema.removeprefix("jounce.").removesuffix("/1")
-    _SCHEMAS[schema](checked)
-
-
-def _check_rig(checked: Checked) -> None:
-    from jounce.parts import load, rig_findings
-    from jounce.simulation import equilibrium
-
-    rig = load(checked.file)
-    checked.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
-    checked.parameters = _parameters(rig)
-    checked.notes += map(str, rig_findings(rig, str(checked.file)))
-    lacks: tuple[str, ...] = getattr(rig, "lacks", ())
-    if lacks:
-        text = f"it has no {', '.join(lacks)}: its kinematics can be swept, it cannot move."
-        checked.notes.append(f"note: {checked.file}: {text}")
-        return
-    try:
-        equilibrium(rig)
-    except JounceError as error:
-        raise DescriptionError(f"it cannot stand: {error}", where=str(checked.file)) from None
-
-
-def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
-    """Every number of a description by its path, SI, with its unit."""
-    from jounce.parts.rig import parameters_of, unit_of
-
-    found = parameters_of(description)
-    return {path: {"value": value, "unit": unit_of(description, path)} for path, value in found.items()}
-
-
-def _check_road(checked: Checked) -> None:
-    from jounce.roads import load_road
-    from jounce.roads.trial import road_findings
-
-    checked.kind = "road"
-    road = load_road(checked.file)
-    checked.notes += map(str, road_findings(road, str(checked.file)))
-    checked.what = f"{getattr(road, 'kind', 'road')}, ends at {road.end():g} m"
-
-
-def _check_control(checked: Checked) -> None:
-    from jounce.control import FmuControl, controller, read_fmu
-
-    found = controller(checked.file)
-    checked.what = str(getattr(found, "law", type(found).__name__))
-    if checked.what == "fmu":  # which is read, and not run
-        from jounce.control import read_fmu
-
-        component = read_fmu(str(getattr(found, "file", "")))
-        component.binary()
-        checked.what = f"{checked.what}: {component.path.name}"
-    if isinstance(found, FmuControl):
-        read_fmu(found.file).binary()
-
-
-def _check_fmu(checked: Checked) -> None:
-    """An FMU: what can be connected, and whether it runs here as a controller or force element."""
-    from jounce.control import read_fmu
-
-    found = read_fmu(checked.file)
-    checked.kind = "FMU"
-    uses = [
-        word for word, can in (("co-simulation", found.can_step), ("model exchange", found.can_be_integrated)) if can
-    ]
-    checked.what = f"FMI {found.version}.0, {', '.join(uses)}, for {', '.join(found.platforms) or 'no platform'}"
-    for word, group in (("inputs", found.inputs), ("outputs", found.outputs), ("parameters", found.parameters)):
-        shown = [_connectable(v) for v in group[:_MANY]]
-        more = f" and {len(group) - _MANY} more" if len(group) > _MANY else ""
-        checked.notes.append(f"{word}: {', '.join(shown) or 'none'}{more}")
-    checked.notes += map(str, found.findings)
-
-
-def _connectable(v: FmuVariable) -> str:
-    """A variable of an FMU with its unit; the type, too, of what is no single real number."""
-    of = "" if v.kind in ("Real", "Float64") and not v.dimensions else f" ({v.shape})"
-    return f"{v.name}{f' [{v.unit}]' if v.unit else ''}{of}"
-
-
-_MANY = 20  # variables of an FMU in a line
-
-
-def _check_tester(checked: Checked) -> None:
-    from jounce.parts.testers import findings_of_tester, load_tester
-
-    tester = load_tester(checked.file)
-    checked.what = f"{tester.name}: {tester.kind}, evaluated by {tester.method}"
-    checked.parameters = _parameters(tester)
-    checked.notes += map(str, findings_of_tester(tester, str(checked.file)))
-
-
-def _check_limits(checked: Checked) -> None:
-    from jounce.inspection.limits import load_limits
-
-    limits = load_limits(checked.file)
-    further = [*limits.conditions, *(f"difference of {name}" for name in limits.differences)]
-    checked.what = f"{limits.label}: {', '.join([*limits.methods, *further])}"
-
-
-def _check_header(checked: Checked, facts: dict[str, Any], text: str) -> None:
-    """Facts about the car in the file beside a record; each mistake is reported with its line."""
-    from jounce.core.description import line_of
-    from jounce.inspection.record import read_facts
-
-    checked.kind, checked.what = "header of a record", ", ".join(facts)
-    for key, value in facts.items():
-        line = line_of(text, tuple(key.split("."))) or line_of(text, (key,))
-        with checked.step():
-            _, findings = read_facts({key: value}, where=f"{checked.file}, line {line}")
-            checked.notes += map(str, findings)
-
-
-def _check_measured(checked: Checked) -> None:
-    """A recording, a force-deflection trial or a road table: the first whose columns the file has."""
-    from jounce.recordings import read_columns
-
-    tables = {"force-deflection trial": {"displacement": "m", "force": "N"}, "road table": {"x": "m", "z": "m"}}
-    missing: list[JounceError] = []
-    for kind in ("recording", *tables):
-        checked.kind = kind
-        try:
-            if kind == "recording":
-                _check_recording(checked)
-            else:
-                values, findings = read_columns(checked.file, tables[kind])
-                checked.what = f"{len(next(iter(values.values())))} rows"
-                checked.notes += map(str, findings)
-        except RecordingError as error:
-            if not error.what.startswith(("no column", "no channel")):  # what readers say of a file of another kind
-                raise
-            missing.append(error)
-        else:
-            return
-    checked.kind = "unknown"
-    raise missing[0]
-
-
-def _check_recording(checked: Checked) -> None:
-    from jounce.recordings import read_recording
-
-    data, findings = read_recording(checked.file)
-    if any(str(name).endswith(".plate.force") for name in data.data_vars):
-        from jounce.inspection.record import read_record
-
-        checked.kind = "record of a tester"
-        data, findings = read_record(checked.file)
-    time = data["time"].to_numpy()
-    checked.what = f"{', '.join(map(str, data.data_vars))}; {len(time)} samples, {time[-1] - time[0]:g} s"
-    checked.notes += map(str, findings)
-
-
-def _check_campaign(checked: Checked) -> None:
-    """The campaign, its rig and roads, and every file of bench and trials."""
-    from jounce.campaign import load_campaign
-    from jounce.campaign.characterise import files_of, read_force_deflection
-    from jounce.campaign.run import checks_of, load_trial
-    from jounce.parts import load
-    from jounce.parts.files import rig_named_in
-    from jounce.roads import read_roads
-
-    campaign, text = load_campaign(checked.file)
-    folder, where = checked.file.parent, str(checked.file)
-    checked.what = ", ".join(
-        f"{count} {word}{'' if count == 1 else 's'}"
-        for count, word in ((len(campaign.trial), "trial"), (len(campaign.update), "update"))
-    )
-    with checked.step():
-        rig = load(rig_named_in(campaign.rig, checked.file))
-        for check in checks_of(campaign, rig, checked.file):
-            with checked.step():
-                check()
-    roads: dict[str, Any] = dict.fromkeys(campaign.roads)
-    with checked.step():
-        roads = dict(read_roads(campaign.roads, where=where, text=text, folder=folder))
-    for entry in campaign.trial:
-        place = f"{where}: trial {entry.number}"
-        if entry.road is not None and entry.road not in roads:
-            checked.problems.append(str(unknown(entry.road, roads, what="road", where=place)))
-        with checked.step():
-            try:
-                if entry.road is not None and roads.get(entry.road) is None:
-                    entry.read(folder / entry.recording, folder)  # that of its road is said
-                else:
-                    load_trial(entry, roads, folder)
-            except JounceError as error:
-                raise RecordingError(f"{place}: {error}") from None
-    bench = campaign.bench
-    tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
-    for name, asked in tables.items():
-        if asked is not None:
-            with checked.step():
-                read_force_deflection(files_of(asked.files, folder, f"{where}: {name}"), asked)
-    if bench.decay is not None:
-        with checked.step():
-            for file in files_of(bench.decay.files, folder, f"{where}: bench.decay"):
-                bench.decay.read(file, folder)
-
-
-def _check_truth(checked: Checked) -> None:
-    from jounce.campaign import load_truth
-
-    truth = load_truth(checked.file)
-    channels, rig = ", ".join(truth.sensors), truth.true_rig()
-    checked.what = (
-        f"virtual bench: {getattr(rig, 'model', '')} with {len(rig.parameters())} parameters; records {channels}"
-    )
-
-
-def _check_design(checked: Checked) -> None:
-    from jounce.design.kinematics import check_study
-
-    study, free = check_study(checked.file)
-    checked.what = f"design of {study.rig}: {free} free numbers, {len(study.target)} targets, {study.starts} starts"
-
-
-def _check_sweep(checked: Checked) -> None:
-    from jounce.variants.study import read_sweep
-
-    sweep = read_sweep(checked.file)
-    metrics, numbers = len(sweep.work.metrics), len(sweep.columns)
-    checked.what = (
-        f"sweep of {sweep.study.rig}: {sweep.count} variants of {numbers} number{'' if numbers == 1 else 's'}, "
-        f"{metrics} metric{'' if metrics == 1 else 's'}"
-    )
-
-
-def _check_optimisation(checked: Checked) -> None:
-    from jounce.design.optimisation_study import check_optimisation
-
-    study, problem = check_optimisation(checked.file)
-    wanted = "front" if study.front is not None else "best design"
-    count = len(problem.free)
-    checked.what = f"{wanted} of {study.rig}: {count} number{'' if count == 1 else 's'} over {problem.driven}"
-
-
-_SCHEMAS: dict[str, Callable[[Checked], None]] = {
-    "jounce.rig/1": _check_rig,
-    "jounce.vehicle/1": _check_rig,
-    "jounce.campaign/1": _check_campaign,
-    "jounce.truth/1": _check_truth,
-    "jounce.road/1": _check_road,
-    "jounce.control/1": _check_control,
-    "jounce.tester/1": _check_tester,
-    "jounce.limits/1": _check_limits,
-    "jounce.design/1": _check_design,
-    "jounce.sweep/1": _check_sweep,
-    "jounce.optimisation/1": _check_optimisation,
-}
 
 
 def library(

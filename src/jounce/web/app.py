@@ -222,8 +222,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/check")
     def check(path: str) -> dict[str, Any]:
         """What is wrong with a file of the project, as ``jounce check`` says it."""
-        from jounce.cli.files import check_file
         from jounce.core.files import only_below
+        from jounce.operations.checks import check_file
 
         with only_below(project.root):
             found = check_file(project.inside(path))

@@ -100,7 +100,13 @@ _MOST_MODELS = 8  # of each kind, soon all taken: one is up to 2 MB, and 10 ms t
 _PAUSE = 2.0  # s
 _LONGEST_IMPORT = 10.0  # s
 _IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
-_LATER = ("scipy.signal", "h5netcdf", "jounce.cli.files", "jounce.variants.study", "jounce.design.kinematic_targets")
+_LATER = (
+    "scipy.signal",
+    "h5netcdf",
+    "jounce.operations.checks",
+    "jounce.variants.study",
+    "jounce.design.kinematic_targets",
+)
 
 
 @contextlib.contextmanager

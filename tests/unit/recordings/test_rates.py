@@ -223,7 +223,7 @@ def test_a_text_that_no_memory_holds_is_refused(tmp_path: Path, monkeypatch: pyt
 
 def test_faces_show_the_rates(tmp_path: Path) -> None:
     """The workbench's page of imports and ``jounce check`` say what the reader says."""
-    from jounce.cli.files import check_file
+    from jounce.operations.checks import check_file
     from jounce.web.questions import preview
 
     file = tmp_path / "a.csv"
