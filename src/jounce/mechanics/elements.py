@@ -180,7 +180,7 @@ def _bouc_wen_state(system: System, path: str, velocity: ca.SX, number: Callable
 
 
 def friction_force(system: System, friction: Friction | None, path: str, velocity: ca.SX) -> ca.SX:
-    """Regularised Coulomb friction (N) that follows the velocity; zero without friction.
+    """Regularised Coulomb friction (N) that follows the velocity, and travel where it builds up; zero without friction.
 
     A switch where the force is nearly full makes steps land on both sides of the narrow layer in which it turns over.
     """
@@ -188,7 +188,14 @@ def friction_force(system: System, friction: Friction | None, path: str, velocit
         return ca.SX(0)
     sharpness = velocity / system.parameter(f"{path}.regularisation_velocity")
     system.switch(f"{path} sliding", ca.fabs(sharpness) - _SLIDING)
-    return system.parameter(f"{path}.force") * ca.tanh(sharpness)
+    sliding = ca.tanh(sharpness)
+    if friction.presliding is not None:
+        built_up = system.internal_state(f"{path} built up")
+        forward = 2.0 * system.switch(f"{path} forward", velocity) - 1.0
+        rate = (velocity - forward * velocity * built_up) / system.parameter(f"{path}.presliding_distance")
+        system.set_internal_rate(f"{path} built up", rate)
+        sliding += system.parameter(f"{path}.presliding") * (built_up - sliding)
+    return system.parameter(f"{path}.force") * sliding
 
 
 def bump_stop_force(system: System, stop: BumpStop | None, path: str, deflection: ca.SX) -> ca.SX:

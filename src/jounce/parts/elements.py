@@ -170,10 +170,22 @@ Damper = Annotated[_LumpedDamper, Discriminator(damper_kind)]
 
 
 class Friction(Description):
-    """Coulomb friction, regularised as ``force * tanh(velocity / regularisation_velocity)``."""
+    """Coulomb friction, regularised as ``force * tanh(velocity / regularisation_velocity)``.
+
+    With ``presliding``, that share (1) of it follows the travel instead (Dahl): after a reversal it builds up over
+    ``presliding_distance`` (m), at any velocity.
+    """
 
     force: NonNegativeForce
     regularisation_velocity: PositiveSpeed = 0.002
+    presliding: Annotated[float, Unit("1", at_least=0.0, at_most=1.0)] | None = None
+    presliding_distance: PositiveLength | None = None
+
+    @model_validator(mode="after")
+    def _a_share_and_its_distance(self) -> Friction:
+        if (self.presliding is None) != (self.presliding_distance is None):
+            raise ValueError("presliding and presliding_distance belong together: give both or neither")
+        return self
 
 
 class BumpStop(Description):

@@ -246,3 +246,32 @@ def test_the_page_of_mechanisms_uses_every_force_element():
     assert {"spring_damper", "push_apart", "load"} <= {*methods}
     assert [name for name in functions if f"jn.mechanics.{name}(" not in blocks] == []
     assert [name for name in methods if f"block.{name}(" not in blocks] == []
+
+
+@pytest.mark.parametrize("share", [1.0, 0.4])
+def test_friction_that_builds_up_over_travel_is_dahls(share: float) -> None:
+    """Between reversals the share that follows the travel goes to its end as the exponential of the way."""
+    force, over, onset = 8.0, 3e-4, 5e-3
+    friction = {
+        "force": force,
+        "regularisation_velocity": onset,
+        "presliding": share,
+        "presliding_distance": over,
+    }
+    rig = jn.load("kart-quarter-car").with_changes({"guide.friction": friction})
+    road = jn.HalfSine(height="10 mm", length="60 mm", start="0.05 m")
+    trial = jn.Trial(road=road, speed="2 m/s", duration="0.4 s")
+    run = jn.simulate(rig, trial, tolerance=1e-8, output_step=2e-4)
+    travel, rate = run["sprung.z"].to_numpy(), run["sprung.vz"].to_numpy()
+    built_up = [0.0]
+    for way in np.diff(travel):
+        end = np.sign(way)
+        built_up.append(end + (built_up[-1] - end) * np.exp(-abs(way) / over))
+    expected = -force * (share * np.array(built_up) + (1.0 - share) * np.tanh(rate / onset))
+    assert np.max(np.abs(run["guide.force"].to_numpy() - expected)) < 0.01 * force
+    assert np.ptp(built_up) > 1.9
+
+
+def test_a_share_that_builds_up_needs_its_distance() -> None:
+    with pytest.raises(jn.DescriptionError, match="belong together"):
+        jn.load("kart-quarter-car").with_changes({"guide.friction": {"force": 8.0, "presliding": 0.5}})
