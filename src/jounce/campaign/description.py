@@ -102,6 +102,7 @@ class TrialEntry(RecordingFormat):
     use: Literal["fit", "hold-out"] = "hold-out"
     duration: PositiveTime | None = None
     added_mass: NonNegativeMass = 0.0
+    wheel_load: Annotated[float, Unit("N", above=0.0)] | None = None
     changes: dict[str, Any] = {}
 
     @model_validator(mode="after")

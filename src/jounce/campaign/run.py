@@ -314,7 +314,7 @@ class Runner:
         rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
         added = {SPRUNG_MASS: entry.added_mass} if entry.added_mass else {}
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
-        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors, added)
+        return FitTrial(f"trial {entry.number}", rig, item.trial, item.measured, sensors, added, entry.wheel_load)
 
     def decide_datums(self, knowledge: Knowledge) -> None:
         """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""

@@ -69,6 +69,17 @@ class Segments:
         """Give the same heights against time for a constant ``speed`` in m/s."""
         return replace(self, edges=self.edges / speed, rate=self.rate * speed)
 
+    def times(self, factor: float) -> Segments:
+        """Give the same pieces with heights multiplied by a factor (1)."""
+        if factor == 1.0:
+            return self
+        scaled = {POLYNOMIAL: (0, 1, 2, 3), SINE: (0, 1), CIRCLE: (0, 3)}
+        table = self.coefficients.copy()
+        for kind, columns in scaled.items():
+            for column in columns:
+                table[self.kind == kind, column] *= factor
+        return replace(self, coefficients=table)
+
     def evaluate(self, x: Array) -> tuple[Array, Array]:
         """Height (m) and its derivative (m per unit of ``x``) at ``x``; at an edge the right-hand piece counts."""
         x = np.asarray(x, dtype=float)

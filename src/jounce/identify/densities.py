@@ -129,8 +129,7 @@ class DoubtDensity:
         """Information and score of all unknowns, and the sum of squares, with the calibration's variances kept."""
         found = self.found
         system = found.one.system(blocks, state)
-        information, score = np.diag(system.prior), -system.prior * system.away
-        square = float(system.prior @ system.away**2)
+        information, score, square = system.beforehand()
         for name, variance in found.variance.items():
             information = information + system.normal[name][0] / variance
             score = score + system.normal[name][1] / variance

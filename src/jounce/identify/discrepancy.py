@@ -29,7 +29,7 @@ from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepa
 from jounce.identify.laws import Laws, States
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
 from jounce.identify.richer import Nuisance, Richer, Ridden
-from jounce.identify.stated_masses import scale_of_masses
+from jounce.identify.stated_masses import off_together, scale_of_masses, static_load
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
 from jounce.parts import QuarterCar, Rig
@@ -226,7 +226,7 @@ class _Run:
             if name.endswith("command"):
                 found.append(self._command(track, inputs))
             elif is_road(name):
-                found.append(_scaled(self._warped(track, inputs), 1.0 + inputs.get("height", 0.0)))
+                found.append(self._warped(track, inputs).times(1.0 + inputs.get("height", 0.0)))
             else:
                 found.append(track)
         return found
@@ -360,9 +360,6 @@ class _Calibration:
             found.append(Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2))
         if self.richer.has_laws and doubt.presliding > 0.0:
             found.append(Nuisance("presliding", "presliding", "N", 0.0, doubt.presliding))
-        if self.richer.has_laws and doubt.guide_presliding > 0.0 and any("guide" in item.path for item in self.free):
-            # It moves no simulation: both laws of friction fit, and say different things of the same force.
-            found.append(Nuisance("guide presliding", "guide_presliding", "1", 0.5, doubt.guide_presliding))
         if isinstance(self.richer.rig, QuarterCar) and doubt.arms > 0.0:
             found.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]))
         return found
@@ -534,7 +531,30 @@ class _Calibration:
         away = np.concatenate([np.zeros(p), state.xi, self._own_now(state).ravel()])
         prior = np.ones(dim)
         prior[:p], away[:p] = self.priors[:, 1] ** 2, state.theta - self.priors[:, 0]
-        return _System(self.names, rows, prior, away)
+        return _System(self.names, rows, prior, away, self._weighed(state, dim))
+
+    def _weighed(self, state: _State, dim: int) -> Array:
+        """Wheel loads at rest that were measured: how far each is from the model's, and its slopes, over its doubt.
+
+        A row a load, the slopes by all unknowns first. The contact force at rest carries all masses of a wheel.
+        """
+        here, rows = np.concatenate([state.theta, state.xi]), []
+        for run in self.runs:
+            measured = run.prepared.source.wheel_load
+            if measured is None:
+                continue
+            p = len(self.free)
+
+            def apart(x: Array, run: _Run = run, measured: float = measured, p: int = p) -> float:
+                numbers = self.richer.plain(run.values, run.fitted(x[:p]), x[p:])
+                load = static_load(self.richer.rig, numbers)
+                return (measured - load) / (self.doubt.wheel_load * load)
+
+            row = np.zeros(dim + 1)
+            moves = 1e-4 * np.eye(len(here))
+            row[: len(here)] = [(apart(here - move) - apart(here + move)) / 2e-4 for move in moves]
+            rows.append(np.append(row[:-1], apart(here)))
+        return np.array(rows).reshape(len(rows), dim + 1)
 
     def _own_now(self, state: _State) -> Array:
         if self.align:
@@ -563,12 +583,17 @@ class _Calibration:
 
 @dataclass
 class _System:
-    """Linear equations of one step: rows by channel, prior precision of the unknowns and how far they are from it."""
+    """Linear equations of one step: rows by channel, prior precision of the unknowns and how far they are from it.
+
+    ``weighed`` has a row for each combination of unknowns that was measured by itself, in its standard deviations:
+    slopes by the unknowns, then what is left of it.
+    """
 
     names: list[str]
     rows: list[tuple[str, Array, Array, NDArray[np.int64]]]
     prior: Array
     away: Array
+    weighed: Array
 
     def __post_init__(self) -> None:
         dim = len(self.prior)
@@ -576,6 +601,13 @@ class _System:
         for name, columns, residual, index in self.rows:
             self.normal[name][0][np.ix_(index, index)] += columns.T @ columns
             self.normal[name][1][index] += columns.T @ residual
+
+    def beforehand(self, prior: Array | None = None) -> tuple[Array, Array, float]:
+        """Information, score and sum of squares of what is known without the recordings."""
+        prior = self.prior if prior is None else prior
+        slopes, left = self.weighed[:, :-1], self.weighed[:, -1]
+        information, score = np.diag(prior) + slopes.T @ slopes, -prior * self.away + slopes.T @ left
+        return information, score, float(prior @ self.away**2 + left @ left)
 
     def solved(self, prior: Array | None = None) -> _Step:
         """Step and covariance; the weights and what is left depend on each other."""
@@ -589,7 +621,7 @@ class _System:
         return _Step(step, covariance, noise, energy, total)
 
     def _with(self, prior: Array, variance: Mapping[str, float]) -> tuple[Array, Array]:
-        information, score = np.diag(prior), -prior * self.away
+        information, score, _ = self.beforehand(prior)
         for name in self.names:
             information = information + self.normal[name][0] / variance[name]
             score = score + self.normal[name][1] / variance[name]
@@ -600,7 +632,7 @@ class _System:
         """Covariance with some unknowns known exactly (a mask), or without the unexplained rest."""
         of_rest = 1.0 / OBSERVATIONS if rest else 0.0
         variance = {name: step.noise[name] + of_rest * step.energy[name] for name in self.names}
-        information = np.diag(self.prior)
+        information, _, _ = self.beforehand()
         for name in self.names:
             information = information + self.normal[name][0] / variance[name]
         covariance = np.zeros_like(information)
@@ -762,7 +794,7 @@ class _Place:
         noise, energy, _ = self.system.left(np.zeros(len(self.system.prior)))
         trials = len(self.one.runs)
         rest = sum(np.log(noise[name] + energy[name] / OBSERVATIONS) for name in self.one.names)
-        return float(trials * OBSERVATIONS * rest + self.system.prior @ self.system.away**2)
+        return float(trials * OBSERVATIONS * rest + self.system.beforehand()[2])
 
     def rest_of(self, first: Mapping[str, float]) -> float:
         """Share (1) of the mean squares ``first`` that is left and no noise, each channel over its noise."""
@@ -848,8 +880,8 @@ def readings_of(calibration: Calibrated) -> Readings:
 
     def readings(x: Array) -> Array:
         rig = one.richer.plain(run.values, run.fitted(x[:p]), x[p:])
-        built_up = one.value("presliding", x[p:]), one.value("guide presliding", x[p:])
-        return np.array([laws.readings(item.path, rig, x[p:], *built_up) for item in one.free]).T
+        presliding = one.value("presliding", x[p:])
+        return np.array([laws.readings(item.path, rig, x[p:], presliding) for item in one.free]).T
 
     here = np.concatenate([state.theta, state.xi])
     values = readings(here)
@@ -909,6 +941,12 @@ def reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepa
         rest,
         (
             *_findings(one, strays, nuisances, contradicted, unexplained, reducer, reduced),
+            *off_together(
+                {path: law.value for path, law in parameters.items()},
+                bench,
+                contradicted,
+                one.richer.values.get("strut.angle", 0.0),
+            ),
             *_one_sided(calibration),
             *_undoubted(one.richer),
             *scale_of_masses(
@@ -916,6 +954,7 @@ def reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepa
                 one.names,
                 1.96 * max((n.deviation for n in one.nuisances if n.name.endswith("mass")), default=0.0),
                 [item.path for item, (_, sure) in zip(one.free, one.priors, strict=True) if sure > 0.0],
+                is_weighed=any(run.prepared.source.wheel_load is not None for run in one.runs),
             ),
         ),
     )
@@ -1019,7 +1058,8 @@ def _freed(
         left = rest(freer)
         if left < best:
             best, name = left, group
-        if left > _WORTH * now:
+        is_pulled = group in _STATED and np.any(np.abs(state.xi[mask[p : p + q]]) > _PULLED)
+        if (left > _WORTH * now and not is_pulled) or group in _WHOLE_RANGE:
             continue
         to = _unwhitened(one, state.xi + freer.step[p : p + q])
         error = _unwhitened(one, np.sqrt(np.diag(freer.covariance)[p : p + q]))
@@ -1034,6 +1074,16 @@ def _freed(
 
 _FREER = 1e-4  # of a prior's precision: a hundred times its standard deviation
 _SIGNIFICANT = 2.0  # standard errors
+_STATED = frozenset({"height", "stated", "lumped", "estimated", "angle"})
+"""Groups of what was measured once and written down: it can be measured again."""
+_WHOLE_RANGE = frozenset({"guide_presliding"})
+"""Groups whose priors reach as far as there is anything: a share is 0 to 1, beyond it is no value to leave to."""
+_PULLED = 2.0
+"""Prior standard deviations at which something stated lies with its prior, above which it is tried without.
+
+Of 68 virtual benches none had a height or mass beyond 1.9 that was as stated; of ten with a height told 10 % wrong all
+had it beyond 2.1.
+"""
 _WORTH = 0.8  # of the rest's energy: a smaller reduction is not worth naming
 _DRAWN = 1.0
 """Standard errors by which a parameter goes along with a stray that it is withheld for.
@@ -1148,9 +1198,13 @@ def _findings(
         drawn = [item.path for item, draw in zip(one.free, stray.draws, strict=True) if draw > _DRAWN]
         listed = "no parameter" if len(drawn) == len(one.free) else ", ".join(drawn)
         counts = {0: "no parameter depends on it", len(one.free): f"{listed} of this update counts as identified"}
+        doubted, lies = nuisances[name], f"{abs(stray.to):.1f} standard deviations"
+        if doubted.group in _STATED and doubted.unit == "1":
+            share = 100.0 * stray.to * doubted.deviation
+            lies = f"{abs(share):.2g} % {'lower' if share < 0.0 else 'higher'} than stated, {lies}"
         text = (
-            f"wants to be {abs(stray.to):.1f} standard deviations from what was taken for possible: the model lacks "
-            f"something that it makes up for, or it has to be stated better (doubt.{nuisances[name].group}); "
+            f"wants to be {lies} from what was taken for possible: the model lacks something that it makes up for, or "
+            f"it has to be stated better (doubt.{doubted.group}); "
             + counts.get(len(drawn), f"not identified for it: {listed}")
         )
         found.append(Finding(name, "warning", text, stray.to))
@@ -1180,19 +1234,6 @@ def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> Ridden:
 
     velocity = float(np.max(np.abs(seen("strut.velocity"))))
     return Ridden(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
-
-
-def _scaled(track: Segments, factor: float) -> Segments:
-    """The same pieces, higher."""
-    if factor == 1.0:
-        return track
-    if np.all(track.kind == POLYNOMIAL):
-        return replace(track, coefficients=factor * track.coefficients)
-    table = track.coefficients.copy()
-    waves = track.kind != POLYNOMIAL
-    table[~waves] *= factor
-    table[waves, :2] *= factor
-    return replace(track, coefficients=table)
 
 
 def _moved(track: Segments, edges: Array) -> Segments:

@@ -40,8 +40,8 @@ class Doubt(Description):
     presliding : float
         Hysteretic force of damper, mounts and seals that builds up over half a millimetre, N.
     guide_presliding : float
-        Share (1) of the guide's friction that builds up over half a millimetre instead of with the velocity, where that
-        friction is fitted: about one half of it.
+        Share (1) of the guide's friction that builds up over travel (half a millimetre, within a factor of two) instead
+        of with the velocity, where that friction is fitted: about one half of it.
     arms : float
         Inertia that arms and struts share between body and wheel, as a share (1) of the unsprung mass; of quarter cars,
         whose two masses feel each other through springs and dampers only.
@@ -71,6 +71,8 @@ class Doubt(Description):
         channels without a stated one.
     bias : float
         Constant error of a sensor, as a share (1) of the standard deviation of its record.
+    wheel_load : float
+        Wheel load at rest where it was measured, as a share (1) of it.
 
     Examples
     --------
@@ -100,6 +102,7 @@ class Doubt(Description):
     corner: Share = 0.15
     bandwidth: Annotated[float, Unit("s", at_least=0.0)] = 0.0005
     bias: Share = 0.03
+    wheel_load: Share = 0.005
 
 
 def doubts_of(given: Doubt | Mapping[str, Any]) -> Doubt:

@@ -17,12 +17,14 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, unknown
+from jounce.core.segments import Segments
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.waiting import reached
 from jounce.identify.lags import Shifted, best_lag
 from jounce.kernel.engine import Status
+from jounce.mechanics.facts import is_road
 from jounce.parts import Rig
 from jounce.parts.rig import check_rig, unit_of, unknown_path
 from jounce.recordings.carried import as_recording
@@ -63,6 +65,9 @@ class FitTrial(Shown):
     added : dict
         Path to what the rig had on top in this trial alone (SI), such as a known mass; it is in ``rig``. A fitted value
         is that without it.
+    wheel_load : float or None
+        Force of the wheel on the ground that was measured at rest, with what was added, N; of rigs with one wheel. An
+        interval that counts model error takes the scale of the masses from it.
     """
 
     name: str
@@ -71,6 +76,7 @@ class FitTrial(Shown):
     measured: xr.Dataset
     sensors: Mapping[str, Sensor] = field(default_factory=dict)
     added: Mapping[str, float] = field(default_factory=dict)
+    wheel_load: float | None = None
 
     @property
     def rig_without(self) -> Rig:
@@ -189,13 +195,22 @@ class Prepared:
         if free:
             p[[names.index(path) for path in free]] = self.own(values)
         rig, trial = self.source.rig, self.source.trial
-        signals, numbers = excitation(self.compiled.facts, rig, trial, free), dict(zip(names, p.tolist(), strict=True))
+        signals, numbers = self.tracks(), dict(zip(names, p.tolist(), strict=True))
         solution = with_slopes(rig, trial, numbers, signals, self.times, tolerance, free)
         if solution is None:
             solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance)
         if solution.status is not Status.COMPLETED:
             raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
         return solution
+
+    def tracks(self) -> list[Segments]:
+        """Inputs of the model against time (s)."""
+        return excitation(self.compiled.facts, self.source.rig, self.source.trial, self.compiled.free)
+
+    def road(self, channel: Channel) -> Array:
+        """Height of the road (m) below the first wheel at the instants of a channel."""
+        first = next(i for i, name in enumerate(self.compiled.facts.tracks) if is_road(name))
+        return np.asarray(self.tracks()[first].evaluate(self.times)[0][len(self.times) - len(channel.measured) :])
 
     def table(self, channel: Channel, solution: Solution) -> Array:
         """Simulated reading of a channel and, beside it, its derivatives by the free parameters; a row a sample."""

@@ -19,13 +19,6 @@ from jounce.identify.richer import ONSET_VELOCITY, SLIDING_OVER, Richer
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
 
-_BETWEEN = 0.25
-"""Where a law of the velocity that is fitted to friction that builds up over travel comes out.
-
-Between the force of sliding (0) and what is nearest to the force over the ride (1), mean of 28 virtual benches with
-Dahl's friction in the guide (seeds 0 to 49 of tests/recovery/foreign_benches.py).
-"""
-
 
 @dataclass(frozen=True)
 class States:
@@ -57,10 +50,10 @@ class States:
         names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
         return cls(*(np.concatenate([getattr(one, name)[::every] for one in all_of]) for name in names))
 
-    def sliding(self, velocity: Array) -> Array:
-        """Share of a presliding force between -1 and 1 after Dahl: it builds up over a distance, at any velocity."""
+    def sliding(self, velocity: Array, over: float = SLIDING_OVER) -> Array:
+        """Share of a presliding force between -1 and 1 after Dahl: it builds up over travel (m), at any velocity."""
         moved = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(self.time)
-        left, ends = np.exp(-np.abs(moved) / SLIDING_OVER), np.sign(moved)
+        left, ends = np.exp(-np.abs(moved) / over), np.sign(moved)
         z, now = [0.0], 0.0
         for end, share in zip(ends.tolist(), left.tolist(), strict=True):  # plain floats: arrays take ten times as long
             now = end + (now - end) * share if end else now
@@ -79,17 +72,15 @@ class Laws:
         self.richer = richer
         self.seen = States.joined(states, every)
         self.sliding = np.concatenate([one.sliding(one.velocity)[::every] for one in states])
-        self.guide_sliding = np.concatenate([one.sliding(one.body)[::every] for one in states])
+        self._states, self._every = states, every
+        self._built_up: dict[float, Array] = {}
         self._plain = richer.rig.parameters()
         self._inverse: dict[str, Array] = {}
 
-    def readings(
-        self, path: str, p: Mapping[str, float], xi: Array, presliding: float, guide_presliding: float = 0.0
-    ) -> tuple[float, float]:
+    def readings(self, path: str, p: Mapping[str, float], xi: Array, presliding: float) -> tuple[float, float]:
         """Component and effective value of a parameter, SI; ``p`` are the rig's numbers with those fitted.
 
-        ``presliding`` (N) builds up in the strut, ``guide_presliding`` is the share (1) of the guide's friction that
-        does so.
+        ``presliding`` (N) builds up in the strut.
         """
         if not self.richer.has_laws:
             return p[path], p[path]
@@ -97,7 +88,7 @@ class Laws:
             stiffness, damping = self._tyre(p, xi)
             return p[path], stiffness if path == "tyre.stiffness" else damping
         if path.endswith("friction.force") and path.startswith("guide"):
-            return self._guide(path, p, guide_presliding)
+            return self._guide(path, p)
         if path in ("strut.spring.rate", "strut.friction.force") or path in self._sides():
             component, effective = self._strut_components(p, xi, presliding), self._strut(p, xi, presliding)
             return component[path], effective.get(path, component[path])
@@ -141,16 +132,22 @@ class Laws:
         _, stiffness, damping = self._nearest("tyre", [np.ones(len(d)), d, rate], force)
         return float(stiffness), float(damping)
 
-    def _guide(self, path: str, p: Mapping[str, float], presliding: float) -> tuple[float, float]:
-        """Force of sliding, and the force of the model's law, where a share of it is ``presliding``."""
+    def _guide(self, path: str, p: Mapping[str, float]) -> tuple[float, float]:
+        """Force of sliding, and the force of the model's law that is nearest to that over the ride."""
         u, place = self.seen.body, path.removesuffix(".force")
-        turned = np.tanh(u / p.get(f"{place}.regularisation_velocity", ONSET_VELOCITY))
+        law = np.tanh(u / p.get(f"{place}.regularisation_velocity", ONSET_VELOCITY))
+        share = p.get(f"{place}.presliding", 0.0)
+        if share:
+            law = law + share * (self._guide_built_up(p.get(f"{place}.presliding_distance", SLIDING_OVER)) - law)
         column = np.tanh(u / self._nominal(place))
-        by_velocity, by_travel = (
-            float(self._nearest(place, [column], p[path] * law)[0]) for law in (turned, self.guide_sliding)
-        )
-        apart = presliding * (by_velocity - by_travel)
-        return p[path] + _BETWEEN * apart, by_velocity - (1.0 - _BETWEEN) * apart
+        return p[path], float(self._nearest(place, [column], p[path] * law)[0])
+
+    def _guide_built_up(self, over: float) -> Array:
+        """Share of its force (1) that friction of the guide has built up where it takes so much travel (m)."""
+        if over not in self._built_up:
+            parts = [one.sliding(one.body, over)[:: self._every] for one in self._states]
+            self._built_up[over] = np.concatenate(parts)
+        return self._built_up[over]
 
     def _nominal(self, place: str) -> float:
         """Velocity over which the plain rig's friction turns over."""

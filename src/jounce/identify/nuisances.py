@@ -6,20 +6,16 @@ Left alone, the fitted values make up for it. Freed, it is found with them; what
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding
-from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, Free
-from jounce.recordings.sensors import Sensor, filter_signals
-from jounce.recordings.signals import shift_signals
+from jounce.recordings.sensors import Sensor
 
 SPEED, LOW_PASS = "speed", ".low_pass"
 FASTEST = 0.45
@@ -116,123 +112,3 @@ def _speeds(bounds: Any, speed: float, place: str) -> tuple[float, float]:
     if not 0.0 < lower < speed < upper:
         raise FitError("the bounds exclude the speed", where=place, found=list(bounds), allowed=f"around {speed:g} m/s")
     return lower, upper
-
-
-# what a fit leaves ----------------------------------------------------------------------------------------------------
-
-_EXPLAINS = 0.35  # of what is left: what explains so much is told
-ALIKE = 0.8  # of what one fault leaves: where another leaves more than that, they cannot be told apart
-_CORNERS = 12
-_SLIGHT = 0.003  # of the speed: smaller errors do no harm
-_MATTERS = 1e-4  # of the energy of the records: less is not worth a word
-
-
-@dataclass(frozen=True)
-class Rest:
-    """Weighted residuals of all trials at the optimum, and their derivatives by all that was fitted, a column each.
-
-    ``readings`` are rows, weight, simulated reading, sample rate (Hz) of a channel in each trial, with whether a
-    constant of it is free.
-    """
-
-    vector: Array
-    jacobian: Array
-    readings: Mapping[str, Sequence[tuple[slice, float, Array, float, bool]]]
-    energy: float
-
-    @property
-    def size(self) -> float:
-        """Sum of squares."""
-        return float(self.vector @ self.vector)
-
-    def after(self, changes: Sequence[tuple[slice, Array, Array]] = ()) -> float:
-        """Sum of squares after one step of what was fitted, with other residuals and derivatives in some rows."""
-        gram, pull, size = self._products
-        gram, pull = gram.copy(), pull.copy()
-        for rows, vector, jacobian in changes:
-            touched = np.flatnonzero(self.jacobian[rows].any(axis=0))
-            old, both = self.jacobian[rows][:, touched], np.ix_(touched, touched)
-            gram[both] += jacobian.T @ jacobian - old.T @ old
-            pull[touched] += jacobian.T @ vector - old.T @ self.vector[rows]
-            size += float(vector @ vector) - float(self.vector[rows] @ self.vector[rows])
-        return size - float(pull @ np.linalg.pinv(gram, rcond=1e-12, hermitian=True) @ pull)
-
-    @cached_property
-    def _products(self) -> tuple[Array, Array, float]:
-        return self.jacobian.T @ self.jacobian, self.jacobian.T @ self.vector, self.size
-
-
-def low_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
-    """The corner (Hz) of a low pass that would explain most of what is left of a channel, better than a delay does."""
-    if rest.size < _MATTERS * rest.energy:
-        return None
-    rate = min(one[3] for one in rest.readings[channel])
-    left = {corner: _filtered(rest, channel, corner) for corner in np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS)}
-    corner = min(left, key=lambda one: left[one])
-    near = {one: _filtered(rest, channel, one) for one in corner * np.geomspace(0.75, 1.33, 7) if one < FASTEST * rate}
-    corner = min({**left, **near}, key=lambda one: {**left, **near}[one])
-    after = {**left, **near}[corner]
-    share = 1.0 - after / rest.size
-    late = {delay: _delayed(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
-    delay = min(late, key=lambda one: late[one])
-    if share < _EXPLAINS or late[delay] < ALIKE * after:
-        return None
-    alike = "" if after < ALIKE * late[delay] else f" (a delay of {1e3 * delay:.2g} ms explains about as much)"
-    text = (
-        f"the record looks like the updated model's behind a low pass of about {corner:.3g} Hz, which explains "
-        f"{100.0 * share:.0f} % of what is left{alike}: state low_pass of its sensor, or find it with the values, "
-        f'nuisances = {{"{channel}{LOW_PASS}" = ["{0.5 * corner:.0f} Hz", "{2.0 * corner:.0f} Hz"]}}'
-    )
-    return share, Finding(channel, "warning", text, float(corner))
-
-
-def late_share(rest: Rest) -> float:
-    """Share of what is left that one delay of all records explains: a clock is likelier than what explains no more."""
-    rate = min(one[3] for channel in rest.readings.values() for one in channel)
-
-    def left(samples: float) -> float:
-        return _changed(rest, rest.readings, lambda table, rate_of: shift_signals(table, rate_of, samples / rate))
-
-    coarse = {float(one): left(float(one)) for one in range(-10, 21, 2)}
-    best = min(coarse, key=lambda one: coarse[one])
-    near = [left(best + part) for part in (-1.5, -1.0, -0.5, 0.5, 1.0, 1.5)]
-    return 1.0 - min(coarse[best], *near) / rest.size
-
-
-def _changed(rest: Rest, channels: Iterable[str], change: Any) -> float:
-    """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
-    changes = []
-    for rows, weight, reading, rate, is_free in (one for channel in channels for one in rest.readings[channel]):
-        own = rest.jacobian[rows]
-        both = change(np.column_stack([reading, own[:, own.any(axis=0)]]), rate)
-        moved = weight * (reading - both[:, 0])
-        changes.append((rows, rest.vector[rows] + moved - (moved.mean() if is_free else 0.0), both[:, 1:]))
-    return rest.after(changes)
-
-
-def _filtered(rest: Rest, channel: str, corner: float) -> float:
-    sensor = Sensor(low_pass=float(corner))
-    return _changed(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
-
-
-def _delayed(rest: Rest, channel: str, delay: float) -> float:
-    return _changed(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
-
-
-def speed_in(rest: Rest, slope: Array) -> tuple[float, Finding] | None:
-    """The error of the speed that would explain most of what is left; ``slope`` is that by its logarithm."""
-    if rest.size < _MATTERS * rest.energy:
-        return None
-    whole = np.column_stack([rest.jacobian, slope])
-    step = np.linalg.lstsq(whole, rest.vector, rcond=1e-10)[0]
-    left = rest.vector - whole @ step
-    share = 1.0 - float(left @ left) / rest.size
-    error = -float(step[-1])
-    if share < _EXPLAINS or abs(error) < _SLIGHT:
-        return None
-    text = (
-        f"a speed that is {100.0 * error:+.2g} % from the stated one would explain {100.0 * share:.0f} % of what is "
-        'left: measure it, or find it with the values, nuisances = {"speed" = "5 %"}; the '
-        "fitted values make up for it as far as they can"
-    )
-    return share, Finding(SPEED, "warning", text, error)

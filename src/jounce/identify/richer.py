@@ -29,6 +29,7 @@ ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
 """Velocity in m/s over which friction turns over where the rig does not say."""
 SLIDING_OVER = 5e-4
 """Travel in m over which a presliding force builds up."""
+_MIDDLE = 0.5  # of the guide's friction: what builds up over travel, as far as anybody knows
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ class Richer:
         self._shares: dict[int, str] = {}
         self._added: dict[int, str] = {}
         self._factors: dict[int, str] = {}
-        self._table = rig.model_dump(by_alias=True, exclude_none=True)
+        self._table: dict[str, Any] = rig.model_dump(by_alias=True, exclude_none=True)
         self._knots: Array | None = None
         self._knotted: tuple[tuple[int, ...], Array] | None = None
         self._curved: dict[str, tuple[int, ...]] = {}
@@ -104,9 +105,10 @@ class Richer:
         for i, path in self._shares.items():
             p[path] = p[path] * (1.0 + self.nuisances[i].deviation * xi[i])
         for i, path in self._added.items():
-            p[path] = p.get(path, 0.0) + self.nuisances[i].deviation * xi[i]
+            p[path] = p.get(path, self.nuisances[i].mean) + self.nuisances[i].deviation * xi[i]
         for i, path in self._factors.items():
-            p[path] = p.get(path, ONSET_VELOCITY) * math.exp(self.nuisances[i].deviation * xi[i])
+            usual = SLIDING_OVER if path.endswith("distance") else ONSET_VELOCITY
+            p[path] = p.get(path, usual) * math.exp(self.nuisances[i].deviation * xi[i])
         return p
 
     def numbers(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
@@ -248,6 +250,20 @@ class Richer:
                 i = self._add(f"{path}.regularisation_velocity", "friction_onset", deviation, unit="ln")
                 if i is not None:
                     self._factors[i] = f"{path}.regularisation_velocity"
+            if path.startswith("guide") and f"{path}.force" in self.free:
+                self._presliding(path, table)
+
+    def _presliding(self, path: str, table: dict[str, Any]) -> None:
+        """Let a share of the guide's friction build up over travel, and doubt share and distance."""
+        i = self._add(f"{path}.presliding", "guide_presliding", self.doubt.guide_presliding, mean=_MIDDLE)
+        if i is None:
+            return
+        self._added[i] = f"{path}.presliding"
+        self.values |= {f"{path}.presliding": _MIDDLE, f"{path}.presliding_distance": SLIDING_OVER}
+        table |= {"presliding": _MIDDLE, "presliding_distance": SLIDING_OVER}
+        j = self._add(f"{path}.presliding_distance", "guide_presliding", _ONSET, unit="ln")
+        if j is not None:
+            self._factors[j] = f"{path}.presliding_distance"
 
     def _friction_places(self) -> dict[str, dict[str, Any]]:
         """Path of each friction to the table that holds it."""

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+import math
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
-from jounce.core.errors import SimulationError
+from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.identify.fit_problem import Free, UpdateProblem
-from jounce.parts import Rig
+from jounce.identify.estimate import Estimate
+from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
+from jounce.parts import Rig, Vehicle
 from jounce.recordings.schema import channel_unit
 from jounce.simulation.compiled import compile_rig
 
@@ -34,6 +36,39 @@ def stated_masses(rig: Rig, free: Sequence[str]) -> dict[str, float]:
     used = compile_rig(rig).facts.parameters
     values = rig.parameters()
     return {path: values[path] for path in used if path.endswith("mass") and path not in free and values[path] > 0.0}
+
+
+def static_load(rig: Rig, numbers: Mapping[str, float]) -> float:
+    """Wheel load (N) at rest of a rig of one wheel: it carries all masses, since guides take no vertical force."""
+    used = compile_rig(rig).facts.parameters
+    return numbers["gravity"] * sum(value for path, value in numbers.items() if path.endswith("mass") and path in used)
+
+
+def loads_held_against_masses(trials: Sequence[FitTrial]) -> list[Finding]:
+    """Name the trials whose measured wheel load at rest is not that of the stated masses; refuse whole vehicles."""
+    findings = []
+    for trial in trials:
+        if trial.wheel_load is None:
+            continue
+        if isinstance(trial.rig, Vehicle):
+            raise FitError(
+                "a wheel load at rest tells the masses of rigs with one wheel",
+                where=trial.name,
+                found=type(trial.rig).__name__,
+                allowed="a quarter car or a corner, or no wheel load",
+            )
+        load = static_load(trial.rig, trial.rig.parameters())
+        more = trial.wheel_load / load - 1.0
+        if abs(more) > _WEIGHED:
+            text = (
+                f"{trial.wheel_load:.4g} N were measured at rest, the stated masses weigh {load:.4g} N "
+                f"({100.0 * more:+.2g} %): correct the masses, the values of this update scale with them"
+            )
+            findings.append(Finding(f"{trial.name}: wheel_load", "warning", text, more))
+    return findings
+
+
+_WEIGHED = 0.02  # of a load: as far as masses of lumped rigs are doubted
 
 
 def preferred_masses(problem: UpdateProblem, scaled: Array, **settings: object) -> list[Finding]:
@@ -84,13 +119,15 @@ def preferred_masses(problem: UpdateProblem, scaled: Array, **settings: object) 
 
 
 def scale_of_masses(
-    free: Sequence[str], channels: Sequence[str], doubt: float, known: Collection[str]
+    free: Sequence[str], channels: Sequence[str], doubt: float, known: Collection[str], *, is_weighed: bool = False
 ) -> list[Finding]:
     """Say that the scale of all rates is that of the stated masses, where no force was measured.
 
     ``doubt`` is how far the masses may be off (1, 95 %), ``known`` the parameters that have a value of their own
-    beforehand.
+    beforehand; ``is_weighed`` tells that the wheel load at rest was measured.
     """
+    if is_weighed:
+        return []
     by_mass = [path for path in free if path.endswith(_BY_MASS)]
     if any(channel_unit(name) == "N" for name in channels) or not by_mass or any(path in known for path in by_mass):
         return []
@@ -105,3 +142,35 @@ def scale_of_masses(
         "by one factor would move alike"
     )
     return [Finding("masses", "note", text, doubt)]
+
+
+def off_together(
+    found: Mapping[str, float], bench: Mapping[str, Estimate], contradicted: Collection[str], angle: float
+) -> list[Finding]:
+    """Say which masses or which strut angle make up for rates that all differ from their bench values by one factor.
+
+    ``found`` are values of the update by path, ``bench`` those of component tests (both SI), ``contradicted`` the paths
+    of which both disagree; ``angle`` is the stated strut angle in rad.
+    """
+    tested = [path for path in found if path in bench and path.endswith(_BY_MASS) and bench[path].value > 0.0]
+    off = [path for path in tested if path in contradicted]
+    rates = [path for path in tested if path.endswith(_RATES)]
+    if len(off) < 2 or not set(rates) <= set(off):
+        return []
+    factors = np.array([found[path] / bench[path].value for path in off])
+    factor = float(np.mean(factors))
+    if factor <= 0.0 or np.ptp(factors) > _ALIKE * abs(factor - 1.0):
+        return []
+    listed = ", ".join(f"{path} {one:.3g}" for path, one in zip(off, factors, strict=True))
+    text = (
+        f"all rates differ from their bench values by nearly one factor ({listed}): masses that are "
+        f"{100.0 * (1.0 / factor - 1.0):+.2g} % from the stated ones would explain it"
+    )
+    cosine = math.sqrt(factor) * math.cos(angle)
+    if all(path.startswith("strut.") for path in off) and cosine < 1.0:
+        text += f", and so would a strut angle of {math.degrees(math.acos(cosine)):.3g} deg"
+    return [Finding("masses", "warning", f"{text}; weigh or measure", factor)]
+
+
+_RATES = (".rate", ".stiffness")
+_ALIKE = 0.5  # of how far a factor is from 1: factors that differ by less are one

@@ -19,9 +19,10 @@ from jounce.identify.doubt import Doubt, doubts_of
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
-from jounce.identify.nuisances import ALIKE, SPEED, Nuisance, Rest, late_share, low_pass_in, nuisances_of, speed_in
+from jounce.identify.nuisances import SPEED, Nuisance, nuisances_of
 from jounce.identify.search import SAME_PLACE, Optimum, Search, check_method, searched
-from jounce.identify.stated_masses import preferred_masses
+from jounce.identify.stated_masses import loads_held_against_masses, preferred_masses
+from jounce.identify.suspects import CLEARLY, suspects
 from jounce.identify.trials_compared import disagreeing, exchanged, unlike
 from jounce.parts import Rig
 from jounce.parts.rig import shown_unit_of, unit_of
@@ -343,6 +344,7 @@ def updated(  # noqa: PLR0913 - as update_model
         )
     bounds = free_parameters(trials[0].rig_without, ranges, where=name)
     trials, datums = with_datums(trials, channels)
+    datums += loads_held_against_masses(trials)
     unknowns = nuisances_of(nuisances or {}, trials, f"{name}: nuisances")
     problem = UpdateProblem(
         trials,
@@ -375,12 +377,12 @@ def updated(  # noqa: PLR0913 - as update_model
     whole = _whole(problem, best.scaled)
     inside = ~np.pad(at_bound, (0, whole.shape[1] - len(at_bound)))
     loud = [channel for channel, parts in left.items() if beyond_noise(parts) is not None]
-    suspects = _suspects(problem, residuals, best.scaled, whole[:, inside], loud)
-    findings += [finding for _, finding in suspects]
+    suspected = suspects(problem, residuals, best.scaled, whole[:, inside], loud)
+    findings += [finding for _, finding in suspected]
     if loud:
         findings += preferred_masses(problem, best.scaled, channels=channels, weights=weights)
     for channel, parts in left.items():
-        if not any(finding.place in (channel, SPEED) or share > _CLEARLY for share, finding in suspects):
+        if not any(finding.place in (channel, SPEED) or share > CLEARLY for share, finding in suspected):
             findings += faults(channel, parts, lag_bound, is_aligned=problem.align)
     inner = np.atleast_1d(whole.any(axis=0))
     inner[: len(at_bound)] &= ~at_bound
@@ -496,41 +498,6 @@ def _of_nuisances(found: Mapping[str, UpdatedParameter]) -> list[Finding]:
             text = f"a low pass of {one.value:.4g} Hz{within}: state it as low_pass of the sensor, if the chain has one"
         findings.append(Finding(name, "warning" if one.at_bound else "note", text, one.value))
     return findings
-
-
-def _suspects(
-    problem: UpdateProblem, residuals: Residuals, scaled: Array, whole: Array, loud: Sequence[str]
-) -> list[tuple[float, Finding]]:
-    """Faults of sensors and trials that explain most of what is left, with their share of it.
-
-    ``loud`` are the channels of which more is left than noise: without one there is nothing to explain.
-    """
-    if not loud:
-        return []
-    readings = dict[str, list[tuple[slice, float, Array, float, bool]]]()
-    both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
-    for (trial, channel), block in zip(both, residuals.blocks, strict=True):
-        if channel.weight > 0.0:
-            read = channel.measured - residuals.vector[block] / channel.weight
-            one = (block, channel.weight, read, trial.rate, channel.datum == "free offset")
-            readings.setdefault(channel.name, []).append(one)
-    rest = Rest(residuals.vector, whole, readings, problem.data_energy)
-    freed = {one.name for one in problem.nuisances}
-    declared = {
-        channel.name for _, channel in both if channel.sensor is not None and channel.sensor.low_pass is not None
-    }
-    found = [low_pass_in(rest, name) for name in loud if name not in declared and f"{name}.low_pass" not in freed]
-    if SPEED not in freed and all(trial.source.trial.speed is not None for trial in problem.trials):
-        found.append(speed_in(rest, problem.speed_slope(scaled)))
-    likely = sorted((one for one in found if one is not None), key=lambda one: -one[0])
-    if likely and not problem.align:
-        late = late_share(rest)
-        likely = [one for one in likely if 1.0 - one[0] < ALIKE * (1.0 - late)]
-    return [one for one in likely if one[0] > likely[0][0] - _AS_LIKELY]
-
-
-_AS_LIKELY = 0.1  # of what is left: a fault that explains less than the best by more is not told
-_CLEARLY = 0.6  # of what is left: a fault that explains so much leaves no question for the other channels
 
 
 _CORRELATED = 0.9

@@ -103,13 +103,13 @@ def test_slopes_of_all_doubts_are_those_of_differences():
     assert {"height", "contact_patch", "presliding", "arms", "sprung.mass", "tyre curvature"} <= set(names)
     for k, name in enumerate(names):
         vectors = []
-        for step in (1e-3, -1e-3):
+        for step in (2e-4, -2e-4):  # small enough that no reversal of the guide comes or goes in between
             moved = _State(here.theta.copy(), here.xi.copy(), here.own, here.lags)
             (moved.theta if k < len(free) else moved.xi)[k if k < len(free) else k - len(free)] += step
             vectors.append([block.residual for block in one.blocks(moved)[0]])
         rough = 0.1 if name in ("height", "contact_patch", "presliding", "arms") or "corner" in name else 1e-3
         for block, after, before in zip(blocks, *vectors, strict=True):
-            slope = (before - after) / 2e-3
+            slope = (before - after) / 4e-4
             error = np.sort(np.abs(slope - block.common[:, k]))[: int(0.98 * len(slope))]  # but for jumps at landings
             assert np.linalg.norm(error) <= rough * max(np.linalg.norm(slope), 1e-3), name
 
@@ -353,7 +353,7 @@ def test_a_doubt_that_leaves_its_prior_is_named():
 
 @pytest.mark.usefixtures("units_kept")
 def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
-    """A gain of one sensor moves no rate over a mass: what it leaves of the record is in the intervals."""
+    """A gain of one sensor moves no rate over a mass, but friction, whose interval (3 %) is narrower than the gain."""
     made = [
         replace(one, measured=one.measured.assign({"sprung.az": 1.08 * one.measured["sprung.az"]}))
         for one in trials({}, noise=0.02)
@@ -361,10 +361,10 @@ def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
     found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(gain=0.002))
     truth = RIG.parameters()
     for path, law in found.discrepancy.parameters.items():
-        assert law.identified
+        assert law.identified == (path != "guide.friction.force")
         assert law.interval[0] <= truth[path] <= law.interval[1]
     (said,) = (finding.message for finding in found.findings if finding.place == "sprung.az gain")
-    assert said.endswith("(doubt.gain); no parameter depends on it")
+    assert said.endswith("(doubt.gain); not identified for it: guide.friction.force")
     strays = {"height": _Stray(-9.0, np.array([0.2, 0.99])), "strut.angle": _Stray(5.0, np.array([0.3, 1.01]))}
     assert [_drawn_by(strays, i) for i in (0, 1)] == ["", "strut.angle"]
 
@@ -448,22 +448,38 @@ def test_masses_that_move_far_and_pairs_that_act_alike_lead():
 # the density of a posterior ---------------------------------------------------------------------------------------
 
 
+def density_of(made, update, doubt):
+    settings = {"doubt": doubt, "lags": update.lags, "align": True, "tolerance": 1e-6}
+    return DoubtDensity(calibrated(made, free_parameters(RIG, FREE), update.values(), **settings))
+
+
 @pytest.fixture(scope="module")
 def density(wrong):
-    made, update = wrong
-    free = free_parameters(RIG, FREE)
-    settings = {"doubt": jn.Doubt(), "lags": update.lags, "align": True, "tolerance": 1e-6}
-    return DoubtDensity(calibrated(made, free, update.values(), **settings))
+    """Of doubts that come to rest: friction of the guide follows its velocity."""
+    return density_of(*wrong, jn.Doubt(guide_presliding=0.0))
+
+
+def along(density):
+    """Log densities at nine places along a line, and by how much each rise is not that of both slopes."""
+    step = density.region.root @ np.array([0.9, -0.2, 0.3, 0.2])
+    found = [density(density.best + share * step) for share in np.linspace(-1.0, 1.0, 9)]
+    rises = np.diff([one[0] for one in found])
+    slopes = np.array([float(one[1] @ step) for one in found])
+    return step, found, slopes, np.abs(rises - 0.125 * (slopes[1:] + slopes[:-1]))
+
+
+@pytest.mark.slow
+def test_a_density_whose_doubts_do_not_come_to_rest_is_off_by_little(wrong):
+    """Friction that builds up over travel: the search ends with doubts that still move, and slopes lag behind."""
+    *_, off = along(density_of(*wrong, jn.Doubt()))
+    assert np.median(off) < 0.1
+    assert np.max(off) < 0.4
 
 
 def test_a_density_is_that_of_the_parameters_alone_and_has_its_own_slopes(density):
     """Whatever was asked before; a rise is that of both slopes, but for the few places where wheels lift off."""
-    step = density.region.root @ np.array([0.9, -0.2, 0.3, 0.2])
-    found = [density(density.best + share * step) for share in np.linspace(-1.0, 1.0, 9)]
+    step, found, slopes, off = along(density)
     assert density(density.best - step)[0] == found[0][0]
-    rises = np.diff([one[0] for one in found])
-    slopes = np.array([float(one[1] @ step) for one in found])
-    off = np.abs(rises - 0.125 * (slopes[1:] + slopes[:-1]))
     assert np.median(off) < 0.01
     assert np.max(off) < 0.2
     assert 0.5 * (slopes[0] - slopes[-1]) == pytest.approx(step @ np.linalg.inv(density.covariance) @ step, rel=0.2)

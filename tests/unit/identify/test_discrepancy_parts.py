@@ -186,7 +186,18 @@ def system(samples: int = 400) -> _System:
             lacking = np.sin(0.02 * np.arange(samples) * (1.0 + trial))
             residual = columns @ [0.5, -0.2, 0.3] + 0.3 * lacking + noise * draw.normal(size=samples)
             rows.append((name, columns, residual, np.array([0, 1, 2 + trial])))
-    return _System(["a", "b"], rows, np.array([0.0, 1.0, 1.0, 1.0]), np.array([0.0, 0.4, 0.1, -0.2]))
+    return _System(["a", "b"], rows, np.array([0.0, 1.0, 1.0, 1.0]), np.array([0.0, 0.4, 0.1, -0.2]), np.zeros((0, 5)))
+
+
+def test_what_was_weighed_counts_beside_the_priors() -> None:
+    """One row says that the sum of both unknowns is 3 with a standard deviation of 1, another is no news."""
+    away, slopes = np.array([0.0, 0.5]), np.array([[1.0, 1.0], [0.0, 0.0]])
+    equations = _System([], [], np.array([0.0, 4.0]), away, np.column_stack([slopes, [3.0, 0.0]]))
+    information, score, square = equations.beforehand()
+    assert information.tolist() == [[1.0, 1.0], [1.0, 5.0]]
+    assert score.tolist() == [3.0, 1.0]
+    assert square == 4.0 * 0.25 + 9.0
+    assert equations.solved().step == pytest.approx([3.5, -0.5])
 
 
 def test_a_step_weighs_noise_and_a_third_of_the_energy_of_the_rest() -> None:
@@ -291,12 +302,10 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
     richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), ridden=Ridden(0.007, 0.0015, 1.0))
     one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)], free=[])
-    one.free = [SimpleNamespace(path="guide.friction.force")]
     assert {each.name: (each.unit, each.mean, each.deviation) for each in _Calibration._inputs(one)} == {
         "height": ("1", 0.0, 0.015),
         "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
         "presliding": ("N", 0.0, 4.0),
-        "guide presliding": ("1", 0.5, 0.3),
         "arms": ("kg", 0.0, pytest.approx(0.2)),
     }
     nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
@@ -351,7 +360,7 @@ def test_a_group_that_would_explain_the_rest_is_named(reach: float, named: str) 
         free=free, nuisances=nuisances, runs=[0], own=[], align=True, names=["a"],
         richer=SimpleNamespace(whitened=lambda: None),
     )  # fmt: skip
-    equations = _System(["a"], rows, np.array([0.0, 1.0]), np.array([0.0, 0.0]))
+    equations = _System(["a"], rows, np.array([0.0, 1.0]), np.array([0.0, 0.0]), np.zeros((0, 3)))
     found = equations.solved()
     state = _State(np.zeros(1), np.zeros(1), np.zeros((1, 0)), np.zeros(1))
     slopes = np.array([[[1.0, 0.02]], [[1.0, 0.0]]])

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.identify.estimate import estimate
+from jounce.identify.stated_masses import loads_held_against_masses, off_together
 
 RIG = jn.load("kart-quarter-car")
 TRUTH = {"strut.spring.rate": 24e3, "strut.damper.coefficient": 135.0, "tyre.stiffness": 142e3}
@@ -120,3 +124,71 @@ def test_a_mass_that_is_added_in_one_trial_stays_as_it_is() -> None:
     assert values == pytest.approx({"sprung.mass": 16.8, **TRUTH}, rel=1e-4)
     turned = jn.update_model(made[::-1], free, weights="normalised")
     assert {path: one.value for path, one in turned.parameters.items()} == pytest.approx(values, rel=1e-4)
+
+
+@cache
+def heavier(share: float, load: bool) -> Any:
+    """An update with doubt on three trials whose masses are larger than stated, weighed or not."""
+    change = {"sprung.mass": share * 16.0, "unsprung.mass": share * 5.0}
+    made = trials(change, others=change)
+    made = [replace(one, wheel_load=share * 21.0 * 9.80665 if load else None) for one in made]
+    return jn.update_model(made, FREE, weights="normalised", doubt=jn.Doubt(), starts=1)
+
+
+def test_a_wheel_load_at_rest_sets_the_scale_of_masses_and_rates() -> None:
+    alone, weighed = heavier(1.05, load=False), heavier(1.05, load=True)
+    for path in ("strut.spring.rate", "tyre.stiffness"):
+        before, after = (found.discrepancy.parameters[path] for found in (alone, weighed))
+        assert before.interval[1] < 1.01 * TRUTH[path], path
+        assert after.interval[0] < TRUTH[path] < after.interval[1], path
+        assert after.half_width < 0.75 * before.half_width, path
+    told = [one for one in weighed.findings if one.place == "trial 1: wheel_load"]
+    assert [round(100.0 * one.value) for one in told] == [5]
+    assert not [one for one in weighed.findings if "set by the stated masses" in one.message]
+
+
+def test_no_rate_is_identified_more_tightly_than_the_mass_it_hangs_on() -> None:
+    found = heavier(1.05, load=False).discrepancy
+    masses = [found.nuisances[f"{body}.mass"] for body in ("sprung", "unsprung")]
+    scale = min(1.96 * one.standard_error for one in masses)
+    for path in FREE:
+        law = found.parameters[path]
+        assert law.half_width / law.value > 0.99 * scale, path
+
+
+def test_a_wheel_load_is_one_of_a_single_wheel() -> None:
+    car = SimpleNamespace(name="trial 1", rig=jn.load("sldemo-half-car"), wheel_load=3000.0)
+    with pytest.raises(jn.FitError, match="one wheel"):
+        loads_held_against_masses([car])
+
+
+BENCH = {path: estimate(value, 0.002 * value, 10.0) for path, value in TRUTH.items()}
+
+
+def said_of(factors: Mapping[str, float], contradicted: tuple[str, ...], angle: float = 0.0) -> list[str]:
+    found = {path: factor * TRUTH[path] for path, factor in factors.items()}
+    return [one.message for one in off_together(found, BENCH, contradicted, angle)]
+
+
+def test_rates_that_are_off_by_one_factor_name_the_masses_or_the_angle() -> None:
+    spring, damper, tyre = FREE
+    (both,) = said_of({spring: 0.92, tyre: 0.93}, (spring, tyre))
+    assert "masses that are +8.1 % from the stated ones" in both
+    assert "strut angle" not in both
+    (strut,) = said_of({spring: 0.92, damper: 0.92}, (spring, damper), np.radians(26.0))
+    assert "strut angle of 30.4 deg" in strut
+    assert np.cos(np.radians(30.4)) ** 2 == pytest.approx(0.92 * np.cos(np.radians(26.0)) ** 2, rel=2e-3)
+    assert said_of({spring: 0.92, tyre: 1.08}, (spring, tyre)) == []
+    assert said_of({spring: 0.92, tyre: 0.99}, (spring, tyre)) == []
+    assert said_of({spring: 0.92, damper: 0.92, tyre: 1.0}, (spring, damper)) == []
+    assert said_of({spring: 0.92}, (spring,)) == []
+
+
+def test_masses_that_are_wrong_are_named_by_bench_values_of_an_update() -> None:
+    change = {"sprung.mass": 1.12 * 16.0, "unsprung.mass": 1.12 * 5.0}
+    made = trials(change, others=change)
+    found = jn.update_model(made, FREE, weights="normalised", doubt=jn.Doubt(), bench=BENCH, starts=1)
+    (message,) = [one.message for one in found.findings if "nearly one factor" in one.message]
+    share = re.search(r"masses that are \+([\d.]+) %", message)
+    assert share is not None
+    assert float(share[1]) == pytest.approx(12.0, abs=0.5)

@@ -1,0 +1,257 @@
+"""What a fit leaves, held against what records and trials may be wrong about: filters, speed, height, reference.
+
+Each suspect is tried as a change of the readings, or as one more unknown, after one step of what was fitted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.identify.fit_problem import Residuals, UpdateProblem
+from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
+from jounce.recordings.sensors import Sensor, filter_signals
+from jounce.recordings.signals import shift_signals
+
+_EXPLAINS = 0.35  # of what is left: what explains so much is told
+ALIKE = 0.8  # of what one fault leaves: where another leaves more than that, they cannot be told apart
+_CORNERS = 12
+_SLIGHT = 0.003  # of the speed: smaller errors do no harm
+_COUPLED = (0.1, 10.0)  # Hz: corners of high passes
+_AHEAD, _AHEAD_STEP = 0.04, 0.005  # s by which a sensor may see the road before or after the wheel does
+_WHOLE = (0.7, 1.3)  # times the road's height: more or less of it is no distance to the road
+_SEEN = 1e-10  # of the largest singular value
+_MATTERS = 1e-4  # of the energy of the records: less is not worth a word
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Weighted residuals of all trials at the optimum, and their derivatives by all that was fitted, a column each.
+
+    ``readings`` are rows, weight, simulated reading, sample rate (Hz) of a channel in each trial, with whether a
+    constant of it is free.
+    """
+
+    vector: Array
+    jacobian: Array
+    readings: Mapping[str, Sequence[tuple[slice, float, Array, float, bool]]]
+    energy: float
+
+    @property
+    def size(self) -> float:
+        """Sum of squares."""
+        return float(self.vector @ self.vector)
+
+    def rate_of(self, channel: str) -> float:
+        """Lowest sample rate of a channel, Hz."""
+        return min(one[3] for one in self.readings[channel])
+
+    def explained_by(self, slope: Array) -> tuple[float, float]:
+        """How much of one more unknown there would be, and the share of what is left that it would explain (1).
+
+        ``slope`` is the derivative of the residuals by it.
+        """
+        if self.size < _MATTERS * self.energy:
+            return 0.0, 0.0
+        beside, left = (one - self._fitted @ (self._fitted.T @ one) for one in (slope, self.vector))
+        length, pull = float(beside @ beside), float(beside @ left)
+        if length <= 0.0:
+            return 0.0, 0.0
+        return -pull / length, 1.0 - (float(left @ left) - pull**2 / length) / self.size
+
+    @cached_property
+    def _fitted(self) -> Array:
+        """Orthonormal directions of the residuals that what was fitted can change."""
+        directions, sizes, _ = np.linalg.svd(self.jacobian, full_matrices=False)
+        return np.asarray(directions[:, sizes > _SEEN * sizes.max(initial=0.0)])
+
+    def after(self, changes: Sequence[tuple[slice, Array, Array]] = ()) -> float:
+        """Sum of squares after one step of what was fitted, with other residuals and derivatives in some rows."""
+        gram, pull, size = self._products
+        gram, pull = gram.copy(), pull.copy()
+        for rows, vector, jacobian in changes:
+            touched = np.flatnonzero(self.jacobian[rows].any(axis=0))
+            old, both = self.jacobian[rows][:, touched], np.ix_(touched, touched)
+            gram[both] += jacobian.T @ jacobian - old.T @ old
+            pull[touched] += jacobian.T @ vector - old.T @ self.vector[rows]
+            size += float(vector @ vector) - float(self.vector[rows] @ self.vector[rows])
+        return size - float(pull @ np.linalg.pinv(gram, rcond=1e-12, hermitian=True) @ pull)
+
+    @cached_property
+    def _products(self) -> tuple[Array, Array, float]:
+        return self.jacobian.T @ self.jacobian, self.jacobian.T @ self.vector, self.size
+
+
+def low_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
+    """The corner (Hz) of a low pass that would explain most of what is left of a channel, better than a delay does."""
+    if rest.size < _MATTERS * rest.energy:
+        return None
+    rate = rest.rate_of(channel)
+    corner, after = _best_corner(rest, channel, "low_pass", np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS))
+    share = 1.0 - after / rest.size
+    late = {delay: _delayed(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
+    delay = min(late, key=lambda one: late[one])
+    if share < _EXPLAINS or late[delay] < ALIKE * after:
+        return None
+    alike = "" if after < ALIKE * late[delay] else f" (a delay of {1e3 * delay:.2g} ms explains about as much)"
+    text = (
+        f"the record looks like the updated model's behind a low pass of about {corner:.3g} Hz, which explains "
+        f"{100.0 * share:.0f} % of what is left{alike}: state low_pass of its sensor, or find it with the values, "
+        f'nuisances = {{"{channel}{LOW_PASS}" = ["{0.5 * corner:.0f} Hz", "{2.0 * corner:.0f} Hz"]}}'
+    )
+    return share, Finding(channel, "warning", text, float(corner))
+
+
+def high_pass_in(rest: Rest, channel: str) -> tuple[float, Finding] | None:
+    """The corner (Hz) of a high pass that would explain most of what is left of a channel."""
+    if rest.size < _MATTERS * rest.energy:
+        return None
+    corner, after = _best_corner(rest, channel, "high_pass", np.geomspace(*_COUPLED, _CORNERS))
+    share = 1.0 - after / rest.size
+    if share < _EXPLAINS:
+        return None
+    text = (
+        f"the record looks like the updated model's behind a high pass of about {corner:.2g} Hz, which explains "
+        f"{100.0 * share:.0f} % of what is left: state high_pass of its sensor (AC coupling, charge amplifier), or set "
+        "the chain to DC"
+    )
+    return share, Finding(channel, "warning", text, float(corner))
+
+
+def _best_corner(rest: Rest, channel: str, kind: str, corners: Array) -> tuple[float, float]:
+    """Corner (Hz) of a filter of this kind that leaves least, and what it leaves."""
+
+    def left(corner: float) -> float:
+        sensor = Sensor.model_validate({kind: float(corner)})
+        return _changed(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
+
+    found = {float(corner): left(corner) for corner in corners}
+    best = min(found, key=lambda one: found[one])
+    near = best * np.geomspace(0.75, 1.33, 7)
+    found |= {float(corner): left(corner) for corner in near if corner < FASTEST * rest.rate_of(channel)}
+    best = min(found, key=lambda one: found[one])
+    return best, found[best]
+
+
+def late_share(rest: Rest) -> float:
+    """Share of what is left that one delay of all records explains: a clock is likelier than what explains no more."""
+    rate = min(one[3] for channel in rest.readings.values() for one in channel)
+
+    def left(samples: float) -> float:
+        return _changed(rest, rest.readings, lambda table, rate_of: shift_signals(table, rate_of, samples / rate))
+
+    coarse = {float(one): left(float(one)) for one in range(-10, 21, 2)}
+    best = min(coarse, key=lambda one: coarse[one])
+    near = [left(best + part) for part in (-1.5, -1.0, -0.5, 0.5, 1.0, 1.5)]
+    return 1.0 - min(coarse[best], *near) / rest.size
+
+
+def _changed(rest: Rest, channels: Iterable[str], change: Any) -> float:
+    """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
+    changes = []
+    for rows, weight, reading, rate, is_free in (one for channel in channels for one in rest.readings[channel]):
+        own = rest.jacobian[rows]
+        both = change(np.column_stack([reading, own[:, own.any(axis=0)]]), rate)
+        moved = weight * (reading - both[:, 0])
+        changes.append((rows, rest.vector[rows] + moved - (moved.mean() if is_free else 0.0), both[:, 1:]))
+    return rest.after(changes)
+
+
+def _delayed(rest: Rest, channel: str, delay: float) -> float:
+    return _changed(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
+
+
+def speed_in(rest: Rest, slope: Array) -> tuple[float, Finding] | None:
+    """The error of the speed that would explain most of what is left; ``slope`` is that by its logarithm."""
+    error, share = rest.explained_by(slope)
+    if share < _EXPLAINS or abs(error) < _SLIGHT:
+        return None
+    text = (
+        f"a speed that is {100.0 * error:+.2g} % from the stated one would explain {100.0 * share:.0f} % of what is "
+        'left: measure it, or find it with the values, nuisances = {"speed" = "5 %"}; the '
+        "fitted values make up for it as far as they can"
+    )
+    return share, Finding(SPEED, "warning", text, error)
+
+
+def road_in(rest: Rest, channel: str, roads: Sequence[tuple[slice, Array]]) -> tuple[float, Finding] | None:
+    """Tell whether a channel counts from the road instead of the ground; ``roads`` are heights (m) in its rows."""
+    best, at = (0.0, 0.0), 0.0
+    rate = rest.rate_of(channel)
+    weights = [one[1] for one in rest.readings[channel]]
+    for ahead in np.arange(-_AHEAD, 1.01 * _AHEAD, _AHEAD_STEP):
+        slope = np.zeros_like(rest.vector)
+        for (rows, height), weight in zip(roads, weights, strict=True):
+            slope[rows] = weight * shift_signals(height[:, None], rate, -ahead)[:, 0]
+        found = rest.explained_by(slope)
+        if found[1] > best[1]:
+            best, at = found, float(ahead)
+    times, share = best
+    if share < _EXPLAINS or not _WHOLE[0] < times < _WHOLE[1]:
+        return None
+    where = "" if abs(at) < _AHEAD_STEP else f" {1e3 * abs(at):.0f} ms {'ahead' if at > 0.0 else 'behind'}"
+    text = (
+        f"the record looks like the distance to the moving road{where} instead of the height above the ground, which "
+        f"explains {100.0 * share:.0f} % of what is left: aim the sensor at the ground beside it, or add the road's "
+        "height to the record"
+    )
+    return share, Finding(channel, "warning", text, times)
+
+
+def suspects(
+    problem: UpdateProblem, residuals: Residuals, scaled: Array, whole: Array, loud: Sequence[str]
+) -> list[tuple[float, Finding]]:
+    """Faults of sensors and trials that explain most of what is left, with their share of it.
+
+    ``loud`` are the channels of which more is left than noise: without one there is nothing to explain.
+    """
+    if not loud:
+        return []
+    readings = dict[str, list[tuple[slice, float, Array, float, bool]]]()
+    both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
+    for (trial, channel), block in zip(both, residuals.blocks, strict=True):
+        if channel.weight > 0.0:
+            read = channel.measured - residuals.vector[block] / channel.weight
+            one = (block, channel.weight, read, trial.rate, channel.datum == "free offset")
+            readings.setdefault(channel.name, []).append(one)
+    rest = Rest(residuals.vector, whole, readings, problem.data_energy)
+    freed = {one.name for one in problem.nuisances}
+    passes = [(channel.name, channel.sensor) for _, channel in both if channel.sensor is not None]
+    low = {name for name, sensor in passes if sensor.low_pass is not None} | {f.removesuffix(LOW_PASS) for f in freed}
+    high = {name for name, sensor in passes if sensor.high_pass is not None}
+    found = [low_pass_in(rest, name) for name in loud if name not in low]
+    found += [high_pass_in(rest, name) for name in loud if name not in high]
+    trials = [trial.source.trial for trial in problem.trials]
+    if SPEED not in freed and all(trial.speed is not None for trial in trials):
+        found.append(speed_in(rest, problem.speed_slope(scaled)))
+    if all(trial.road is not None for trial in trials):
+        found += [road_in(rest, name, _roads(problem, residuals, name)) for name in loud if name.endswith(HEIGHT)]
+    likely = sorted((one for one in found if one is not None), key=lambda one: -one[0])
+    if likely and not problem.align:
+        late = late_share(rest)
+        likely = [one for one in likely if 1.0 - one[0] < ALIKE * (1.0 - late)]
+    return [one for one in likely if one[0] > likely[0][0] - _AS_LIKELY]
+
+
+def _roads(problem: UpdateProblem, residuals: Residuals, channel: str) -> list[tuple[slice, Array]]:
+    """Rows of a channel and the height of the road (m) there, for each trial."""
+    both = [(trial, one) for trial in problem.trials for one in trial.channels]
+    found = []
+    for (trial, one), rows in zip(both, residuals.blocks, strict=True):
+        if one.name == channel:
+            lag = residuals.lags[problem.trials.index(trial)]
+            height = shift_signals(trial.road(one)[:, None], trial.rate, lag)[:, 0]
+            found.append((rows, height - (height.mean() if one.datum == "free offset" else 0.0)))
+    return found
+
+
+HEIGHT = ".z"
+"""Last letters of a channel that counts from the ground."""
+_AS_LIKELY = 0.1  # of what is left: a fault that explains less than the best by more is not told
+CLEARLY = 0.6  # of what is left: a fault that explains so much leaves no question for the other channels
