@@ -1,6 +1,7 @@
 """The same rig with more to it: laws that may bend, friction that may be elsewhere, masses that may be off.
 
-With all of it at zero the richer rig moves as the rig does, so its exact sensitivities say what each would change.
+With all of it at zero the richer rig moves as the rig does, so its exact sensitivities say what each would change. Only
+friction of a guide that is fitted differs: half of it builds up over travel, until the recordings say how much does.
 """
 
 from __future__ import annotations
