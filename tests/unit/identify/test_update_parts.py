@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.core.segments import CIRCLE, Segments
 from jounce.identify import update
 from jounce.identify.datum import QuietStart, _quiet_start, start_findings
-from jounce.identify.discrepancy import _moved, _scaled
+from jounce.identify.discrepancy import _moved
 from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
 from jounce.identify.richer import ONSET_VELOCITY, Richer, Ridden, own_doubt
 from jounce.identify.search import Optimum, Search
@@ -229,8 +230,10 @@ def test_tracks_are_made_higher_and_later(track: str) -> None:
     value, rate = given.evaluate(time)
     assert np.ptp(value) > 1.0
     for factor in (1.0, 1.3):
-        higher = _scaled(given, factor).evaluate(time)
+        higher = given.times(factor).evaluate(time)
         np.testing.assert_allclose(higher, (factor * value, factor * rate), rtol=1e-12, atol=1e-12)
+    circle = Segments(np.array([0.0, 2.0]), np.array([CIRCLE]), np.array([[0.1, 1.5, 0.7, -1.0]]))
+    np.testing.assert_allclose(circle.times(1.3).evaluate(time), 1.3 * np.array(circle.evaluate(time)), rtol=1e-12)
     later = _moved(given, 2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
     np.testing.assert_allclose(later, (value, rate / 1.6), rtol=1e-9, atol=1e-9)
 
@@ -307,6 +310,15 @@ def test_what_is_doubted_is_as_the_doubts_say() -> None:
     if "strut.angle" in used:
         expected["strut.angle"] = ("angle", 0.0, 0.0087)
     assert {one.name: (one.group, one.mean, pytest.approx(one.deviation)) for one in richer.nuisances} == expected
+    rubbing = RIG.with_changes({"guide.friction": {"force": 6.0}})
+    paths = compile_rig(rubbing).facts.parameters
+    guided = Richer(rubbing, ["guide.friction.force"], jn.Doubt(), Ridden(0.007, 0.0015, 1.0), paths)
+    place = "guide.friction.presliding"
+    assert {one.name: (one.unit, one.mean, one.deviation) for one in guided.nuisances if place in one.name} == {
+        place: ("1", 0.5, 0.3),
+        f"{place}_distance": ("ln", 0.0, pytest.approx(np.log(2.0))),
+    }
+    assert guided.numbers(rubbing.parameters(), {}, np.zeros(len(guided.nuisances)))[place] == 0.5
     xi = np.zeros(len(richer.nuisances))
     names = [one.name for one in richer.nuisances]
     for name, became in (
