@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -56,3 +57,30 @@ def test_workbooks_of_recordings(tmp_path, sign: str) -> None:
     assert again.attrs["title"] == f"a{sign}b"
     with pytest.raises(OutputError, match="a name that the file cannot hold"):
         jn.write_recording(recording(f"x{sign}.sprung.az"), tmp_path / "b.xlsx")
+
+
+@pytest.mark.parametrize("suffix", [".nc", ".csv", ".mat", ".mf4", ".parquet", ".xlsx"])
+@pytest.mark.parametrize("text", ["a\0b", "\ud800", ".", "", "\x1b[31m", "a\nb", "x" * 300])
+def test_odd_texts_of_a_recording_are_written_or_refused(tmp_path, suffix, text):
+    """NUL and halves of characters were errors of a library, and dots a folder of HDF5."""
+    for package in {".mf4": ["asammdf"], ".parquet": ["pyarrow"], ".xlsx": ["openpyxl"]}.get(suffix, []):
+        pytest.importorskip(package)
+    time = np.arange(20) * 0.01
+    base = xr.Dataset(
+        {"sprung.az": ("time", np.sin(9.0 * time), {"units": "m/s^2"})}, {"time": ("time", time, {"units": "s"})}
+    )
+    channel, units, long_name, name, value, texts = (base.copy(deep=True) for _ in range(6))
+    units["sprung.az"].attrs["units"] = long_name["sprung.az"].attrs["long_name"] = text
+    name.attrs[text] = "x"
+    value.attrs["rig"] = text
+    texts.attrs["rigs"] = [text, {text: text}]
+    for dataset in (channel.rename({"sprung.az": text}), units, long_name, name, value, texts):
+        file = tmp_path / f"run{suffix}"
+        try:
+            jn.write_recording(dataset, file, force=True)
+        except jn.OutputError:
+            assert not file.exists()
+            continue
+        with suppress(jn.JounceError):  # what is written may be no channel, or no unit of one
+            jn.read_recording(file)
+        file.unlink()

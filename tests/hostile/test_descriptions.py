@@ -63,3 +63,12 @@ def test_the_length_that_is_told_is_that_of_the_value() -> None:
         to_si("x" * 200_000, "N/m")
     assert "xxx... (200002 characters)" in str(caught.value)  # with its quotes
     assert len(str(caught.value)) < 500
+
+
+@pytest.mark.parametrize("mass", ["1e29 kg", "1e20 kg"])
+def test_a_wheel_without_an_equilibrium(tmp_path: Path, capsys: pytest.CaptureFixture[str], mass: str) -> None:
+    """It was an internal error of linear algebra: the search had left the numbers that there are."""
+    text = rig_path("polaris-front").read_text(encoding="utf-8")
+    (tmp_path / "rig.toml").write_text(text.replace('mass = "30.1917839 kg"', f'mass = "{mass}"'), encoding="utf-8")
+    assert main(["modes", str(tmp_path / "rig.toml")]) == 2
+    assert "no static equilibrium was found" in capsys.readouterr().err

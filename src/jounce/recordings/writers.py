@@ -72,13 +72,46 @@ def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
 
 
 def _check_name(name: str, signs: str, instead: str) -> None:
-    """Refuse a name that a format cannot hold: an empty one, or one with some signs or the end of a line."""
-    if not name.strip() or any(sign in name for sign in (*signs, "\n", "\r")):
+    """Refuse a name that a format cannot hold: an empty one, dots, or one with some signs or the end of a line."""
+    if not name.strip(" .") or any(sign in name for sign in (*signs, "\n", "\r")):
         words = " ".join(repr(sign) for sign in signs)
         hint = f"Rename the channel, or write {instead}."
         raise OutputError(
             "a name that the file cannot hold", where="channel", found=name, allowed=f"names without {words}", hint=hint
         )
+
+
+def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
+    """Refuse texts that a file cannot hold, and units with control characters; a library would name neither.
+
+    ``attributes`` of the recording are passed over where a format keeps them as JSON in ASCII.
+    """
+    holders: dict[str, Any] = {"": dataset} if attributes else {}
+    holders |= {str(name): one for name, one in dataset.variables.items()}
+    for name, holder in holders.items():
+        texts = [("channel", name), *((f"{name} attribute".strip(), str(key)) for key in holder.attrs)]
+        texts += [(f"{name}: {key}" if name else str(key), value) for key, value in holder.attrs.items()]
+        for where, value in texts:
+            text = value if isinstance(value, str) else str(_storable_attribute(value))
+            is_wrong = "\0" in text or not _is_unicode(text)
+            is_wrong |= where.endswith(": units") and not text.isprintable()
+            is_wrong |= where.endswith("attribute") and not text
+            if is_wrong:
+                raise OutputError(
+                    f"a {'name' if where == 'channel' else 'text'} that the file cannot hold",
+                    where=where,
+                    found=text,
+                    allowed="Unicode without NUL; names that are not empty, units without control characters",
+                    hint="Change it, or leave it out.",
+                )
+
+
+def _is_unicode(text: str) -> bool:
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # half of a character, as Python reads names of files that are not UTF-8
+        return False
+    return True
 
 
 def _unit(signal: xr.DataArray) -> str:
@@ -237,19 +270,23 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
     return workbook_of(found)
 
 
-def _writer(content: Callable[[xr.Dataset], bytes]) -> Callable[[xr.Dataset, Path], object]:
-    return lambda dataset, file: file.write_bytes(content(dataset))
+def _writer(content: Callable[[xr.Dataset], bytes], *, attributes: bool = True) -> Callable[[xr.Dataset, Path], object]:
+    def write(dataset: xr.Dataset, file: Path) -> None:
+        _check_texts(dataset, attributes=attributes)
+        file.write_bytes(content(dataset))
+
+    return write
 
 
 RECORDING_FILES = Formats(
     "recordings",
     {
         ".nc": _writer(netcdf_of),
-        ".csv": _writer(_csv_of),
+        ".csv": _writer(_csv_of, attributes=False),
         ".mat": _writer(_mat_of),
         ".mf4": _writer(_mdf_of),
         ".parquet": _writer(_parquet_of),
-        ".xlsx": _writer(_xlsx_of),
+        ".xlsx": _writer(_xlsx_of, attributes=False),
     },
 )
 """File formats that recordings are written in."""

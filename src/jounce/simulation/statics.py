@@ -305,6 +305,8 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
     modes, pace = compiled.sides(x, u, p), _SLOWEST
     x = first = _closed(compiled, x, u, p, modes)  # a steered wheel opens the loops of the design pose
     for _ in range(_STRIDES if compiled.facts.projects else _ITERATIONS):
+        if not np.isfinite(x).all():
+            return None
         now = _balance(compiled, x, u, p, modes)
         step = (_solve if compiled.facts.projects else _solve_square)(now.matrix, -now.residual)
         if step is None or _largest(step[:n_v]) > _FAR:
