@@ -570,6 +570,32 @@ def test_what_would_be_read_is_shown_before_it_is_read(workbench):
     assert "Traceback" not in str(answer)
 
 
+def test_results_of_sweeps_are_read_apart(workbench, monkeypatch):
+    """A damaged HDF5 file ends the process that reads it: not the server."""
+    from jounce.variants import shards
+    from jounce.variants.study import run_sweep
+
+    folder, port = workbench
+    (folder / "study.toml").write_text(STUDY.replace("COUNT", "3"))
+    run_sweep(folder / "study.toml", folder / "apart", command="jounce sweep study.toml --out=apart")
+
+    def read_here(_: bytes) -> None:
+        raise AssertionError("read in the server's process")
+
+    monkeypatch.setattr(shards, "_dataset", read_here)
+    status, found = _asked(port, "GET", "/api/sweep?folder=apart")
+    assert (status, found["finished"], len(found["variants"])) == (200, 3, 3)
+    assert _asked(port, "GET", "/api/sweep?folder=..")[0] == 422
+    status, found = _asked(port, "GET", "/api/sweep?folder=nowhere")
+    assert (status, "holds no sweep" in str(found)) == (409, True)
+    shard = next((folder / "apart").rglob("*.nc"))
+    content = b"\x89HDF\r\n\x1a\n" + b"damaged" * 100
+    shard.rename(shard.with_name(f"{shard.name.split('.')[0]}.{shards.checksum(content)}.nc")).write_bytes(content)
+    status, found = _asked(port, "GET", "/api/sweep?folder=apart")
+    assert status == 422
+    assert "apart" in str(found)
+
+
 def test_reports_stand_in_a_place_of_their_own(workbench):
     folder, port = workbench
     (folder / "evil.html").write_text("<script>fetch('/api/project')</script>")

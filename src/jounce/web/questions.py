@@ -29,6 +29,11 @@ def answer(question: Mapping[str, Any]) -> int:
             from jounce.web.rides import overlaid
 
             found = overlaid(question)
+        elif question["kind"] == "swept":
+            from jounce.web.project import Project
+            from jounce.web.studies import swept
+
+            found = swept(Project(question["root"]), question["folder"])
         else:
             found = preview(question)
         sys.stdout.write(to_json(found))

@@ -34,7 +34,7 @@ _STORING = (
     "from jounce.inspection.record import read_record, with_facts\n"
 )
 _WANTED = '{"displacement": "m", "force": "N"}'
-_LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
+LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
 
 
 @dataclass(frozen=True)
@@ -338,7 +338,7 @@ class EvaluateTask(_Task):
             )
         python += "whole = grade_vehicle([one.graded for one in found])\nprint(whole)\n"
         title = f"Inspection of {', '.join(Path(one).name for one in records)}"
-        return Doing(title, words, _REPORT, python, limits=_LIMITS)
+        return Doing(title, words, _REPORT, python, limits=LIMITS)
 
 
 class HistoryTask(_Task):
@@ -470,7 +470,7 @@ class StiffnessTask(_Reading):
             f"branch={self.branch!r}{discard})\n"
             "print(result)\n"
         )
-        return Doing("Stiffness", ["fit", "stiffness", *words], _REPORT, python, limits=_LIMITS)
+        return Doing("Stiffness", ["fit", "stiffness", *words], _REPORT, python, limits=LIMITS)
 
 
 class DecayTask(_Reading):
@@ -501,7 +501,7 @@ class DecayTask(_Reading):
             f'quantity=kinds[height.attrs["units"]]{window}))\n'
             "result = found[0] if len(found) == 1 else combine_decays(found)\nprint(result)\n"
         )
-        return Doing("Free decay", ["fit", "decay", *words], _REPORT, python, limits=_LIMITS)
+        return Doing("Free decay", ["fit", "decay", *words], _REPORT, python, limits=LIMITS)
 
 
 class PreviewTask(_Reading):
@@ -526,7 +526,7 @@ class PreviewTask(_Reading):
             read = f"\ncolumns, findings = jn.read_columns({self.files[0]!r}, {_WANTED}{said})\n"
             read += "print(columns, findings)\n"
         command = command_line(["jounce", "plot", *words, "--figure=record.png"]) if self.form == "recording" else ""
-        return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=_LIMITS,
+        return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=LIMITS,
                      patience=60.0, question=self.model_dump(), command=command)  # fmt: skip
 
 

@@ -17,13 +17,14 @@ from pydantic import BaseModel, ConfigDict
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
+from jounce.variants.shards import read_kept
 from jounce.web.bodies import Route
 from jounce.web.campaigns import Use, entered, overview
 from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project, unusable
 from jounce.web.safety import PROTOCOL
-from jounce.web.studies import swept, write_study
-from jounce.web.tasks import Asked, doing_of
+from jounce.web.studies import write_study
+from jounce.web.tasks import LIMITS, Asked, Doing, doing_of
 from jounce.web.untrusted import content
 
 require("fastapi", "web")  # ruff: isort: split
@@ -173,7 +174,10 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     @router.get("/api/sweep")
     def sweep(folder: str) -> dict[str, Any]:
         """The variants of a sweep that are finished, with their statistics."""
-        return swept(project, folder)
+        read_kept(project.inside(folder))
+        question = {"kind": "swept", "root": str(project.root), "folder": folder}
+        found: dict[str, Any] = jobs.ask(Doing(f"Reading {folder}", [], limits=LIMITS, question=question))["result"]
+        return found
 
     @router.get("/api/campaign")
     def campaign(path: str) -> dict[str, Any]:
