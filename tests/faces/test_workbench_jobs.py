@@ -462,6 +462,27 @@ def test_a_version_and_a_run_are_the_newest_whatever_clocks_say(tmp_path, monkey
     assert [one["path"] for one in kept.history(project)] == [f"runs/run {k}.nc" for k in (3, 2, 1, 0)]
 
 
+def test_a_save_that_failed_leaves_one_version(tmp_path, monkeypatch):
+    from jounce.core import writing
+    from jounce.web import project as module
+
+    project = Project(tmp_path)
+    was = project.write("a.toml", "k = 1\n").digest
+
+    def refuse(file: Path, *_: Any, **__: Any) -> Path:
+        if file == tmp_path / "a.toml":
+            raise OSError(28, "No space left on device")
+        return writing.write_atomically(file, *_, **__)
+
+    for _ in range(2):
+        with monkeypatch.context() as full:
+            full.setattr(module, "write_atomically", refuse)
+            with pytest.raises(OSError, match="No space"):
+                project.write("a.toml", "k = 2\n", was)
+    project.write("a.toml", "k = 2\n", was)
+    assert [project.version(one.name)[1] for one in project.versions("a.toml")] == ["k = 1\n"]
+
+
 def test_two_who_look_at_once_do_not_take_each_other_for_the_one_who_works(tmp_path):
     from jounce.core.locking import hold, is_held
 

@@ -52,12 +52,14 @@ def judge(folder: Path, name: str, part: float, number: signal.Signals | None) -
         except subprocess.TimeoutExpired:
             os.killpg(started.pid, number or signal.SIGKILL)
         try:
-            _, said = started.communicate(timeout=120)
+            answer, said = started.communicate(timeout=120)
         except subprocess.TimeoutExpired:
             os.killpg(started.pid, signal.SIGKILL)
             return "did not end", 0.0
     assert number is not None
     lines = one._lines(said)
+    if started.returncode == 0 and answer and not lines:  # it had answered, and was on its way out
+        return "ended before", 0.0
     wrong = []
     if started.returncode != 128 + number:
         wrong.append(f"exit code {started.returncode}")

@@ -251,3 +251,16 @@ def test_leftovers_that_lie_deep_stay(tmp_path: Path) -> None:
     write_files(tmp_path, {"a.txt": "a"})
     assert (tmp_path / "a.txt").read_text() == "a"
     subprocess.run(["rm", "-rf", str(tmp_path / LEFT)], check=True)
+
+
+def test_a_file_is_written_though_its_temporary_name_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was there, whole, and "cannot be written"."""
+    with monkeypatch.context() as failing:
+
+        def refuse(file: Path, **_: bool) -> None:
+            raise OSError(5, "Input/output error", str(file))
+
+        failing.setattr(Path, "unlink", refuse)
+        write_atomically(tmp_path / "a.txt", "whole")
+    assert (tmp_path / "a.txt").read_text() == "whole"
+    assert len(list(tmp_path.iterdir())) == 2

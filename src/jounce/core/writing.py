@@ -125,7 +125,8 @@ def _put(temporary: Path, file: Path) -> None:
     except OSError:  # a disk without links
         temporary.replace(check_writable(file))
     else:
-        temporary.unlink()
+        with contextlib.suppress(OSError):  # the file is there, whole; the next process takes what is left
+            temporary.unlink()
 
 
 def temporary_beside(file: Path, *, most: int = 0o777) -> Path:

@@ -194,6 +194,9 @@ class Project:
         folder = self._kept(file)
         folder.mkdir(parents=True, exist_ok=True)
         known = _versions(folder)
+        with contextlib.suppress(OSError, ValueError):
+            if known and content(folder / f"{known[-1]}.toml", _LONGEST_READ) == written:
+                return  # a save that failed had come so far
         newest = int(known[-1].partition("-")[0]) if known else 0
         name = f"{max(time.time_ns() // 1_000_000, newest + 1)}-{_digest(written)[:8]}"
         write_atomically(folder / f"{name}.toml", written, force=True)
