@@ -89,7 +89,8 @@ def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
     holders: dict[str, Any] = {"": dataset} if attributes else {}
     holders |= {str(name): one for name, one in dataset.variables.items()}
     for name, holder in holders.items():
-        texts = [("channel", name), *((f"{name} attribute".strip(), str(key)) for key in holder.attrs)]
+        texts: list[tuple[str, Any]] = [("channel", name)]
+        texts += [(f"{name} attribute".strip(), str(key)) for key in holder.attrs]
         texts += [(f"{name}: {key}" if name else str(key), value) for key, value in holder.attrs.items()]
         for where, value in texts:
             text = value if isinstance(value, str) else str(_storable_attribute(value))
