@@ -11,12 +11,14 @@ import numpy as np
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.findings import problem, remark, warning
-from jounce.inspection.signals import WheelSignals, limits_of
+from jounce.inspection.signals import Turns, WheelSignals, limits_of
 
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
-FORCE_UNITS = {0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: ""}
+FORCE_UNITS = {
+    0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: "", 1000.0: ""
+}  # fmt: skip
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
 _RIGID_BAND, _RIGID_SPREAD, _FEWEST_STROKES = (7.0, 24.0), 1.3, 12  # Hz, 1, 1
 _SPRUNG_SPREAD, _COMPRESSED = 1.1, 1.5  # strokes on a spring vary by more, forces compress it by less
@@ -29,6 +31,13 @@ _DROPOUT = 8e-3  # s
 _SLOWEST_SAMPLING = 200.0  # Hz
 _SHORTEST = 2.0  # s
 _SWING = 1.0  # s
+_COARSE = 0.05  # of the static load, of the stroke
+_SLOW_BANDS, _MIDDLE_BAND, _FAST_BAND = ((1.5, 4.0), (4.0, 7.0)), (8.0, 14.0), (20.0, 40.0)  # Hz
+_FEWEST_IN_BAND = 2.0  # turns
+_FALLEN, _RISEN = 0.96, 0.975  # stroke over that of the middle band (1): behind a low pass, behind a high pass
+_EXCITER_BANDS, _EXCITER_OFF = ((1.5, 4.0), (3.0, 8.0)), 0.05  # Hz, 1
+_TURNS_OF_MEAN, _FREQUENCY_OFF = 10, 0.04
+_STILL, _STILL_OF_LOAD = 0.5, 0.03  # standard deviation of a force while its plate moves, over that while it stands; 1
 
 
 def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
@@ -94,6 +103,89 @@ def check_sprung(strokes: Array, frequency: Array, signals: WheelSignals, tester
     return [problem(f"{signals.wheel}.plate.z", "not_sprung", compressed / high, **words)]
 
 
+def check_even_stroke(signals: WheelSignals, turns: Turns) -> list[Finding]:
+    """Look for filters of the record: the stroke of a rigid plate is the same at every frequency."""
+    middle = _amplitude(signals.height, signals.time, turns, _MIDDLE_BAND)
+    if middle is None:
+        return []
+    place, findings = f"{signals.wheel}.plate.z", []
+    fast = _amplitude(signals.height, signals.time, turns, _FAST_BAND)
+    slow = [_amplitude(signals.height, signals.time, turns, band) for band in _SLOW_BANDS]
+    slowest = next((size for size in slow if size is not None), None)  # a high pass leaves the slowest turns too small
+    for code, size, least in (("stroke_falls", fast, _FALLEN), ("stroke_rises", slowest, _RISEN)):
+        if size is not None and size < least * middle:
+            words = {"stroke": 2e3 * size, "middle": 2e3 * middle}
+            findings.append(warning(place, code, size / middle, **words))
+    return findings
+
+
+def check_exciter(
+    exciter: Array, signals: WheelSignals, turns: Turns, span: tuple[float, float], tester: Tester
+) -> list[Finding]:
+    """Compare the exciter's height (n,) in m, by a sprung plate's height and force, with stroke and programme.
+
+    ``span`` (s) is that of the sweep: a plate at rest shows the noise of its force, and no turns.
+    """
+    findings, place = [], f"{signals.wheel}.plate.z"
+    within = slice(*np.searchsorted(signals.time, span))
+    sizes = (_amplitude(exciter[within], signals.time[within], turns, band) for band in _EXCITER_BANDS)
+    shares = [2.0 * size / tester.stroke for size in sizes if size is not None]
+    farthest = max(shares, key=lambda share: abs(share - 1.0), default=1.0)
+    if abs(farthest - 1.0) > _EXCITER_OFF and not tester.plate_damping_coefficient:
+        words = {"stroke": 1e3 * farthest * tester.stroke, "expected": 1e3 * tester.stroke}
+        findings.append(warning(place, "exciter_off", farthest, **words))
+    times = turns.crossing[::2]
+    times = times[(times >= span[0]) & (times <= span[1])]
+    programme = max(tester.programme.start_frequency, tester.programme.end_frequency)
+    fastest = _TURNS_OF_MEAN / float(np.min(times[_TURNS_OF_MEAN:] - times[:-_TURNS_OF_MEAN], initial=np.inf))
+    if fastest > 0.0 and abs(fastest / programme - 1.0) > _FREQUENCY_OFF:
+        words = {"frequency": fastest, "expected": programme}
+        findings.append(warning(place, "frequency_off", fastest / programme, **words))
+    return findings
+
+
+def _amplitude(height: Array | None, time: Array, turns: Turns, band: tuple[float, float]) -> float | None:
+    """Amplitude (m) of a height (n,) in m at the frequency of the turns while that is within a band (Hz), on time (s).
+
+    None where the height is not known, or makes too few turns there.
+    """
+    inside = (time >= turns.crossing[0]) & (time <= turns.crossing[-1])
+    frequency = turns.frequency_at(time[inside])
+    chosen = (frequency >= band[0]) & (frequency < band[1])
+    if height is None or float(frequency[chosen].sum()) * (time[1] - time[0]) < _FEWEST_IN_BAND:
+        return None
+    at = np.flatnonzero(inside)[chosen]
+    angle = turns.angle(time[at])
+    waves = np.stack([np.cos(angle), np.sin(angle), np.ones(at.size)], axis=1)
+    return float(np.hypot(*np.linalg.lstsq(waves, height[at], rcond=None)[0][:2]))
+
+
+def check_resolution(signals: WheelSignals, raw: Array, load: float) -> list[Finding]:
+    """Look for coarse steps of the force (n,) in N beside the static load (N), and of the height beside its stroke."""
+    findings = []
+    for name, code, values, whole in (
+        ("force", "force_coarse", raw, load),
+        ("z", "height_coarse", signals.height, 0.0 if signals.height is None else float(np.ptp(signals.height))),
+    ):
+        step = float(np.diff(np.unique(values)).min(initial=np.inf)) if values is not None else np.inf
+        if np.isfinite(step) and step > _COARSE * whole:
+            shown = 1e3 * step if name == "z" else step
+            findings.append(warning(f"{signals.wheel}.plate.{name}", code, step, step=shown))
+    return findings
+
+
+def check_together(raw: Array, moving: tuple[int, int], load: float, wheel: str) -> list[Finding]:
+    """Tell a force (n,) in N that stands still while its plate moves, and moves while it stands: that of another plate.
+
+    ``moving`` are the first sample of the plate's motion and the one behind the last; the static load is in N.
+    """
+    inside, outside = raw[slice(*moving)], np.concatenate([raw[: moving[0]], raw[moving[1] :]])
+    if outside.size < 0.2 * inside.size or np.std(inside) >= min(_STILL * np.std(outside), _STILL_OF_LOAD * load):
+        return []
+    words = {"moves": float(np.std(outside)), "still": float(np.std(inside))}
+    return [problem(f"{wheel}.plate.force", "force_elsewhere", words["still"] / words["moves"], **words)]
+
+
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:
     """Look for a record that is too short, swapped columns, heights in another unit; ``raw`` is the force in N."""
     length = float(signals.time[-1] - signals.time[0])
@@ -142,6 +234,8 @@ def check_load(signals: WheelSignals, measured: float, tester: Tester | None) ->
         ]
     ratio = measured / load
     words = {"load": load, "measured": measured}
+    if _is_turned(measured, load):
+        return [problem(f"{signals.wheel}.plate.force", "force_sign", ratio, **words)]
     unit = _unit_of(ratio)
     if unit == "":
         return [problem(place, "load_unit", ratio, **words)]
@@ -163,6 +257,11 @@ def _unit_of(ratio: float) -> str | None:
     return FORCE_UNITS[nearest] if abs(ratio / nearest - 1.0) < _NEAR else None
 
 
+def _is_turned(measured: float, load: float) -> bool:
+    """Whether a mean force is a static load (both in N) with the other sign."""
+    return abs(measured / load + 1.0) < _WEIGHT_PROBLEM
+
+
 def _range(place: str, load: float, tester: Tester | None) -> list[Finding]:
     if tester is None:
         return []
@@ -181,8 +280,11 @@ def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float])
         return []
     if max(_off(measured["left"], right), _off(measured["right"], left)) < 0.02:
         return [problem("left, right", "sides_swapped", left_load=left, right_load=right, **measured)]
-    if all(_unit_of(measured[side] / loads[side]) is not None for side in loads):  # type: ignore[operator]
-        return []  # each wheel says of which unit it is
+    if all(
+        _unit_of(measured[side] / load) is not None or _is_turned(measured[side], load)
+        for side, load in (("left", left), ("right", right))
+    ):
+        return []  # each wheel says of which unit or sign it is
     offsets = measured["left"] - left, measured["right"] - right
     if abs(offsets[0] - offsets[1]) < 0.1 * max(abs(value) for value in offsets):
         offset = 0.5 * sum(offsets)

@@ -276,6 +276,8 @@ def _evaluate_wheel(
     load = signals.static_load if signals.static_load is not None else measured
     findings += checks.check_clipping(raw[span[0] : span[1]], load, f"{wheel}.{FORCE}")
     findings += checks.check_dropout(raw[span[0] : span[1]], signals, load)
+    findings += checks.check_together(raw, span, load, wheel)
+    findings += checks.check_resolution(signals, raw, load)
     step = 1.0 / signals.sample_rate
     findings += checks.check_other_plate(wheel, span, other, step, str(facts.get("wheel_order", "")))
     findings += _vehicle_findings(load, task.vehicle_load, wheel)
@@ -312,7 +314,8 @@ def _on_rigid_plate(
     wheel = signals.wheel
     strokes = stroke_by_turn(signals.height, signals.time, sweep.turns)
     if strokes is not None:
-        findings += checks.check_rigid(strokes, sweep.turns.frequency, f"{wheel}.{HEIGHT}")
+        uneven = checks.check_rigid(strokes, sweep.turns.frequency, f"{wheel}.{HEIGHT}")
+        findings += uneven or checks.check_even_stroke(signals, sweep.turns)
     analysis, about = analyse(signals, sweep, load)
     findings += about
     swing = np.nan_to_num(analysis.modelled[:, 5] - load)  # a body that is not damped swings for long

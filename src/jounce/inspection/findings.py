@@ -127,6 +127,26 @@ SENTENCES: dict[str, Sentence] = {
         "Die Platte bewegt sich um {stroke:.4g} mm, der Hub des Prüfstands ist {expected:.4g} mm; zulässig sind "
         "{allowed:.2g} mm Abweichung.",
     ),
+    "stroke_falls": Sentence(
+        "the stroke of the plate falls to {stroke:.3g} mm above 20 Hz, from {middle:.3g} mm at 8 to 14 Hz: is the "
+        "record behind a low pass? Then forces are too small, and adhesion comes out too good; record without it.",
+        "Der Hub der Platte fällt oberhalb von 20 Hz auf {stroke:.3g} mm, von {middle:.3g} mm bei 8 bis 14 Hz: Ist die "
+        "Messung tiefpassgefiltert? Dann sind Kräfte zu klein, die Bodenhaftung zu gut; ohne Filter aufzeichnen.",
+    ),
+    "stroke_rises": Sentence(
+        "the stroke of the plate is only {stroke:.3g} mm at its slowest turns, but {middle:.3g} mm at 8 to 14 Hz: is "
+        "its height behind a high pass (AC coupling)? Then phase angles are wrong; record it with direct coupling.",
+        "Der Hub der Platte ist bei den langsamsten Hüben nur {stroke:.3g} mm, bei 8 bis 14 Hz {middle:.3g} mm: Ist "
+        "ihre Höhe hochpassgefiltert (AC-Kopplung)? Dann sind Phasenwinkel falsch; ohne Hochpass aufzeichnen.",
+    ),
+    "exciter_off": Sentence(
+        "height of the plate and force of its spring would mean an exciter stroke of {stroke:.3g} mm, but the tester's "
+        "is {expected:.3g} mm: check the gain of the height, and stroke and plate spring of the tester; damping ratios "
+        "depend on them.",
+        "Höhe der Platte und Kraft ihrer Feder ergäben einen Hub des Erregers von {stroke:.3g} mm, der des Prüfstands "
+        "ist {expected:.3g} mm: Verstärkung der Höhe sowie Hub und Plattenfeder des Prüfstands prüfen; "
+        "Dämpfungsgrade hängen davon ab.",
+    ),
     "upside_down": Sentence(
         "the plate height has the wrong sign: upwards must be positive.",
         "Die Höhe der Platte hat das falsche Vorzeichen: Aufwärts muss positiv sein.",
@@ -163,6 +183,12 @@ SENTENCES: dict[str, Sentence] = {
         "{unit}; correct the unit in the header.",
         "Der Kopf nennt {load:.0f} N, die Platte trägt im Mittel {measured:.4g} N: Die Kräfte scheinen in {unit} zu "
         "sein; Einheit im Kopf berichtigen.",
+    ),
+    "force_sign": Sentence(
+        "the header gives {load:.0f} N, and the plate carries {measured:.4g} N on average: the force has the wrong "
+        "sign: upwards on the tyre must be positive.",
+        "Der Kopf nennt {load:.0f} N, die Platte trägt im Mittel {measured:.4g} N: Die Kraft hat das falsche "
+        "Vorzeichen: Aufwärts auf den Reifen muss positiv sein.",
     ),
     "load_unit": Sentence(
         "the header gives {load:.0f} N, but the plate carries {measured:.4g} N on average: the static load seems to "
@@ -240,6 +266,24 @@ SENTENCES: dict[str, Sentence] = {
         "Die Kraft bleibt {time:.0f} ms lang genau bei {force:.4g} N, was ein Aufnehmer unter einer bewegten Platte "
         "nie zeigt: Signalausfall, oder es ist die Aufstandskraft selbst (force_cell).",
     ),
+    "force_coarse": Sentence(
+        "the force is recorded in steps of {step:.4g} N, over 5 % of the static load: too coarse for its amplitudes "
+        "and phase angles; choose a smaller range of the force cell or logger.",
+        "Die Kraft ist in Stufen von {step:.4g} N aufgezeichnet, über 5 % der statischen Radlast: zu grob für "
+        "Amplituden und Phasenwinkel; kleineren Messbereich wählen.",
+    ),
+    "height_coarse": Sentence(
+        "the height is recorded in steps of {step:.3g} mm, over 5 % of the stroke: too coarse for phase angles; choose "
+        "a smaller range of the sensor or logger.",
+        "Die Höhe ist in Stufen von {step:.3g} mm aufgezeichnet, über 5 % des Hubs: zu grob für Phasenwinkel; "
+        "kleineren Messbereich wählen.",
+    ),
+    "force_elsewhere": Sentence(
+        "the force moves while the plate stands still ({moves:.0f} N r.m.s.), and hardly while it moves ({still:.0f} N "
+        "r.m.s.): heights or forces of left and right are swapped.",
+        "Die Kraft schwankt, während die Platte steht (Standardabweichung {moves:.0f} N), und kaum, während sie sich "
+        "bewegt ({still:.0f} N): Höhen oder Kräfte von links und rechts sind vertauscht.",
+    ),
     "slips": Sentence(
         "the mean force drifts from the static load by {percent:+.0f} % during the test: the wheel slips or rolls.",
         "Die mittlere Kraft weicht während der Prüfung um {percent:+.0f} % von der statischen Radlast ab: Das Rad "
@@ -281,6 +325,18 @@ SENTENCES: dict[str, Sentence] = {
     "several_sweeps": Sentence(
         "{count} sweeps in one record: evaluate them separately.",
         "{count} Ausläufe in einer Messung: getrennt auswerten.",
+    ),
+    "rows_missing": Sentence(
+        "at {time:.4g} s the plate's turn takes {turn:.0f} ms, between turns of {usual:.0f} ms: rows are missing there "
+        "though the time goes on, or the clock jumped; repeat the test.",
+        "Bei {time:.4g} s dauert der Hub der Platte {turn:.0f} ms, zwischen Hüben von {usual:.0f} ms: Dort fehlen "
+        "Messwerte, obwohl die Zeit weiterläuft, oder die Uhr ist gesprungen; Prüfung wiederholen.",
+    ),
+    "frequency_off": Sentence(
+        "the exciter turns at up to {frequency:.3g} Hz, but {expected:.3g} Hz is the tester's programme: is the clock "
+        "of the record right? Damping ratios depend on it.",
+        "Der Erreger läuft mit bis zu {frequency:.3g} Hz, nach dem Programm des Prüfstands mit {expected:.3g} Hz: "
+        "Stimmt die Zeit der Messung? Dämpfungsgrade hängen davon ab.",
     ),
     "sweep_fast": Sentence(
         "the sweep is too fast: {rate:.2g} Hz/s, where {most:g} Hz/s is allowed; adhesion comes out too high and the "

@@ -501,6 +501,14 @@ _THETA_SENTENCES = {
         "Das Rad schwingt nicht, sein Dämpfungsgrad ist 1 oder mehr: Sitzt der Dämpfer fest, oder ist die Federung "
         "blockiert?",
     ),
+    "channels_apart": Sentence(
+        "the force follows the height as if it came {milliseconds:.2g} ms later or earlier (a filter, the lag of an "
+        "amplifier, channels sampled one after the other, or much dry friction): on a sprung plate damping ratios "
+        "depend on it; give both channels the same filter and clock.",
+        "Die Kraft folgt der Höhe, als käme sie {milliseconds:.2g} ms später oder früher (Filter, Verzug des "
+        "Verstärkers, nacheinander abgetastete Kanäle oder viel trockene Reibung): Auf einer gefederten Platte hängen "
+        "Dämpfungsgrade davon ab; beiden Kanälen gleichen Filter und Takt geben.",
+    ),
     "plate_estimated": Sentence(
         "the tester's {names} are estimated: the damping ratio on the tester depends on them, the graded one on the "
         "road does not.",
@@ -521,6 +529,9 @@ def _theta(test: WheelTest) -> Found:
             found.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
         if theta.road >= 1.0:
             found.findings.append(warning(f"{wheel}.theta", "overdamped", theta.road))
+        if test.analysis is None and (delay := test.fit.delay) != 0.0:
+            words = {"milliseconds": 1e3 * abs(delay)}
+            found.findings.append(warning(f"{wheel}.plate.force", "channels_apart", delay, **words))
     height, strokes, tester = test.signals.height, test.strokes, test.tester
     if test.analysis is not None or tester is None or height is None or strokes is None:
         return found

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from jounce.core.findings import Finding
 from jounce.core.types import Array
+from jounce.inspection.checks import check_exciter
 from jounce.inspection.findings import problem, warning
 from jounce.inspection.signals import (
     FEWEST_TURNS,
@@ -29,6 +30,7 @@ _WAIT, _SLOW_TIME = 1.0, 0.25  # s
 _PASSES = 2
 _RESONANCE, _BELOW_RESONANCE, _LASTING = 7.0, 5.0, 5  # Hz, Hz, turns
 _QUIET_SHARE = 0.12
+_SLOWEST_TURN, _ODD_TURN, _FAST_CHANGE = 5.0, 0.06, 0.3  # Hz, shares by which turns differ: from neighbours, over two
 SWINGS = 0.5
 """Correlation of a plate's spring force with its height, beyond which the plate swings on its spring."""
 _FORCE_TIME = 0.011  # s
@@ -71,7 +73,13 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
         driven = None if exciter is None else find_turns(signals.time, exciter, 0.0, 0.5 * tester.stroke)  # type: ignore[union-attr]
         whole = _whole_sweep(driven or turns)
         swings = spring_against_height(signals, tester) < -SWINGS
-        return whole if swings else _whole_sweep(turns), _sprung_findings(whole, place)
+        findings = _sprung_findings(whole, place)
+        if driven is not None and exciter is not None and tester is not None:
+            swept = driven.top[turns_of_sweep(driven.frequency, driven.top)]
+            if swept.size > 0:
+                span = float(swept.min()), float(swept.max())
+                findings += check_exciter(exciter, signals, driven, span, tester)
+        return whole if swings else _whole_sweep(turns), findings
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
     lowest = float(frequency.min())
@@ -86,6 +94,8 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
         return None, [problem(place, code, lowest, **words)]
     if falls > 1:
         return None, [problem(place, "several_sweeps", float(falls), count=falls)]
+    if missing := _missing_rows(turns, place):
+        return None, missing
     first = int(np.flatnonzero(frequency >= HIGHEST_SHARE * top)[-1])
     last = first + int(np.argmin(frequency[first:]))
     begun = first
@@ -94,6 +104,24 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
     rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
     sweep = Sweep(turns, first, last, slice(begun, first + 1), rate)
     return sweep, _sweep_findings(sweep, tester, place)
+
+
+def _missing_rows(turns: Turns, place: str) -> list[Finding]:
+    """Look for a turn that is longer or shorter than those beside it: the frequency of a heavy drive is smooth.
+
+    A pause of the drive lasts longer than two turns; lost rows make no turn so long.
+    """
+    times = turns.crossing[::2]
+    lengths = np.diff(times)
+    usual = 0.5 * (lengths[:-2] + lengths[2:])
+    share, beside = lengths[1:-1] / usual, lengths[2:] / np.maximum(lengths[:-2], 1e-12)
+    steady = (usual < 1.0 / _SLOWEST_TURN) & (share < 2.0) & (np.abs(beside - 1.0) < _FAST_CHANGE)
+    away = np.where(steady, np.abs(share - 1.0), 0.0)
+    if away.max(initial=0.0) < _ODD_TURN:
+        return []
+    at = int(np.argmax(away))
+    words = {"time": float(times[at + 1]), "turn": 1e3 * float(lengths[at + 1]), "usual": 1e3 * float(usual[at])}
+    return [problem(place, "rows_missing", float(away[at]), **words)]
 
 
 def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:

@@ -213,7 +213,7 @@ def _holding(values: Array, at: str) -> list[Finding]:
     if len(runs) < _FEWEST_HELD:
         return []
     held = int(np.median(runs))
-    if held < CLIPPED_RUN or np.mean(runs == held) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
+    if held < 2 or np.mean(runs == held) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
         return []
     text = (
         f"each value is held for {held} samples: the channel was recorded at 1/{held} of the rate, and comes some "

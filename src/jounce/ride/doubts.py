@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
 
 from jounce.core.findings import Finding
-from jounce.core.types import Array
+from jounce.core.types import Array, Complex
 
 _BODY, _WHEEL = ("sprung", "body", "chassis"), ("unsprung", "wheel")
 _SHORTEST = 10.0  # s: spectra of shorter records say little
@@ -18,6 +18,9 @@ _TRAVELS = {_BODY: (0.7, 0.06), _WHEEL: (4.0, 0.025)}
 """Frequency (Hz) above which a motion is that of the suspension or tyre, and r.m.s. of it (m) that no vehicle has."""
 _STEPS = 0.02  # share of a signal's power that steps of its resolution may add
 _EXCHANGED = 2.0
+_RESPONSE, _FEWEST_LINES, _COHERENT = (0.7, 30.0), 20, 0.9  # Hz, lines of a spectrum, median coherence (1)
+_FAR, _CLOSE, _BETTER = 0.2, 0.12, 0.5
+"""What spring and damper alone leave of a response (1), what they leave behind a filter, and its share of that."""
 
 
 def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
@@ -34,7 +37,8 @@ def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]
     ------
     Finding
         A warning for motions larger than suspension and tyre allow (m/s^2 called g), empty bands (filters), coarse
-        steps, and a body that is shaken more than the wheel below it (exchanged channels).
+        steps, a body that is shaken more than the wheel below it (exchanged channels), and one that follows its wheel
+        as no spring and damper let it, but as they do behind a filter.
 
     Examples
     --------
@@ -55,7 +59,17 @@ def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]
             yield from _travel(name, frequency, density, kind)
             if kind is _BODY:
                 yield from _empty_bands(name, frequency, density)
-    yield from _exchanged(accelerations)
+    for wheel, body in _pairs(accelerations):
+        yield from _exchanged(wheel, body, accelerations)
+        yield from _filtered(wheel, body, accelerations, rate)
+
+
+def _pairs(names: Iterable[str]) -> Iterator[tuple[str, str]]:
+    """Channels of a wheel, each with that of the body above it."""
+    for name in names:
+        body = name.replace("unsprung.", "sprung.").replace("wheel.", "sprung.")
+        if body != name and body in names:
+            yield name, body
 
 
 def _spectrum(moved: Array, rate: float) -> tuple[Array, Array]:
@@ -107,11 +121,76 @@ def _empty_bands(name: str, frequency: Array, density: Array) -> Iterator[Findin
         yield Finding(name, "warning", text, level[1.0] - level[0.5])
 
 
-def _exchanged(accelerations: Mapping[str, Array]) -> Iterator[Finding]:
-    for name, values in accelerations.items():
-        body = name.replace("unsprung.", "sprung.").replace("wheel.", "sprung.")
-        if body != name and body in accelerations:
-            ratio = float(accelerations[body].std()) / max(float(values.std()), 1e-300)
-            if ratio > _EXCHANGED:
-                text = f"it is shaken {ratio:.3g} times as much as {name}: were the two exchanged?"
-                yield Finding(body, "warning", text, ratio)
+def _exchanged(wheel: str, body: str, accelerations: Mapping[str, Array]) -> Iterator[Finding]:
+    ratio = float(accelerations[body].std()) / max(float(accelerations[wheel].std()), 1e-300)
+    if ratio > _EXCHANGED:
+        text = f"it is shaken {ratio:.3g} times as much as {wheel}: were the two exchanged?"
+        yield Finding(body, "warning", text, ratio)
+
+
+def _filtered(wheel: str, body: str, accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
+    """Tell a filter of one channel by the way in which a body follows its wheel: through a spring and a damper."""
+    given, answer = accelerations[wheel], accelerations[body]
+    if given.size < _SHORTEST * rate * (1.0 - 1e-9) or min(np.ptp(given), np.ptp(answer)) == 0.0:
+        return
+    frequency, transfer, coherence = _transfer(given, answer, rate)
+    if frequency.size < _FEWEST_LINES or float(np.median(coherence)) < _COHERENT:
+        return
+    plain, _ = _fitted(frequency, transfer, coherence)
+    for what in _FILTERS:
+        left, corner = _fitted(frequency, transfer, coherence, what)
+        if plain > _FAR and left < min(_CLOSE, _BETTER * plain):
+            text = (
+                f"it follows {wheel} as behind a {what} pass of some {corner:.2g} Hz, which leaves "
+                f"{100.0 * left:.2g} % of its response unexplained where spring and damper alone leave "
+                f"{100.0 * plain:.2g} %: record both channels without a filter, or with the same"
+            )
+            yield Finding(body, "warning", text, corner)
+            return
+
+
+def _transfer(given: Array, answer: Array, rate: float) -> tuple[Array, Complex, Array]:
+    """Frequencies (n,) in Hz, response (n,) of one signal to another (1) and their coherence (n,) (1)."""
+    from scipy import signal
+
+    length = min(round(4.0 * rate), given.size)
+    frequency, cross = signal.csd(given, answer, rate, nperseg=length, detrend="linear")
+    _, power = signal.welch(given, rate, nperseg=length, detrend="linear")
+    _, answered = signal.welch(answer, rate, nperseg=length, detrend="linear")
+    chosen = (frequency >= _RESPONSE[0]) & (frequency <= min(_RESPONSE[1], 0.4 * rate))
+    cross, power, answered = cross[chosen], power[chosen], answered[chosen]
+    return frequency[chosen], cross / power, np.abs(cross) ** 2 / (power * answered)
+
+
+_FILTERS: dict[str, tuple[Callable[[Complex], Complex], float]] = {
+    "low": (lambda s: 1.0 / (1.0 + s), 10.0),
+    "second-order low": (lambda s: 1.0 / (1.0 + np.sqrt(2.0) * s + s**2), 10.0),
+    "high": (lambda s: s / (1.0 + s), 1.0),
+}
+"""Response of each kind of filter (1) at s over its corner, and a corner to start from (Hz)."""
+
+
+def _fitted(frequency: Array, transfer: Complex, coherence: Array, what: str = "") -> tuple[float, float]:
+    """Fit a body on spring and damper, behind one of the filters or none, to a response (n,) at frequencies (n,) in Hz.
+
+    Gives what is left of the response, as the r.m.s. logarithm of the ratio (1), and the corner in Hz.
+    """
+    from scipy.optimize import least_squares
+
+    s = 2j * np.pi * frequency
+    weight = coherence / np.sqrt(float(coherence @ coherence))
+
+    def gap(logs: Array) -> Array:
+        strut = np.exp(2.0 * logs[0]) + np.exp(logs[1]) * s
+        model = strut / (s**2 + strut)
+        if what:
+            model = model * _FILTERS[what][0](1j * frequency * np.exp(-logs[2]))
+        ratio = np.log(model / transfer) * weight
+        return np.concatenate([ratio.real, ratio.imag])
+
+    low, high = [-5.0, -5.0, np.log(0.01)], [10.0, 10.0, np.log(1e3)]
+    count, corner = (3, np.log(_FILTERS[what][1])) if what else (2, 0.0)
+    starts = ([np.log(2.0 * np.pi * own), np.log(np.pi * own), corner][:count] for own in (1.2, 5.0))
+    fits = (least_squares(gap, one, bounds=(low[:count], high[:count]), max_nfev=60) for one in starts)
+    best = min(fits, key=lambda one: float(one.cost))
+    return float(np.sqrt(2.0 * best.cost)), float(np.exp(best.x[2])) if what else 0.0
