@@ -24,7 +24,7 @@ version = release = jounce.__version__
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcontrib.bibtex"]
 exclude_patterns = ["_build", "_generated"]
-myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath", "substitution"]
 myst_heading_anchors = 3
 nb_execution_mode = "cache"  # tutorials are notebooks: they are run where their cells or jounce have changed
 nb_execution_in_temp = True
@@ -84,6 +84,13 @@ make_reference.write()
 import identification_variants  # noqa: E402
 
 identification_variants.write_table(make_faces.TABLES)
+import make_records  # noqa: E402
+
+make_records.write(make_faces.TABLES)
+import make_prototype  # noqa: E402
+
+make_prototype.write(make_faces.TABLES)
+myst_substitutions = make_prototype.numbers()
 import make_evidence  # noqa: E402
 
 make_evidence.write()
