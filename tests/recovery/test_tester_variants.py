@@ -112,6 +112,12 @@ def test_a_cause_has_its_finding(codes_of, tester, car, spoil, code):
     assert code in codes_of(one.record("", ""))
 
 
+def test_a_force_in_very_coarse_steps_ends_nothing(codes_of):
+    one = axle(THETA, "hatchback")  # its exciter seems to turn where no sample is
+    one.f = {side: steps_of(values, 1000.0) for side, values in one.f.items()}
+    assert {"force_coarse", "load_contradicts"} & codes_of(one.record("", ""))
+
+
 @pytest.mark.parametrize("tester", [EGEA, THETA])
 def test_a_sound_record_has_no_finding(codes_of, tester):
     for car in foreign_testers.CARS:

@@ -149,10 +149,12 @@ def _amplitude(height: Array | None, time: Array, turns: Turns, band: tuple[floa
 
     None where the height is not known, or makes too few turns there.
     """
+    if height is None or time.size < 2:  # a span outside the record has no turns
+        return None
     inside = (time >= turns.crossing[0]) & (time <= turns.crossing[-1])
     frequency = turns.frequency_at(time[inside])
     chosen = (frequency >= band[0]) & (frequency < band[1])
-    if height is None or float(frequency[chosen].sum()) * (time[1] - time[0]) < _FEWEST_IN_BAND:
+    if float(frequency[chosen].sum()) * (time[1] - time[0]) < _FEWEST_IN_BAND:
         return None
     at = np.flatnonzero(inside)[chosen]
     angle = turns.angle(time[at])
