@@ -55,7 +55,7 @@ def test_an_answer_that_does_not_fit_is_told(words: list[str]) -> None:
     with Path("/dev/full").open("wb") as full:
         ran = subprocess.run([*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert ran.returncode == 2
-    hint = "Check the path, the permissions and the disk space."
+    hint = "Check the path, the permissions and the space on the disk."
     assert ran.stderr == f"jounce: standard output: {os.strerror(errno.ENOSPC)}. {hint}\n"
 
 

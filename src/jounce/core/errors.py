@@ -151,7 +151,7 @@ def resource_error(error: BaseException, where: str = "") -> ResourceError:
         return error
     what, hint = _lacking(error) or _MEMORY
     if what == _DISK[0]:
-        return DiskError(what, where=where, found=getattr(error, "strerror", None), hint=hint)
+        return DiskError(getattr(error, "strerror", None) or what, where=where, hint=hint)
     return ResourceError(what, where=where, found=str(error) if what == _LIBRARY[0] else None, hint=hint)
 
 
