@@ -23,7 +23,7 @@ from jounce.core.writing import lasting_folder
 _PIPE = re.compile(r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))")
 _OUTPUTS = {"--out", "--figure", "--report", "--store", "--animation"}
 """Options whose files are written: a pipe there is refused, not read."""
-_PATIENCE = 30.0  # s until somebody writes into a pipe that has a name
+_PATIENCE = 3.0  # s until somebody writes into a pipe that has a name
 _LARGEST = 1_000_000_000  # bytes
 _SHARE = 1 << 20
 _BEGINS = {
