@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import threading
+import time
 from importlib import resources
 from pathlib import Path
 
@@ -120,6 +121,24 @@ def test_a_pipe_into_which_nobody_writes_keeps_nobody_waiting(tmp_path, monkeypa
     os.mkfifo(tmp_path / "rig.toml")
     assert main(["modes", str(tmp_path / "rig.toml")]) == 2
     assert "nobody writes into this pipe" in capsys.readouterr().err
+
+
+def test_who_has_opened_a_pipe_may_take_any_time_to_write(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(pipes, "_PATIENCE", 0.1)
+    pipe = tmp_path / "rig.toml"
+    os.mkfifo(pipe)
+
+    def write():
+        with pipe.open("wb") as stream:
+            time.sleep(0.5)
+            stream.write(RIG[:20])
+            stream.flush()
+            stream.write(RIG[20:])
+
+    thread = threading.Thread(target=write)
+    thread.start()
+    assert main(["modes", str(pipe)]) == 0, capsys.readouterr().err
+    thread.join()
 
 
 @pytest.mark.parametrize("target", [t for t in targets() if t[1] != "FOLDER"], ids=" ".join)

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import os
 import re
-import select
 import shutil
 import stat
+import time
 import tomllib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -23,7 +23,7 @@ from jounce.core.writing import lasting_folder
 _PIPE = re.compile(r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))")
 _OUTPUTS = {"--out", "--figure", "--report", "--store", "--animation"}
 """Options whose files are written: a pipe there is refused, not read."""
-_PATIENCE = 3.0  # s until somebody writes into a pipe that has a name
+_PATIENCE, _PAUSE = 3.0, 0.01  # s until somebody opens a pipe that has a name for writing; between two looks
 _LARGEST = 1_000_000_000  # bytes
 _SHARE = 1 << 20
 _BEGINS = {
@@ -77,17 +77,33 @@ def _copy_named(pipe: str, folder: Path) -> Path:
     """Read what somebody writes into a pipe that has a name; give the file that holds it."""
     handle = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     try:
-        poll = select.poll()
-        poll.register(handle, select.POLLIN)
-        if not poll.poll(1e3 * _PATIENCE):
-            waited, hint = f"nothing within {_PATIENCE:g} s", "Start what writes into it first."
-            raise DescriptionError("nobody writes into this pipe", where=pipe, found=waited, hint=hint)
+        begin = _wait_for_writer(handle, pipe)
         os.set_blocking(handle, True)
         own = folder / str(len(os.listdir(folder)))  # noqa: PTH208 - two pipes may have one name
         own.mkdir()
-        return _copy(handle, own, Path(pipe).name)
+        return _copy(handle, own, Path(pipe).name, begin)
     finally:
         os.close(handle)
+
+
+def _wait_for_writer(handle: int, pipe: str) -> bytes:
+    """Wait until somebody has opened a pipe for writing; give what was written until then.
+
+    Raises
+    ------
+    DescriptionError
+        Where nobody does. Who has opened it may take any time to write.
+    """
+    end = time.monotonic() + _PATIENCE
+    while time.monotonic() < end:
+        try:
+            if begin := os.read(handle, _SHARE):
+                return begin
+        except BlockingIOError:  # it is open for writing, and empty
+            return b""
+        time.sleep(_PAUSE)
+    waited, hint = f"nobody within {_PATIENCE:g} s", "Start what writes into it first."
+    raise DescriptionError("nobody writes into this pipe", where=pipe, found=waited, hint=hint)
 
 
 def _number(match: re.Match[str]) -> int:
@@ -106,12 +122,13 @@ def _is_readable(number: int) -> bool:
     return not writes and (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode) or stat.S_ISREG(mode))
 
 
-def _copy(number: int, folder: Path, name: str = "") -> Path:
-    """Read what is open under a number to its end; give the file that holds it."""
+def _copy(number: int, folder: Path, name: str = "", begin: bytes = b"") -> Path:
+    """Read what is open under a number to its end; give the file that holds it, after what was read before."""
     name = name or ("stdin" if number == 0 else f"pipe-{number}")
     file, size = folder / name, 0
     try:
         with os.fdopen(os.dup(number), "rb") as source, file.open("wb") as target:
+            target.write(begin)
             while share := source.read(_SHARE):
                 size += len(share)
                 if size > _LARGEST:
