@@ -290,6 +290,7 @@ def test_a_format_is_one_function(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 @pytest.mark.skipif(not hasattr(signal, "SIGXCPU"), reason="limits of POSIX")
 def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
     child = object.__new__(isolated._Child)
+    child.is_ready = True
     for code, says in ((signal.SIGXCPU, "does not end"), (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)")):
         child.process = SimpleNamespace(wait=lambda code=code: -code)
         assert re.search(says, str(child._fate(Path("a.csv"), 9.0, late=False)))

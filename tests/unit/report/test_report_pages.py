@@ -124,7 +124,7 @@ def test_a_front_has_its_units_ends_and_texts_that_are_no_markup(tmp_path: Path)
     assert beside.rows[0][2:] == ("1.100", "0.2000", "15.00", "strut.damper.coefficient: 700.0 N·s/m")
     assert [row[1] for row in every.rows] == ["1.000", "2.000", "∞"]
     assert every.rows[1][2] == "–"
-    assert page.subtitle == "Pareto front on a road, G_d = 1e-6 m³"
+    assert page.subtitle == f"Pareto front, {HOSTILE} to tyre.force, on a road, G_d = 1e-6 m³"
     text = REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
     assert "<img" not in text
     assert "some designs are not optimal" in text
