@@ -1,4 +1,4 @@
-"""Files that may not grow (ulimit -f), as on a full disk: one message, exit code 2, nothing half-written, nothing lost."""
+"""Files that may not grow (ulimit -f), as on a full disk: one message, exit code 2, nothing half-written or lost."""
 
 from __future__ import annotations
 
