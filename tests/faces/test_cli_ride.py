@@ -209,3 +209,14 @@ def test_a_measured_record_gives_metrics_and_what_is_doubtful_of_it(cli, tmp_pat
     refused = cli("ride-metrics", "lap.csv", "--columns", "sprung.az=Acc")
     assert refused.exit_code == 2
     assert "no column 'Acc'" in refused.err
+
+
+def test_a_text_without_a_header_takes_its_names_in_order(cli, tmp_path):
+    rows = "".join(f"{k / 500} {0.5 * (-1) ** (k // 50)}\n" for k in range(2000))
+    (tmp_path / "plain.txt").write_text(rows, encoding="utf-8")
+    done = cli("ride-metrics", "plain.txt", "--columns", "time [s], seat.az [m/s^2]", "--json")
+    assert done.exit_code == 0, done.err
+    assert done.json["metrics"]
+    refused = cli("ride-metrics", "plain.txt", "--columns", "seat.az")
+    assert refused.exit_code == 2
+    assert "not NAME=VALUE" in refused.err

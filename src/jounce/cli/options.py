@@ -112,12 +112,17 @@ def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
     return pairs(split, "--columns", 'force="F [kN]"') or None
 
 
+def _names_in_order(texts: Sequence[str] | None) -> str | None:
+    """All names of a text without a header, as one text: ``time [s], force [N]``; None where columns are mapped."""
+    return texts[0] if texts and len(texts) == 1 and "=" not in texts[0] and "[" in texts[0] else None
+
+
 def reading(
     columns_: Sequence[str] | None, sample_time: str | None, variable: str, resample: str | None, database: Path | None
 ) -> dict[str, Any]:
     """Arguments of ``read_recording`` from the options that all commands that read recordings have."""
     return {
-        "columns": columns(columns_),
+        "columns": _names_in_order(columns_) or columns(columns_),
         "sample_time": optional_positive(sample_time, "s", "--sample-time", most=STEP),
         "variable": variable,
         "resample": optional_positive(resample, "s", "--resample", most=STEP),
