@@ -44,7 +44,8 @@ def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
     """Give a command line with the names of files in the place of pipes that are open for reading."""
     found = [match if match and _is_readable(_number(match)) else None for match in map(_PIPE.fullmatch, words)]
     pipes = [
-        None if before in _OUTPUTS else _named_pipe(word) for before, word in zip(["", *words], words, strict=False)
+        None if before in _OUTPUTS or _PIPE.fullmatch(word) else _named_pipe(word)
+        for before, word in zip(["", *words], words, strict=False)
     ]
     if not any(found) and not any(pipes):
         yield list(words)
