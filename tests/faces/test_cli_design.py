@@ -103,6 +103,8 @@ def test_pareto(cli):
     [
         (("springs", "kart-quarter-car", "--frequency", "1.2 m", "--damping-ratio", "0.3"), "wrong unit"),
         (("springs", "kart-quarter-car", "--frequency", "1.2 Hz", "--damping-ratio", "-0.3"), "at least 0"),
+        (("springs", "kart-quarter-car", "--frequency", "", "--damping-ratio", "0.3"), "--frequency"),
+        (("springs", "kart-quarter-car", "--frequency", "1e-300", "--damping-ratio", "0.3"), "no spring is so soft"),
         (("springs", "kart-double-wishbone", "--frequency", "1.2 Hz", "--damping-ratio", "0.3"), "lumped_from"),
         (("springs", "kart-quarter-car", "--frequency", "4", "--damping-ratio", "0.3", "--out", "a.json"), ".toml"),
         ((*QUARTER[1:], "--free", DAMPER, "--objective", "sprung.az", *ON_C), "not NAME=VALUE"),

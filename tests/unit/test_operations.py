@@ -76,3 +76,9 @@ def test_options_that_make_one_value_need_no_second():
 )
 def test_ends_of_ranges(text, pair):
     assert ends(text) == pair
+
+
+def test_a_required_value_that_is_empty_is_refused_by_its_option():
+    given = {"vehicle": "kart-quarter-car", "frequency": "", "damping_ratio": "0.3"}
+    with pytest.raises(DescriptionError, match="--frequency: "):
+        Request(operations()["design springs"], given).read()

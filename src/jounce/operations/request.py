@@ -31,8 +31,8 @@ class Request:
         """Give each parameter that has a value, with the value as it was given, or the default."""
         for parameter in self.operation.parameters:
             value = self.given.get(parameter.option)
-            value = parameter.default if value in _NOTHING else value
-            if value not in _NOTHING:
+            value = parameter.default if value in _NOTHING and not parameter.is_required else value
+            if value not in _NOTHING or parameter.is_required:
                 yield parameter, value
 
     def read(self) -> Values:

@@ -241,6 +241,9 @@ class SpringAndDamper(Shown):
     static_load: float
 
 
+_SOFTEST = 1e-9  # N/m: a softer spring sags farther than numbers reach
+
+
 def spring_and_damper(
     sprung_mass: float | str,
     frequency: float | str,
@@ -289,6 +292,8 @@ def spring_and_damper(
     ratio = positive_si(motion_ratio, "1", where="motion_ratio")
     stiffness = None if tyre_stiffness is None else positive_si(tyre_stiffness, "N/m", where="tyre_stiffness")
     ride = mass * (2.0 * math.pi * wanted) ** 2
+    if ride < _SOFTEST:
+        raise DescriptionError("no spring is so soft", where="frequency", found=f"{wanted:g} Hz", allowed="about 1 Hz")
     rate = ride
     if stiffness is not None:
         if ride >= stiffness:
