@@ -135,7 +135,7 @@ class Files:
 
     def check(self) -> None:
         """Refuse files that could not be written."""
-        check_outputs(**dict(self.asked.items()), force=self.force)
+        check_outputs(**self.asked, force=self.force)
 
     def write(
         self, result: Any, page: Callable[[], Page], title: str, comment: str

@@ -26,7 +26,7 @@ from jounce.cli.options import (
 )
 from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError
-from jounce.core.typed import ends, pairs, positive_quantity, quantity
+from jounce.core.typed import positive_quantity, quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -114,8 +114,9 @@ def optimise(
     if not free or not objective:
         missing_ = "--free" if not free else "--objective"
         raise DescriptionError("nothing is given", where=missing_, hint="Or give a study file that says it.")
-    bounds = {path: ends(text) or text for path, text in pairs(free, "--free", 'front.spring_rate="±30 %"').items()}
-    limits = {name: ends(text) or text for name, text in pairs(limit, "--limit", 'strut.deflection="20 mm"').items()}
+    from jounce.design.options import FREE, LIMITS
+
+    bounds, limits = FREE.read(free, "--free"), LIMITS.read(limit, "--limit")
     weights = _weights(objective)
     wanted = changes(set_)
     with progress() as say:
@@ -202,7 +203,9 @@ def _driven(rig: Rig, road: str, speed: str, duration: str | None, band: str | N
     """Road and speed of a stationary response, or the trial to simulate."""
     velocity = positive_quantity(speed, "m/s", "--speed")
     if duration is None:
-        return {"road": road, "speed": velocity, "band": _band(band)}
+        from jounce.design.options import ROAD_BAND
+
+        return {"road": road, "speed": velocity, "band": None if band is None else ROAD_BAND.read(band, "--band")}
     if band is not None:
         raise DescriptionError("a simulated road is not limited to a band", where="--band", hint="Leave out the band.")
     from jounce.ride.study import iso_trial, road_trial
@@ -432,17 +435,6 @@ def _wanted_text(target: TargetResult, factor: float) -> str:
         low, high = (None if end is None else f"{end * factor:.5g}" for end in target.wanted)
         return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} … {high}"
     return "0 from it" if target.has_curve else f"{target.wanted * factor:.5g}"
-
-
-def _band(text: str | None) -> Any:
-    if text is None or text == "iso":
-        return text
-    pair = ends(text)
-    if pair is None:
-        raise DescriptionError(
-            "not a band of spatial frequencies", where="--band", found=text, allowed="iso, LOW..HIGH"
-        )
-    return tuple(quantity(str(end), "1/m", "--band") for end in pair)
 
 
 def _weights(texts: list[str]) -> dict[str, float]:
