@@ -18,6 +18,7 @@
 #   make check-viewer  is the committed bundle what its sources make? (skipped without node and npm)
 #   make validation  what tests find against sources outside of jounce, written for the page that says it
 #   make faces     write stubs and JSON schemas from the registries
+#   make figures   print how large, dense and plain the code is; PACKAGE=ride for one package
 #   make pins      compile requirements/*.txt again (needs uv)
 #   make audit     known vulnerabilities of what is pinned; where no service can be reached, those of a list
 #
@@ -42,7 +43,7 @@ PINS := runtime build test lint docs bench mutants machines audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-faults test-all test-machines axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens
+.PHONY: help setup loops demo quick test test-pages test-faults test-all test-machines axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens figures
 .DELETE_ON_ERROR:
 
 help:
@@ -138,6 +139,9 @@ faces: $(VENV)/.loops
 
 validation: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python -m pytest -m "source and not no_source and not slow" --evidence
+
+figures:
+	$(PYTHON) tests/house/figures.py $(PACKAGE)
 
 screens: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python docs/make_screens.py
