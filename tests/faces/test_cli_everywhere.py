@@ -9,12 +9,14 @@ import webbrowser
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 import jounce as jn
 from jounce.cli import main
 from jounce.cli.entry import _command
 from jounce.cli.everywhere import VIEW, open_pages, word_of
 from jounce.cli.reply import Elapsed, _in_chosen_units, console, show_findings, table
+from jounce.cli.tables import FittedTable
 from jounce.core.display import chosen_units, shown_in
 from jounce.core.findings import Finding
 
@@ -194,16 +196,36 @@ def test_every_number_of_a_table_follows_its_unit() -> None:
     assert "spring N/mm" in text(("spring N/mm",), (1.0,))
 
 
+def printed(rows: list[tuple[str, float]], width: int = 100) -> list[str]:
+    """Lines of a table as it is printed, without empty ones."""
+    out = Console(file=io.StringIO(), width=width)
+    out.print(table("Rates", ("name", "spring rate N/m"), rows))
+    return [line.strip() for line in out.file.getvalue().splitlines() if line.strip()]
+
+
 def test_a_terminal_gets_the_first_rows_and_all_on_demand(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = [(f"row {i}", float(i)) for i in range(40)]
-    assert table("", ("a", "b"), rows).row_count == 40  # piped
+    above = 3  # title, header, line
+    assert len(printed(rows)) == above + 40  # piped
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True, raising=False)
-    cut = table("", ("a", "b"), rows)
-    assert cut.row_count == 20
-    assert cut.caption == "… and 20 more rows: --all"
-    assert table("", ("a", "b"), rows[:25]).caption is None
+    cut = printed(rows)
+    assert len(cut) == above + 21
+    assert cut[-1] == "… and 20 more rows: --all"
+    assert len(printed(rows[:25])) == above + 25
     monkeypatch.setattr(VIEW, "every_row", True)
-    assert table("", ("a", "b"), rows).row_count == 40
+    assert len(printed(rows)) == above + 40
+
+
+def test_a_narrow_table_breaks_no_number() -> None:
+    header = ("hardpoint of the lower arm", *(f"quantity number {k}" for k in range(6)))
+    rows = [["hardpoints.lower_ball_joint[2]", *(f"{1234.5678 + k:.4f}" for k in range(6))]]
+    for width in (40, 60, 80, 200):
+        out = Console(file=io.StringIO(), width=width)
+        out.print(FittedTable("Arm", header, rows))
+        text = out.file.getvalue()
+        assert max(map(len, text.splitlines())) <= width
+        assert all(cell in text for cell in rows[0][1:])
+        assert (text.count("hardpoints.") == 1) == (width == 200)  # each part names the row
 
 
 def test_a_page_is_opened_and_a_missing_one_said(

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO, cast
 from unicodedata import category
 
-from jounce.cli.everywhere import VIEW
+from jounce.cli.tables import FittedTable
 from jounce.core.display import chosen_units, shown_as
 from jounce.core.errors import JounceError
 from jounce.core.findings import DrawingError
@@ -26,7 +26,6 @@ from jounce.core.text import visible
 
 if TYPE_CHECKING:
     from rich.console import Console
-    from rich.table import Table
     from rich.text import Text
 
     from jounce.core.findings import Finding, Severity
@@ -339,32 +338,16 @@ ROUNDING = 1e-12  # SI values of this size are what is left of zero
 SEVERITY_STYLES = {"note": "dim", "warning": "yellow", "problem": "bold red"}
 
 
-def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int] = (0,)) -> Table:
+def table(
+    title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int] = (0,)
+) -> FittedTable:
     """Build a table; columns are numbers and stand to the right but those listed in ``text``.
 
     Its units are those of the values given, in a column ``unit`` or at the end of a column's name; where others are
     chosen, values and units are converted here. A terminal gets the first rows of long tables, but with ``--all``.
     """
-    return _built(title, *_in_chosen_units(columns, rows), text=text)
-
-
-_LONG, _FIRST = 25, 20  # rows: longer tables are cut, to so many
-
-
-def _built(title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int]) -> Table:
-    from rich import box
-    from rich.table import Table
-
-    built = Table(title=title or None, title_justify="left", title_style="bold", box=box.SIMPLE_HEAD, pad_edge=False)
-    rows = list(rows)
-    if len(rows) > _LONG and not VIEW.every_row and sys.stdout.isatty():
-        built.caption, built.caption_justify = f"… and {len(rows) - _FIRST} more rows: --all", "left"
-        rows = rows[:_FIRST]
-    for index, column in enumerate(columns):
-        built.add_column(column, justify="left" if index in text else "right", overflow="fold")
-    for row in rows:
-        built.add_row(*(cell(item) for item in row))
-    return built
+    names, cells = _in_chosen_units(columns, rows)
+    return FittedTable(title, names, [[cell(item) for item in row] for row in cells], text)
 
 
 _AT_END = re.compile(
@@ -435,7 +418,7 @@ def number(value: float) -> str:
     return f"{value:.0f}" if 1e5 <= abs(value) < 1e7 else f"{value:.5g}"
 
 
-def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> Table:
+def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> FittedTable:
     """Table of estimates: name, estimate and unit in each row."""
     cells: list[tuple[object, ...]] = []
     for name, found, unit in rows:
@@ -444,7 +427,8 @@ def estimates(title: str, rows: Iterable[tuple[str, Estimate | None, str]]) -> T
         value, error = (None if size is None else size * other.factor for size in (value, error))
         between = ends and " … ".join(number(end * other.factor) for end in ends)
         cells.append((name, value, error, between, other.name))
-    return _built(title, ("quantity", "value", "standard error", "95 % interval", "unit"), cells, text=(0, 4))
+    written = [[cell(item) for item in row] for row in cells]
+    return FittedTable(title, ("quantity", "value", "standard error", "95 % interval", "unit"), written, (0, 4))
 
 
 def show_written(out: Console, plain: Mapping[str, Any]) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from jounce.cli.reply import show_findings, table
+from jounce.cli.reply import show_findings
+from jounce.cli.tables import FittedTable
 from jounce.report.page import Bullets, Cell, Facts, Findings, Paragraph, Subsection, Table, alignments
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ def _show_blocks(out: Console, blocks: Sequence[Block]) -> None:
         if isinstance(block, Table):
             rows = [[_text(cell) for cell in row] for row in block.rows]
             texts = [k for k, side in enumerate(alignments(block)) if side == "left"]
-            out.print(table(block.caption, block.header, rows, text=texts))
+            out.print(FittedTable(block.caption, block.header, rows, texts))
             if block.note:
                 out.print(block.note)
         elif isinstance(block, Facts):
