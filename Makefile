@@ -43,7 +43,7 @@ PINS := runtime build test lint docs bench mutants machines audit
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header \
            --no-emit-index-url --no-emit-find-links --no-emit-package yattag  # it has no wheel, and only draws what we do not
 
-.PHONY: help setup loops demo quick test test-pages test-faults test-all test-machines axe bench-web lint check-style check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens figures
+.PHONY: help setup loops demo quick test test-pages test-faults test-all test-machines axe bench-web lint check-style check-typescript check-imports format bench docs check-docs links mutants faces pins audit clean viewer check-viewer validation screens figures
 .DELETE_ON_ERROR:
 
 help:
@@ -83,12 +83,19 @@ test-machines: $(VENV)/.test $(VENV)/.loops $(VENV)/.machines
 axe:
 	@command -v npm >/dev/null && $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json || echo "Without node and npm: axe looks at no page"
 
-lint: check-style check-imports
+lint: check-style check-imports check-typescript
 	$(BIN)/mypy
 
 check-style: $(VENV)/.lint
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
+
+# TypeScript is checked where node is; without it, .ci/run says so and goes on.
+check-typescript:
+	@if ! command -v npm >/dev/null; then echo "TypeScript is not checked: npm is missing"; \
+	elif ! $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json; then \
+	  echo "TypeScript is not checked: its packages could not be fetched"; \
+	else cd viewer && npm run --silent types && npm run --silent lint; fi
 
 check-imports: $(VENV)/.lint
 	$(BIN)/lint-imports --no-logo
@@ -96,6 +103,7 @@ check-imports: $(VENV)/.lint
 format: $(VENV)/.lint
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
+	@if [ -d viewer/node_modules ]; then cd viewer && npm run --silent format; fi
 
 bench-web: $(VENV)/.test $(VENV)/.loops
 	$(BIN)/python benchmarks/workbench.py
@@ -127,7 +135,7 @@ check-viewer:
 	  echo "The bundle of the viewer is not checked: node or npm is missing"; \
 	elif ! $(MAKE) --no-print-directory viewer/node_modules/.package-lock.json; then \
 	  echo "The bundle of the viewer is not checked: its packages could not be fetched"; \
-	else cd viewer && npm run --silent types && \
+	else cd viewer && \
 	  made=$$(mktemp -d) && node build.mjs "$$made" && diff -rq "$$made/viewer" ../src/jounce/report/viewer && \
 	  diff -rq "$$made/static" ../src/jounce/web/static && rm -r "$$made"; fi
 
