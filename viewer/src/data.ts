@@ -39,7 +39,14 @@ export interface Model {
   stage: boolean; // the mechanism is what it is about
   slower: number | null; // than in reality, at first
 }
-export interface Part { name: string; words: string; colour: string; plate: boolean; coil: boolean; points: number[] }
+export interface Part {
+  name: string;
+  words: string;
+  colour: string;
+  plate: boolean;
+  coil: boolean;
+  points: number[];
+}
 export interface Mechanism {
   side: number;
   travel: number[]; // mm, or what else the poses are counted by, times 1000; ascending
@@ -51,14 +58,37 @@ export interface Mechanism {
   contact: ArrayLike<number>[]; // pose, xyz in mm
   parts: Part[];
   brackets: [number, number, number, number, string][];
-  strut: { spring: [number, number] | null; damper: [number, number] | null; radius: number; tube: number; coils: number; colour: string };
+  strut: {
+    spring: [number, number] | null;
+    damper: [number, number] | null;
+    radius: number;
+    tube: number;
+    coils: number;
+    colour: string;
+  };
   axis: [number, number] | null;
   wheel: { centre: number; radius: number; width: number };
 }
-interface Packed { n: number; at: number; order: number; low: number; step: number; even?: [number, number] }
-interface Content { viewers: Model[]; mechanisms: Mechanism[]; arrays: Packed[]; packed: string }
+interface Packed {
+  n: number;
+  at: number;
+  order: number;
+  low: number;
+  step: number;
+  even?: [number, number];
+}
+interface Content {
+  viewers: Model[];
+  mechanisms: Mechanism[];
+  arrays: Packed[];
+  packed: string;
+}
 /** Of an answer: the places of a mechanism are indices of arrays. */
-interface Straight { points: number[]; spin: number; contact: number }
+interface Straight {
+  points: number[];
+  spin: number;
+  contact: number;
+}
 
 export type Numbers = Float64Array | (number | null)[];
 
@@ -66,7 +96,10 @@ export type Numbers = Float64Array | (number | null)[];
 export class Store {
   private readonly made: (Numbers | undefined)[] = [];
   private straight: ((index: number) => Float64Array) | null = null;
-  private constructor(readonly content: Content, private readonly bytes: Uint8Array) {}
+  private constructor(
+    readonly content: Content,
+    private readonly bytes: Uint8Array,
+  ) {}
 
   static async open(text: string): Promise<Store> {
     const content = JSON.parse(text) as Content;
@@ -80,10 +113,14 @@ export class Store {
 
   /** An answer of the workbench's server: the length of its plain part, that, and all numbers. */
   static of(buffer: ArrayBuffer): Store {
-    const length = new DataView(buffer).getUint32(0, true), start = 4 + length;
-    const content = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Content;
+    const length = new DataView(buffer).getUint32(0, true),
+      start = 4 + length;
+    const content = JSON.parse(
+      new TextDecoder().decode(new Uint8Array(buffer, 4, length)),
+    ) as Content;
     const store = new Store(content, new Uint8Array(0));
-    store.straight = (index) => new Float64Array(buffer, start + content.arrays[index]!.at, content.arrays[index]!.n);
+    store.straight = (index) =>
+      new Float64Array(buffer, start + content.arrays[index]!.at, content.arrays[index]!.n);
     const rows = (index: number) => {
       const flat = store.straight!(index);
       return Array.from({ length: flat.length / 3 }, (_, i) => flat.subarray(3 * i, 3 * i + 3));
@@ -104,19 +141,30 @@ export class Store {
   /** Of an array as it is: what is rounding beside its range, and on no screen. */
   private finest(index: number): number {
     const values = this.get(index);
-    let low = Infinity, high = -Infinity;
-    for (let i = 0; i < values.length; i++) { const one = values[i]; if (one !== null && one !== undefined) { if (one < low) low = one; if (one > high) high = one; } }
+    let low = Infinity,
+      high = -Infinity;
+    for (let i = 0; i < values.length; i++) {
+      const one = values[i];
+      if (one !== null && one !== undefined) {
+        if (one < low) low = one;
+        if (one > high) high = one;
+      }
+    }
     return high > low ? (high - low) * 1e-7 : 0;
   }
 
   get(index: number): Numbers {
-    return (this.made[index] ??= this.straight ? withGaps(this.straight(index)) : unpack(this.content.arrays[index]!, this.bytes));
+    return (this.made[index] ??= this.straight
+      ? withGaps(this.straight(index))
+      : unpack(this.content.arrays[index]!, this.bytes));
   }
 }
 
 /** What is not known is nothing, for those who draw. */
 function withGaps(found: Float64Array): Numbers {
-  return found.some(Number.isNaN) ? Array.from(found, (one) => (Number.isNaN(one) ? null : one)) : found;
+  return found.some(Number.isNaN)
+    ? Array.from(found, (one) => (Number.isNaN(one) ? null : one))
+    : found;
 }
 
 const GAP = 65535;
@@ -125,14 +173,19 @@ function unpack(packed: Packed, bytes: Uint8Array): Numbers {
   const { n, at, order, low, step, even } = packed;
   if (even) return Float64Array.from({ length: n }, (_, i) => even[0] + i * even[1]);
   const found = new Float64Array(n);
-  let value = 0, slope = 0, gaps = false;
+  let value = 0,
+    slope = 0,
+    gaps = false;
   for (let i = 0; i < n; i++) {
     const folded = bytes[at + i]! | (bytes[at + n + i]! << 8);
     if (order === 0) value = folded;
     else {
       const difference = (folded >>> 1) ^ -(folded & 1);
       if (order === 1) value = (value + difference) & 65535;
-      else { slope = (slope + difference) & 65535; value = (value + slope) & 65535; }
+      else {
+        slope = (slope + difference) & 65535;
+        value = (value + slope) & 65535;
+      }
     }
     if (value === GAP) gaps = true;
     found[i] = value === GAP ? NaN : low + step * value;
@@ -144,8 +197,12 @@ function unpack(packed: Packed, bytes: Uint8Array): Numbers {
 export function at(x: Numbers, y: Numbers, place: number): number {
   const n = x.length;
   if (n === 0) return NaN;
-  const k = before(x, place), next = Math.min(k + 1, n - 1);
-  const a = x[k] as number, b = x[next] as number, u = y[k], v = y[next];
+  const k = before(x, place),
+    next = Math.min(k + 1, n - 1);
+  const a = x[k] as number,
+    b = x[next] as number,
+    u = y[k],
+    v = y[next];
   if (u === null || v === null || u === undefined || v === undefined) return NaN;
   const share = b > a ? Math.min(1, Math.max(0, (place - a) / (b - a))) : 0;
   return u + share * (v - u);
@@ -153,10 +210,12 @@ export function at(x: Numbers, y: Numbers, place: number): number {
 
 /** Index of the last sample that is not behind `place`. */
 export function before(x: ArrayLike<number | null>, place: number): number {
-  let low = 0, high = x.length - 1;
+  let low = 0,
+    high = x.length - 1;
   while (high > low) {
     const middle = (low + high + 1) >> 1;
-    if ((x[middle] as number) <= place) low = middle; else high = middle - 1;
+    if ((x[middle] as number) <= place) low = middle;
+    else high = middle - 1;
   }
   return low;
 }

@@ -45,8 +45,9 @@ async function start(): Promise<void> {
       });
       links();
     } catch (error) {
-      places.forEach((place) => place.replaceChildren(make("p", { class: "bad" },
-        say("failed", String(error)))));
+      places.forEach((place) =>
+        place.replaceChildren(make("p", { class: "bad" }, say("failed", String(error)))),
+      );
     }
   }
   document.documentElement.dataset.ready = "";

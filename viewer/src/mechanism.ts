@@ -6,17 +6,33 @@ import { across, add, along, Camera, dot, minus, Picture, type Point, unit } fro
 import { say, tr } from "./words";
 
 /** `roll` in rad, the left side up positive, about the middle of the car at the height of the road at design. */
-export interface Moment { body: number; travel: number; ground: number; load: number; time: number; roll?: number }
+export interface Moment {
+  body: number;
+  travel: number;
+  ground: number;
+  load: number;
+  time: number;
+  roll?: number;
+}
 
 /** What a corner turns about at each pose, mm: (y, z) in front view, (x, z) beside, the roll centre (y, z). */
-export interface Centres { front: ([number, number] | null)[]; side: ([number, number] | null)[]; roll: ([number, number] | null)[] }
+export interface Centres {
+  front: ([number, number] | null)[];
+  side: ([number, number] | null)[];
+  roll: ([number, number] | null)[];
+}
 
 const NEAR = 16; // px to a point that is meant
 const SMALL = matchMedia("(max-width: 40rem)");
 const LINE = 13; // px from one name to the next
 type View = "space" | "front" | "side" | "top";
 /** Azimuth and elevation of the viewer of a left corner. */
-const VIEWS: Record<View, [number, number]> = { space: [0.64, 0.38], front: [0, 0], side: [Math.PI / 2, 0], top: [Math.PI, Math.PI / 2] };
+const VIEWS: Record<View, [number, number]> = {
+  space: [0.64, 0.38],
+  front: [0, 0],
+  side: [Math.PI / 2, 0],
+  top: [Math.PI, Math.PI / 2],
+};
 const MARKS: Record<keyof Centres, string> = { front: "other-1", side: "other-3", roll: "accent" };
 
 export class MechanismView {
@@ -56,26 +72,48 @@ export class MechanismView {
     const views = make("div", { class: "group", role: "group", "aria-label": say("view") });
     for (const name of Object.keys(VIEWS) as View[])
       views.append(make("button", { type: "button", click: () => this.look(name) }, say(name)));
-    const wheel = toggle(say("wheel"), true, (on) => { this.hasWheel = on; this.stale(); });
-    const paths = toggle(say("paths"), large, (on) => { this.hasPaths = on; this.stale(); });
+    const wheel = toggle(say("wheel"), true, (on) => {
+      this.hasWheel = on;
+      this.stale();
+    });
+    const paths = toggle(say("paths"), large, (on) => {
+      this.hasPaths = on;
+      this.stale();
+    });
     const isNamed = large && !SMALL.matches;
-    const words = toggle(say("names"), isNamed, (on) => { this.names.hidden = !on; this.stale(); });
+    const words = toggle(say("names"), isNamed, (on) => {
+      this.names.hidden = !on;
+      this.stale();
+    });
     this.names.hidden = !isNamed;
     this.hasPaths = large;
     this.stage = make("div", { class: "stage" }, this.canvas, this.names, this.state);
-    this.element.append(make("div", { class: "bar" }, views, make("div", { class: "group" }, wheel, paths, words)), this.stage);
+    this.element.append(
+      make("div", { class: "bar" }, views, make("div", { class: "group" }, wheel, paths, words)),
+      this.stage,
+    );
     if (large) this.element.append(this.legend);
     this.canvas.addEventListener("dblclick", () => this.look("space"));
     this.canvas.addEventListener("contextmenu", (event) => event.preventDefault()); // its button moves the picture
-    this.canvas.addEventListener("wheel", (event) => {
-      if (document.activeElement !== this.canvas) return; // until it is clicked on, the page scrolls over it
-      event.preventDefault();
-      this.enlarge(0.95 ** (Math.sign(event.deltaY) || 0));
-    }, { passive: false });
+    this.canvas.addEventListener(
+      "wheel",
+      (event) => {
+        if (document.activeElement !== this.canvas) return; // until it is clicked on, the page scrolls over it
+        event.preventDefault();
+        this.enlarge(0.95 ** (Math.sign(event.deltaY) || 0));
+      },
+      { passive: false },
+    );
     this.turned();
     this.stage.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
     new ResizeObserver(() => this.resize()).observe(this.stage);
-    new IntersectionObserver((entries) => { this.isSeen = entries.some((entry) => entry.isIntersecting); if (this.isDirty) this.stale(); }, { rootMargin: "300px" }).observe(this.element);
+    new IntersectionObserver(
+      (entries) => {
+        this.isSeen = entries.some((entry) => entry.isIntersecting);
+        if (this.isDirty) this.stale();
+      },
+      { rootMargin: "300px" },
+    ).observe(this.element);
   }
 
   show(mechanism: Mechanism, motion: Motion | null): void {
@@ -93,10 +131,15 @@ export class MechanismView {
     const m = this.shown;
     this.now = moment;
     if (!m) return;
-    const { travel } = moment, grid = m.travel, n = grid.length;
-    const k = Math.min(before(grid, travel), Math.max(n - 2, 0)), next = Math.min(k + 1, n - 1);
+    const { travel } = moment,
+      grid = m.travel,
+      n = grid.length;
+    const k = Math.min(before(grid, travel), Math.max(n - 2, 0)),
+      next = Math.min(k + 1, n - 1);
     const share = next > k ? (travel - grid[k]!) / (grid[next]! - grid[k]!) : 0; // beyond the ends, straight on
-    this.points = m.points.map((poses) => add(along(point(poses[k]!), point(poses[next]!), share), [0, 0, 1], moment.body));
+    this.points = m.points.map((poses) =>
+      add(along(point(poses[k]!), point(poses[next]!), share), [0, 0, 1], moment.body),
+    );
     this.spin = unit(along(point(m.spin[k]!), point(m.spin[next]!), share));
     this.pose = share < 0.5 ? k : next;
     const contact = m.contact[this.pose];
@@ -107,20 +150,26 @@ export class MechanismView {
 
   /** A direction that rolls with the body, in space; `back` from there. */
   private rolled([x, y, z]: Point, back = false): Point {
-    const roll = (back ? -1 : 1) * (this.now.roll ?? 0), c = Math.cos(roll), s = Math.sin(roll);
+    const roll = (back ? -1 : 1) * (this.now.roll ?? 0),
+      c = Math.cos(roll),
+      s = Math.sin(roll);
     return [x, c * y - s * z, s * y + c * z];
   }
 
   /** A place in space of one that rolls with the body. */
   private outside(place: Point): Point {
-    const m = this.shown!, middle: Point = [0, 0, m.contact[before(m.travel, 0)]?.[2] ?? 0];
+    const m = this.shown!,
+      middle: Point = [0, 0, m.contact[before(m.travel, 0)]?.[2] ?? 0];
     return add(middle, this.rolled(minus(place, middle)));
   }
 
   /** Something has changed: the next frame shows it. */
   private stale(): void {
     this.isDirty = true;
-    this.due ||= requestAnimationFrame(() => { this.due = 0; this.draw(); });
+    this.due ||= requestAnimationFrame(() => {
+      this.due = 0;
+      this.draw();
+    });
   }
 
   /** Draws what the corner turns about, or nothing. */
@@ -145,17 +194,32 @@ export class MechanismView {
       fingers.set(event.pointerId, event);
     });
     this.canvas.addEventListener("pointermove", (event) => {
-      const was = fingers.get(event.pointerId), { camera } = this;
+      const was = fingers.get(event.pointerId),
+        { camera } = this;
       if (!was) return;
-      const x = event.clientX - was.clientX, y = event.clientY - was.clientY;
-      const other = [...fingers.values()].find((one) => one !== was), share = other ? 0.5 : 1;
-      const away = (one: PointerEvent) => Math.hypot(one.clientX - other!.clientX, one.clientY - other!.clientY) || 1;
+      const x = event.clientX - was.clientX,
+        y = event.clientY - was.clientY;
+      const other = [...fingers.values()].find((one) => one !== was),
+        share = other ? 0.5 : 1;
+      const away = (one: PointerEvent) =>
+        Math.hypot(one.clientX - other!.clientX, one.clientY - other!.clientY) || 1;
       fingers.set(event.pointerId, event);
       if (other) this.enlarge(away(event) / away(was));
-      if (other || was.button > 0 || event.buttons > 1 || event.shiftKey || event.ctrlKey || event.metaKey)
-        camera.target = add(add(camera.target, camera.right, -share * x / camera.scale), camera.up, share * y / camera.scale);
+      if (
+        other ||
+        was.button > 0 ||
+        event.buttons > 1 ||
+        event.shiftKey ||
+        event.ctrlKey ||
+        event.metaKey
+      )
+        camera.target = add(
+          add(camera.target, camera.right, (-share * x) / camera.scale),
+          camera.up,
+          (share * y) / camera.scale,
+        );
       else {
-        const rate = 2 * Math.PI / Math.max(camera.height, 1);
+        const rate = (2 * Math.PI) / Math.max(camera.height, 1);
         camera.turn(camera.azimuth - rate * x, camera.elevation + rate * y);
       }
       this.stale();
@@ -171,47 +235,69 @@ export class MechanismView {
 
   /** Begins to drag the hardpoint under the pointer, where there is one. */
   private take(event: PointerEvent): void {
-    const m = this.shown, { camera } = this;
+    const m = this.shown,
+      { camera } = this;
     if (!this.grabbed || !m || event.button !== 0 || event.target !== this.canvas) return;
     const box = this.canvas.getBoundingClientRect();
-    let best = NEAR, nearest = -1;
+    let best = NEAR,
+      nearest = -1;
     this.points.forEach((place, i) => {
       if (m.feet.includes(i)) return;
-      const [x, y] = camera.seen(this.outside(place)), away = Math.hypot(box.left + x - event.clientX, box.top + y - event.clientY);
-      if (away < best) { best = away; nearest = i; }
+      const [x, y] = camera.seen(this.outside(place)),
+        away = Math.hypot(box.left + x - event.clientX, box.top + y - event.clientY);
+      if (away < best) {
+        best = away;
+        nearest = i;
+      }
     });
     if (nearest < 0) return;
     event.stopPropagation();
     event.preventDefault();
     this.canvas.focus({ preventScroll: true });
-    const name = m.names[nearest]!, { scale } = camera;
+    const name = m.names[nearest]!,
+      { scale } = camera;
     const [right, up] = [this.rolled(camera.right, true), this.rolled(camera.up, true)]; // hardpoints are those of a body that does not roll
     const moved = (now: PointerEvent): Point => {
-      const x = (now.clientX - event.clientX) / scale, y = -(now.clientY - event.clientY) / scale;
+      const x = (now.clientX - event.clientX) / scale,
+        y = -(now.clientY - event.clientY) / scale;
       if (this.way === "view") return add(add([0, 0, 0], right, x), up, y);
-      const axis = "xyz".indexOf(this.way), a = right[axis]!, b = up[axis]!, size = a * a + b * b;
+      const axis = "xyz".indexOf(this.way),
+        a = right[axis]!,
+        b = up[axis]!,
+        size = a * a + b * b;
       const by: Point = [0, 0, 0];
       if (size > 0.02) by[axis] = (x * a + y * b) / size; // an axis that is looked along cannot be followed
       return by;
     };
     const move = (now: PointerEvent) => this.grabbed?.(name, moved(now), false);
     const end = (now: PointerEvent) => {
-      removeEventListener("pointermove", move); removeEventListener("pointerup", end); removeEventListener("pointercancel", end);
+      removeEventListener("pointermove", move);
+      removeEventListener("pointerup", end);
+      removeEventListener("pointercancel", end);
       this.grabbed?.(name, now.type === "pointerup" ? moved(now) : [0, 0, 0], true);
     };
-    addEventListener("pointermove", move); addEventListener("pointerup", end); addEventListener("pointercancel", end);
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", end);
+    addEventListener("pointercancel", end);
     this.grabbed(name, [0, 0, 0], false);
   }
 
   look(name: View): void {
     if (!this.shown) return;
-    const { centre, radius, width } = this.shown.wheel, hub = this.points[centre]!, size: Point = [radius, width / 2, radius];
+    const { centre, radius, width } = this.shown.wheel,
+      hub = this.points[centre]!,
+      size: Point = [radius, width / 2, radius];
     const all = [...this.points, add(hub, size), minus(hub, size)];
-    const ends = [Math.min, Math.max].map((end) => [0, 1, 2].map((i) => end(...all.map((one) => one[i]!))) as Point) as [Point, Point];
-    const [azimuth, elevation] = VIEWS[name], half = add([0, 0, 0], minus(ends[1], ends[0]), 0.5);
+    const ends = [Math.min, Math.max].map(
+      (end) => [0, 1, 2].map((i) => end(...all.map((one) => one[i]!))) as Point,
+    ) as [Point, Point];
+    const [azimuth, elevation] = VIEWS[name],
+      half = add([0, 0, 0], minus(ends[1], ends[0]), 0.5);
     this.camera.target = along(...ends, 0.5);
     this.camera.turn(name === "top" ? azimuth : azimuth * this.shown.side, elevation);
-    this.reach = [this.camera.right, this.camera.up].map((to) => dot(half, to.map(Math.abs) as Point)) as [number, number]; // of the box around everything
+    this.reach = [this.camera.right, this.camera.up].map((to) =>
+      dot(half, to.map(Math.abs) as Point),
+    ) as [number, number]; // of the box around everything
     this.zoom = 1;
     this.frame();
   }
@@ -222,8 +308,9 @@ export class MechanismView {
   }
 
   private frame(): void {
-    const { width: w, height: h } = this.camera, [wide, tall] = this.reach;
-    this.camera.scale = this.zoom * Math.min(w / wide, h / tall) / 2.3;
+    const { width: w, height: h } = this.camera,
+      [wide, tall] = this.reach;
+    this.camera.scale = (this.zoom * Math.min(w / wide, h / tall)) / 2.3;
     this.stale();
   }
 
@@ -239,12 +326,21 @@ export class MechanismView {
   private list(m: Mechanism): void {
     this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
     this.wide = [];
-    this.names.replaceChildren(...(this.labels = this.named.map((i) => make("span", {}, tr(m.names[i]!.replaceAll("_", " "))))));
-    this.legend.replaceChildren(...[...m.parts, ...(m.strut.spring ? [{ words: say("strut"), colour: m.strut.colour }] : [])].map((part) => {
-      const swatch = make("i", { class: "swatch" });
-      swatch.style.background = tint(part.colour);
-      return make("li", {}, swatch, tr(part.words));
-    }));
+    this.names.replaceChildren(
+      ...(this.labels = this.named.map((i) =>
+        make("span", {}, tr(m.names[i]!.replaceAll("_", " "))),
+      )),
+    );
+    this.legend.replaceChildren(
+      ...[
+        ...m.parts,
+        ...(m.strut.spring ? [{ words: say("strut"), colour: m.strut.colour }] : []),
+      ].map((part) => {
+        const swatch = make("i", { class: "swatch" });
+        swatch.style.background = tint(part.colour);
+        return make("li", {}, swatch, tr(part.words));
+      }),
+    );
   }
 
   /** Draws now, where something has changed. */
@@ -252,33 +348,49 @@ export class MechanismView {
     const m = this.shown;
     if (!this.isDirty || !this.isSeen || !m || !this.context) return;
     this.isDirty = false;
-    const picture = new Picture(this.context, this.camera), size = m.wheel.radius / 22;
-    const places = this.points.map((place) => this.outside(place)), at = (i: number) => places[i]!;
+    const picture = new Picture(this.context, this.camera),
+      size = m.wheel.radius / 22;
+    const places = this.points.map((place) => this.outside(place)),
+      at = (i: number) => places[i]!;
     for (const part of m.parts) {
-      const name = tint(part.colour), corners = part.points.map(at), ends = part.plate ? [...corners, corners[0]!] : corners;
-      if (part.coil) { coil(picture, corners[0]!, corners[1]!, m, name); continue; }
+      const name = tint(part.colour),
+        corners = part.points.map(at),
+        ends = part.plate ? [...corners, corners[0]!] : corners;
+      if (part.coil) {
+        coil(picture, corners[0]!, corners[1]!, m, name);
+        continue;
+      }
       ends.slice(1).forEach((end, i) => picture.rod(ends[i]!, end, size, name));
       if (part.plate && corners.length >= 3) picture.area(corners, name, 0.25);
     }
-    for (const [from, first, second, share, name] of m.brackets) picture.rod(at(from), along(at(first), at(second), share), 0.5 * size, tint(name));
+    for (const [from, first, second, share, name] of m.brackets)
+      picture.rod(at(from), along(at(first), at(second), share), 0.5 * size, tint(name));
     if (m.strut.damper) {
       const [low, high] = m.strut.damper.map(at) as [Point, Point];
       picture.rod(low, high, 0.6 * size, m.strut.colour);
       picture.rod(low, add(low, unit(minus(high, low)), m.strut.tube), 1.7 * size, m.strut.colour);
     }
-    if (m.strut.spring) coil(picture, ...(m.strut.spring.map(at) as [Point, Point]), m, m.strut.colour);
+    if (m.strut.spring)
+      coil(picture, ...(m.strut.spring.map(at) as [Point, Point]), m, m.strut.colour);
     places.forEach((place, i) => {
       if (i === m.wheel.centre || m.feet.includes(i)) return;
-      if (m.onBody[i]) picture.cube(place, 1.3 * size, colour("muted")); else picture.ball(place, 1.5 * size, colour("ink"));
+      if (m.onBody[i]) picture.cube(place, 1.3 * size, colour("muted"));
+      else picture.ball(place, 1.5 * size, colour("ink"));
     });
     this.road(picture, m, at(m.wheel.centre));
     if (this.hasWheel) this.wheel(picture, m, at(m.wheel.centre));
-    if (m.axis) { // of steering
+    if (m.axis) {
+      // of steering
       const [from, to] = m.axis.map(at) as [Point, Point];
-      picture.line([along(from, to, -0.3), along(from, to, 1.3)], colour("muted"), { dash: [6, 4] });
+      picture.line([along(from, to, -0.3), along(from, to, 1.3)], colour("muted"), {
+        dash: [6, 4],
+      });
     }
-    const risen = (place: ArrayLike<number>) => this.outside(add(point(place), [0, 0, 1], this.now.body));
-    if (this.hasPaths) for (const way of [m.points[m.wheel.centre]!, m.contact]) picture.line(way.map(risen), colour("accent"));
+    const risen = (place: ArrayLike<number>) =>
+      this.outside(add(point(place), [0, 0, 1], this.now.body));
+    if (this.hasPaths)
+      for (const way of [m.points[m.wheel.centre]!, m.contact])
+        picture.line(way.map(risen), colour("accent"));
     this.turnsAbout(picture, m, risen, 2 * size);
     const chosen = this.chosen === null ? -1 : m.names.indexOf(this.chosen);
     if (chosen >= 0) picture.ball(at(chosen), 2.6 * size, colour("accent"), 0.7);
@@ -286,40 +398,80 @@ export class MechanismView {
     if (!this.names.hidden) this.place();
   }
 
-  private turnsAbout(picture: Picture, m: Mechanism, risen: (place: Point) => Point, size: number): void {
+  private turnsAbout(
+    picture: Picture,
+    m: Mechanism,
+    risen: (place: Point) => Point,
+    size: number,
+  ): void {
     const contact = m.contact[this.pose];
     for (const of of Object.keys(MARKS) as (keyof Centres)[]) {
-      const centre = this.centres?.[of][this.pose], name = colour(MARKS[of]);
+      const centre = this.centres?.[of][this.pose],
+        name = colour(MARKS[of]);
       if (!centre || !contact) continue;
-      const start = point(contact), end = risen(of === "side" ? [centre[0], start[1], centre[1]] : [start[0], ...centre]);
+      const start = point(contact),
+        end = risen(of === "side" ? [centre[0], start[1], centre[1]] : [start[0], ...centre]);
       picture.line([risen(start), end], name);
-      if (of === "roll") picture.cube(end, 0.75 * size, name); else picture.ball(end, size, name);
+      if (of === "roll") picture.cube(end, 0.75 * size, name);
+      else picture.ball(end, size, name);
     }
   }
 
   private wheel(picture: Picture, m: Mechanism, centre: Point): void {
-    const { radius, width } = m.wheel, rubber = colour("rubber"), { toward, scale } = this.camera;
-    const axis = add([0, 0, 0], this.rolled(this.spin), m.side), [first, second] = across(axis); // from outboard to left
+    const { radius, width } = m.wheel,
+      rubber = colour("rubber"),
+      { toward, scale } = this.camera;
+    const axis = add([0, 0, 0], this.rolled(this.spin), m.side),
+      [first, second] = across(axis); // from outboard to left
     const at = (angle: number, far: number, aside: number): Point =>
-      add(add(add(centre, first, far * Math.cos(angle)), second, far * Math.sin(angle)), axis, aside * width);
-    const arc = (from: number, turn: number, far: number, aside: number) => Array.from({ length: 49 }, (_, i) => at(from + turn * i / 48, far, aside));
+      add(
+        add(add(centre, first, far * Math.cos(angle)), second, far * Math.sin(angle)),
+        axis,
+        aside * width,
+      );
+    const arc = (from: number, turn: number, far: number, aside: number) =>
+      Array.from({ length: 49 }, (_, i) => at(from + (turn * i) / 48, far, aside));
     const edge = Math.atan2(-dot(first, toward), dot(second, toward)); // from where on the tread looks at the viewer
-    for (const from of [edge, edge + Math.PI]) picture.area([...arc(from, Math.PI, radius, -0.4), ...arc(from + Math.PI, -Math.PI, radius, 0.4)], rubber, 0.3);
-    for (const aside of [-0.4, 0.4]) picture.line(arc(0, 2.05 * Math.PI, 0.93 * radius, aside), rubber, { width: 0.14 * radius * scale, alpha: 0.5 });
-    const rolled = (this.motion?.road?.speed ?? 0) * this.now.time / radius;
+    for (const from of [edge, edge + Math.PI])
+      picture.area(
+        [...arc(from, Math.PI, radius, -0.4), ...arc(from + Math.PI, -Math.PI, radius, 0.4)],
+        rubber,
+        0.3,
+      );
+    for (const aside of [-0.4, 0.4])
+      picture.line(arc(0, 2.05 * Math.PI, 0.93 * radius, aside), rubber, {
+        width: 0.14 * radius * scale,
+        alpha: 0.5,
+      });
+    const rolled = ((this.motion?.road?.speed ?? 0) * this.now.time) / radius;
     for (let i = 0; i < 5; i++) {
-      const angle = rolled + 2 * Math.PI * i / 5;
-      picture.rod(at(angle, 0.12 * radius, 0.4 * m.side), at(angle, 0.8 * radius, 0.4 * m.side), radius / 60, rubber, 1);
+      const angle = rolled + (2 * Math.PI * i) / 5;
+      picture.rod(
+        at(angle, 0.12 * radius, 0.4 * m.side),
+        at(angle, 0.8 * radius, 0.4 * m.side),
+        radius / 60,
+        rubber,
+        1,
+      );
     }
   }
 
   /** Under all else, or over it where it is seen from below. */
   private road(picture: Picture, m: Mechanism, centre: Point): void {
-    const reach = 2.4 * m.wheel.radius, half = 0.8 * m.wheel.width, count = 121, road = this.motion?.road;
-    const edges = [-half, half].map((aside) => Array.from({ length: count }, (_, i): Point => {
-      const x = -reach + 2 * reach * i / (count - 1);
-      return [centre[0] + x, centre[1] + aside, road ? height(road, road.speed * this.now.time + x) : this.now.ground];
-    })) as [Point[], Point[]];
+    const reach = 2.4 * m.wheel.radius,
+      half = 0.8 * m.wheel.width,
+      count = 121,
+      road = this.motion?.road;
+    const edges = [-half, half].map((aside) =>
+      Array.from({ length: count }, (_, i): Point => {
+        const x = -reach + (2 * reach * i) / (count - 1);
+        return [
+          centre[0] + x,
+          centre[1] + aside,
+          road ? height(road, road.speed * this.now.time + x) : this.now.ground,
+        ];
+      }),
+    ) as [Point[], Point[]];
     const depth = this.camera.elevation < 0 ? Infinity : -Infinity;
     const outline = [...edges[0], ...edges[1].reverse(), edges[0][0]!];
     picture.area(outline, colour("road"), 1, depth);
@@ -328,13 +480,19 @@ export class MechanismView {
 
   private place(): void {
     const { width: w } = this.camera;
-    if (this.wide.length !== this.labels.length || this.wide.includes(0)) this.wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
-    const placed = this.labels.map((label, i) => {
-      const [x, y] = this.camera.seen(this.outside(this.points[this.named[i]!]!)), width = this.wide[i]!;
-      return { label, width, x: x + width + 8 < w ? x + 7 : x - width - 7, y: y - 8 };
-    }).sort((a, b) => a.y - b.y);
+    if (this.wide.length !== this.labels.length || this.wide.includes(0))
+      this.wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
+    const placed = this.labels
+      .map((label, i) => {
+        const [x, y] = this.camera.seen(this.outside(this.points[this.named[i]!]!)),
+          width = this.wide[i]!;
+        return { label, width, x: x + width + 8 < w ? x + 7 : x - width - 7, y: y - 8 };
+      })
+      .sort((a, b) => a.y - b.y);
     placed.forEach((name, i) => {
-      const before = placed.slice(0, i).filter((other) => other.x < name.x + name.width && name.x < other.x + other.width);
+      const before = placed
+        .slice(0, i)
+        .filter((other) => other.x < name.x + name.width && name.x < other.x + other.width);
       name.y = Math.max(name.y, ...before.map((other) => other.y + LINE)); // names stand below each other, not over
       name.label.style.transform = `translate(${name.x}px, ${name.y}px)`;
     });
@@ -346,23 +504,42 @@ const tint = (name: string) => (name === "#22262b" ? colour("ink") : name); // t
 
 /** A spring between two points, with the turns of the strut's. */
 function coil(picture: Picture, bottom: Point, top: Point, m: Mechanism, name: string): void {
-  const axis = minus(top, bottom), [first, second] = across(unit(axis)), { radius, coils } = m.strut, piece = 3, turn = 24;
+  const axis = minus(top, bottom),
+    [first, second] = across(unit(axis)),
+    { radius, coils } = m.strut,
+    piece = 3,
+    turn = 24;
   const wire = Array.from({ length: turn * coils + 1 }, (_, i) => {
-    const angle = 2 * Math.PI * i / turn;
-    return add(add(along(bottom, top, 0.08 + 0.84 * i / (turn * coils)), first, radius * Math.cos(angle)), second, radius * Math.sin(angle));
+    const angle = (2 * Math.PI * i) / turn;
+    return add(
+      add(along(bottom, top, 0.08 + (0.84 * i) / (turn * coils)), first, radius * Math.cos(angle)),
+      second,
+      radius * Math.sin(angle),
+    );
   });
-  for (let i = 0; i < turn * coils; i += piece) picture.tube(wire.slice(i, i + piece + 1), 0.025 * m.wheel.radius, name);
+  for (let i = 0; i < turn * coils; i += piece)
+    picture.tube(wire.slice(i, i + piece + 1), 0.025 * m.wheel.radius, name);
 }
 
 /** What a mechanism is drawn of, but for its places. */
-function kind({ points: _points, spin: _spin, contact: _contact, travel: _travel, brackets, ...rest }: Mechanism): string {
+function kind({
+  points: _points,
+  spin: _spin,
+  contact: _contact,
+  travel: _travel,
+  brackets,
+  ...rest
+}: Mechanism): string {
   return JSON.stringify([rest, brackets.map(([point, first, second]) => [point, first, second])]);
 }
 
 function height(road: { x: number[]; z: number[] }, place: number): number {
-  const { x, z } = road, n = x.length;
+  const { x, z } = road,
+    n = x.length;
   if (place <= x[0]!) return z[0]!;
   if (place >= x[n - 1]!) return z[n - 1]!;
-  const k = before(x, place), a = x[k]!, b = x[k + 1]!;
-  return b > a ? z[k]! + (z[k + 1]! - z[k]!) * (place - a) / (b - a) : z[k + 1]!;
+  const k = before(x, place),
+    a = x[k]!,
+    b = x[k + 1]!;
+  return b > a ? z[k]! + ((z[k + 1]! - z[k]!) * (place - a)) / (b - a) : z[k + 1]!;
 }

@@ -7,20 +7,39 @@ type Attributes = Record<string, string | boolean | ((event: never) => void)>;
 
 /** Makes an element; texts become text, never markup. */
 export function make<K extends keyof HTMLElementTagNameMap>(
-  tag: K, attributes: Attributes = {}, ...content: (Node | string)[]
+  tag: K,
+  attributes: Attributes = {},
+  ...content: (Node | string)[]
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") element.addEventListener(name, value as EventListener);
     else if (typeof value === "boolean") element.toggleAttribute(name, value);
-    else element.setAttribute(name, HEARD.includes(name) ? (attributes.role === "region" && tr(value) !== value ? tr(value) : heard(value)) : value); // regions are words, however they begin
+    else
+      element.setAttribute(
+        name,
+        HEARD.includes(name)
+          ? attributes.role === "region" && tr(value) !== value
+            ? tr(value)
+            : heard(value)
+          : value,
+      ); // regions are words, however they begin
   }
   const own = attributes.scope === "col" || /^mark\b/.test(String(attributes.class ?? "")); // heads and verdicts are words, however they begin
-  element.append(...content.map((one) => (typeof one !== "string" ? one : own && tr(one) !== one ? tr(one) : heard(one))));
+  element.append(
+    ...content.map((one) =>
+      typeof one !== "string" ? one : own && tr(one) !== one ? tr(one) : heard(one),
+    ),
+  );
   return element;
 }
 
-export function toggle(label: string, pressed: boolean, change: (pressed: boolean) => void, title = ""): HTMLButtonElement {
+export function toggle(
+  label: string,
+  pressed: boolean,
+  change: (pressed: boolean) => void,
+  title = "",
+): HTMLButtonElement {
   const button = make("button", { type: "button", "aria-pressed": String(pressed), title }, label);
   button.addEventListener("click", () => {
     const now = button.getAttribute("aria-pressed") !== "true";
@@ -37,14 +56,25 @@ export function written(value: number | null | undefined, digits = 4): string {
   if (value === 0) return "0";
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e") as [string, string];
   const power = Number(exponent);
-  const text = power < -4 || power > 5 ? `${mantissa}e${power}` : value.toFixed(Math.max(0, digits - 1 - power));
+  const text =
+    power < -4 || power > 5
+      ? `${mantissa}e${power}`
+      : value.toFixed(Math.max(0, digits - 1 - power));
   return localised(text);
 }
 
 /** A value with the ends of its interval, in digits that tell the ends apart. */
-export function withInterval(value: number, [low, high]: [number, number], digits = 4): [string, string] {
-  const apart = Math.abs(high - low), size = Math.max(Math.abs(low), Math.abs(high));
-  const enough = apart > 0 && Number.isFinite(size / apart) ? Math.min(Math.max(digits, Math.ceil(Math.log10(size / apart)) + 2), 12) : digits;
+export function withInterval(
+  value: number,
+  [low, high]: [number, number],
+  digits = 4,
+): [string, string] {
+  const apart = Math.abs(high - low),
+    size = Math.max(Math.abs(low), Math.abs(high));
+  const enough =
+    apart > 0 && Number.isFinite(size / apart)
+      ? Math.min(Math.max(digits, Math.ceil(Math.log10(size / apart)) + 2), 12)
+      : digits;
   return [written(value, enough), `${written(low, enough)} … ${written(high, enough)}`];
 }
 
@@ -65,7 +95,9 @@ let fast: boolean | null = null;
 /** Whether a graphics card draws. */
 export function isFast(): boolean {
   if (fast === null) {
-    const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+    const probe = document
+      .createElement("canvas")
+      .getContext("webgl2", { failIfMajorPerformanceCaveat: true });
     const told = probe?.getExtension("WEBGL_debug_renderer_info"); // not every browser says that it draws in software
     const name = told ? String(probe!.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
     fast = probe !== null && !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
@@ -75,10 +107,16 @@ export function isFast(): boolean {
 }
 
 /** Gives a canvas a size in pixels of the page, drawn as fine as the screen is; what was on it is gone. */
-export function sized(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D {
+export function sized(
+  canvas: HTMLCanvasElement,
+  width: number,
+  height: number,
+): CanvasRenderingContext2D {
   const scale = Math.min(devicePixelRatio || 1, 3);
-  canvas.width = Math.round(width * scale); canvas.height = Math.round(height * scale);
-  canvas.style.width = `${width}px`; canvas.style.height = `${height}px`;
+  canvas.width = Math.round(width * scale);
+  canvas.height = Math.round(height * scale);
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
   const context = canvas.getContext("2d", { willReadFrequently: true })!;
   context.scale(scale, scale);
   return context;
@@ -94,7 +132,9 @@ export function whenColoursChange(change: () => void): void {
 const left = new Set<() => void>();
 
 /** Calls back when what a page shows is left for another page. */
-export function whenLeft(does: () => void): void { left.add(does); }
+export function whenLeft(does: () => void): void {
+  left.add(does);
+}
 
 /** What was shown is gone: nobody hears of it any more, and what it held is given back. */
 export function leave(): void {
@@ -108,7 +148,14 @@ function changed(): void {
 }
 
 function watchPixels(): void {
-  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => { changed(); watchPixels(); }, { once: true });
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+    "change",
+    () => {
+      changed();
+      watchPixels();
+    },
+    { once: true },
+  );
 }
 watchPixels();
 
@@ -118,9 +165,19 @@ export function themeButton(): HTMLButtonElement {
   const root = document.documentElement;
   const isDark = () => (root.dataset.theme ? root.dataset.theme === "dark" : system.matches);
   const button = make("button", { type: "button", class: "theme" });
-  const name = () => { button.textContent = say(isDark() ? "light" : "dark"); button.title = say(isDark() ? "showLight" : "showDark"); };
-  button.addEventListener("click", () => { root.dataset.theme = isDark() ? "light" : "dark"; name(); changed(); });
-  system.addEventListener("change", () => { name(); changed(); });
+  const name = () => {
+    button.textContent = say(isDark() ? "light" : "dark");
+    button.title = say(isDark() ? "showLight" : "showDark");
+  };
+  button.addEventListener("click", () => {
+    root.dataset.theme = isDark() ? "light" : "dark";
+    name();
+    changed();
+  });
+  system.addEventListener("change", () => {
+    name();
+    changed();
+  });
   name();
   return button;
 }
@@ -129,7 +186,18 @@ export function themeButton(): HTMLButtonElement {
 export function dress(): void {
   document.documentElement.classList.add("live");
   document.querySelector("header")?.append(themeButton());
-  const all = <K extends string>(selector: K) => document.querySelectorAll<HTMLDetailsElement>(selector);
-  addEventListener("beforeprint", () => all("details:not([open])").forEach((one) => { one.dataset.folded = ""; one.open = true; }));
-  addEventListener("afterprint", () => all("details[data-folded]").forEach((one) => { delete one.dataset.folded; one.open = false; }));
+  const all = <K extends string>(selector: K) =>
+    document.querySelectorAll<HTMLDetailsElement>(selector);
+  addEventListener("beforeprint", () =>
+    all("details:not([open])").forEach((one) => {
+      one.dataset.folded = "";
+      one.open = true;
+    }),
+  );
+  addEventListener("afterprint", () =>
+    all("details[data-folded]").forEach((one) => {
+      delete one.dataset.folded;
+      one.open = false;
+    }),
+  );
 }

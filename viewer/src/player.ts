@@ -13,19 +13,43 @@ const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Player {
   readonly element = make("div", { class: "player", tabindex: "-1" });
-  private readonly plots = new LinkedPlots((x) => { if (!this.playing) this.goTo(x); }, (range) => this.seen(range));
+  private readonly plots = new LinkedPlots(
+    (x) => {
+      if (!this.playing) this.goTo(x);
+    },
+    (range) => this.seen(range),
+  );
   private readonly view: MechanismView | null;
   private readonly choice = make("select", { "aria-label": say("choice") });
   private readonly note = make("span", { class: "mark" });
-  private readonly overlays = make("div", { class: "group overlays", role: "group", "aria-label": say("curves") });
-  private readonly channels = make("div", { class: "group channels", role: "group", "aria-label": say("channels") });
+  private readonly overlays = make("div", {
+    class: "group overlays",
+    role: "group",
+    "aria-label": say("curves"),
+  });
+  private readonly channels = make("div", {
+    class: "group channels",
+    role: "group",
+    "aria-label": say("channels"),
+  });
   private readonly play = make("button", { type: "button", class: "play" }, say("play"));
-  private readonly slider = make("input", { type: "range", min: "0", max: "1", step: "any", value: "0", "aria-label": "" });
+  private readonly slider = make("input", {
+    type: "range",
+    min: "0",
+    max: "1",
+    step: "any",
+    value: "0",
+    "aria-label": "",
+  });
   private readonly clock = make("output", { class: "clock" });
   private readonly speed = make("select", { "aria-label": say("speed") });
   private readonly roles = new Map<string, boolean>();
   private readonly panes = new Map<string, boolean>();
-  private readonly livelyPart = make("button", { type: "button", title: say("zoomToEvent"), click: () => this.lively() }, say("event"));
+  private readonly livelyPart = make(
+    "button",
+    { type: "button", title: say("zoomToEvent"), click: () => this.lively() },
+    say("event"),
+  );
   private scene: Scene;
   private now = 0;
   private playing = false;
@@ -40,14 +64,24 @@ export class Player {
   /** Milliseconds between the pictures shown while playing, the last of them last. */
   readonly frames: number[] = [];
 
-  constructor(private model: Model, private store: Store) {
+  constructor(
+    private model: Model,
+    private store: Store,
+  ) {
     this.scene = model.scenes[0]!;
     this.view = model.scenes.some((scene) => scene.motion) ? new MechanismView(model.stage) : null;
-    model.scenes.forEach((scene, i) => this.choice.append(make("option", { value: String(i) }, scene.label)));
+    model.scenes.forEach((scene, i) =>
+      this.choice.append(make("option", { value: String(i) }, scene.label)),
+    );
     this.build();
     this.show(this.scene);
-    whenLeft(() => { this.isGone = true; });
-    whenColoursChange(() => { this.plots.repaint(); this.view?.repaint(); });
+    whenLeft(() => {
+      this.isGone = true;
+    });
+    whenColoursChange(() => {
+      this.plots.repaint();
+      this.view?.repaint();
+    });
   }
 
   /** Shows the scene of this name; whether there is one. */
@@ -62,26 +96,39 @@ export class Player {
   /** Takes content of the same kind in place of what it has: what is chosen, and the part that is looked at, stay. */
   replace(model: Model, store: Store): void {
     const isOther = model.x.words !== this.model.x.words;
-    const index = Math.max(this.model.scenes.indexOf(this.scene), 0), before = this.plots.window, [first, last] = this.plots.whole;
+    const index = Math.max(this.model.scenes.indexOf(this.scene), 0),
+      before = this.plots.window,
+      [first, last] = this.plots.whole;
     const scene = model.scenes[Math.min(index, model.scenes.length - 1)]!;
     const all = isOther || (before[0] <= first && before[1] >= last);
-    if (model.roles.map((one) => one.label).join() !== this.model.roles.map((one) => one.label).join() || model.roles.length !== this.model.roles.length) this.offerRoles(model);
+    if (
+      model.roles.map((one) => one.label).join() !==
+        this.model.roles.map((one) => one.label).join() ||
+      model.roles.length !== this.model.roles.length
+    )
+      this.offerRoles(model);
     this.model = model;
     this.store = store;
     this.scene = scene;
     const x = store.get(scene.x);
     if (isOther) this.offer(scene);
     if (this.view) this.view.element.hidden = !scene.motion;
-    this.slider.min = String(x[0]); this.slider.max = String(x[x.length - 1]);
+    this.slider.min = String(x[0]);
+    this.slider.max = String(x[x.length - 1]);
     this.plot(all ? null : before);
-    if (scene.motion && this.view) this.view.show(store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
+    if (scene.motion && this.view)
+      this.view.show(store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
     this.goTo(this.now);
   }
 
-  zoom(low: number, high: number): void { this.plots.zoom(low, high); }
+  zoom(low: number, high: number): void {
+    this.plots.zoom(low, high);
+  }
 
   /** Names of the channels that are shown. */
-  get shown(): string[] { return this.scene.panes.filter((pane) => this.isShown(pane)).map((pane) => pane.name); }
+  get shown(): string[] {
+    return this.scene.panes.filter((pane) => this.isShown(pane)).map((pane) => pane.name);
+  }
 
   goTo(time: number): void {
     const [first, last] = this.plots.whole;
@@ -92,8 +139,15 @@ export class Player {
     this.moved?.(this.now);
     const motion = this.scene.motion;
     if (motion && this.view) {
-      const x = this.store.get(this.scene.x), read = (index: number) => at(x, this.store.get(index), this.now);
-      this.view.set({ body: read(motion.body), travel: read(motion.travel), ground: read(motion.ground), load: read(motion.load), time: this.now });
+      const x = this.store.get(this.scene.x),
+        read = (index: number) => at(x, this.store.get(index), this.now);
+      this.view.set({
+        body: read(motion.body),
+        travel: read(motion.travel),
+        ground: read(motion.ground),
+        load: read(motion.load),
+        time: this.now,
+      });
     }
   }
 
@@ -101,30 +155,97 @@ export class Player {
     const { model } = this;
     this.offerRoles(model);
     const step = (by: number) => () => this.stepScene(by);
-    const scenes = make("div", { class: "group" }, make("button", { type: "button", title: say("previous"), click: step(-1) }, "‹"),
-      this.choice, make("button", { type: "button", title: say("next"), click: step(1) }, "›"), this.note);
-    this.choice.addEventListener("change", () => this.show(this.model.scenes[Number(this.choice.value)]!));
+    const scenes = make(
+      "div",
+      { class: "group" },
+      make("button", { type: "button", title: say("previous"), click: step(-1) }, "‹"),
+      this.choice,
+      make("button", { type: "button", title: say("next"), click: step(1) }, "›"),
+      this.note,
+    );
+    this.choice.addEventListener("change", () =>
+      this.show(this.model.scenes[Number(this.choice.value)]!),
+    );
     if (model.scenes.length < 2) scenes.hidden = true;
-    const zooms = make("div", { class: "group" },
-      make("button", { type: "button", title: say("zoomIn"), click: () => this.plots.zoomBy(0.5, this.now) }, "+"),
-      make("button", { type: "button", title: say("zoomOut"), click: () => this.plots.zoomBy(2, this.now) }, "−"),
-      make("button", { type: "button", title: say("everything"), click: () => this.plots.reset() }, say("all")),
-      this.livelyPart);
-    const wide = toggle(say("wide"), false, (on) => { this.element.classList.toggle("wide", on); document.body.classList.toggle("behind", on); }, say("fillWindow"));
+    const zooms = make(
+      "div",
+      { class: "group" },
+      make(
+        "button",
+        { type: "button", title: say("zoomIn"), click: () => this.plots.zoomBy(0.5, this.now) },
+        "+",
+      ),
+      make(
+        "button",
+        { type: "button", title: say("zoomOut"), click: () => this.plots.zoomBy(2, this.now) },
+        "−",
+      ),
+      make(
+        "button",
+        { type: "button", title: say("everything"), click: () => this.plots.reset() },
+        say("all"),
+      ),
+      this.livelyPart,
+    );
+    const wide = toggle(
+      say("wide"),
+      false,
+      (on) => {
+        this.element.classList.toggle("wide", on);
+        document.body.classList.toggle("behind", on);
+      },
+      say("fillWindow"),
+    );
     wide.classList.add("widen");
     const isTime = model.x.unit === "s";
-    const slow = model.slower ?? (isTime ? 10 : 2), speeds = [...new Set([...SLOWER, slow])].sort((a, b) => a - b);
-    for (const slower of speeds) this.speed.append(make("option", { value: String(slower) }, slower > 1 ? `1/${slower}` : say(isTime ? "realTime" : "fast")));
+    const slow = model.slower ?? (isTime ? 10 : 2),
+      speeds = [...new Set([...SLOWER, slow])].sort((a, b) => a - b);
+    for (const slower of speeds)
+      this.speed.append(
+        make(
+          "option",
+          { value: String(slower) },
+          slower > 1 ? `1/${slower}` : say(isTime ? "realTime" : "fast"),
+        ),
+      );
     this.speed.value = String(slow);
     this.play.addEventListener("click", () => this.toggle());
-    this.slider.addEventListener("input", () => { this.pause(); this.goTo(Number(this.slider.value)); });
-    const main = make("div", { class: !this.view ? "plots-only" : model.stage ? "stage-and-plots stage-first" : "stage-and-plots" }, this.plots.element);
+    this.slider.addEventListener("input", () => {
+      this.pause();
+      this.goTo(Number(this.slider.value));
+    });
+    const main = make(
+      "div",
+      {
+        class: !this.view
+          ? "plots-only"
+          : model.stage
+            ? "stage-and-plots stage-first"
+            : "stage-and-plots",
+      },
+      this.plots.element,
+    );
     if (this.view) main.append(this.view.element);
     this.element.append(
-      make("div", { class: "bar" }, scenes, this.overlays, make("span", { class: "grow" }), zooms, wide),
+      make(
+        "div",
+        { class: "bar" },
+        scenes,
+        this.overlays,
+        make("span", { class: "grow" }),
+        zooms,
+        wide,
+      ),
       make("div", { class: "bar" }, this.channels),
       main,
-      make("div", { class: "bar transport" }, this.play, this.slider, this.clock, make("label", {}, `${say("speed")} `, this.speed)),
+      make(
+        "div",
+        { class: "bar transport" },
+        this.play,
+        this.slider,
+        this.clock,
+        make("label", {}, `${say("speed")} `, this.speed),
+      ),
       make("p", { class: "hint" }, say("hint")),
     );
     this.element.addEventListener("keydown", (event) => this.key(event));
@@ -134,7 +255,10 @@ export class Player {
   private offerRoles(model: Model): void {
     const buttons = model.roles.map(({ role, label, shown }) => {
       if (!this.roles.has(role)) this.roles.set(role, shown);
-      const button = toggle(label, this.roles.get(role)!, (on) => { this.roles.set(role, on); this.plots.setShown(role, on); });
+      const button = toggle(label, this.roles.get(role)!, (on) => {
+        this.roles.set(role, on);
+        this.plots.setShown(role, on);
+      });
       button.prepend(make("i", { class: `swatch ${role}` }));
       return button;
     });
@@ -151,9 +275,11 @@ export class Player {
     this.livelyPart.hidden = !scene.window;
     const x = this.store.get(scene.x);
     this.offer(scene);
-    this.slider.min = String(x[0]); this.slider.max = String(x[x.length - 1]);
+    this.slider.min = String(x[0]);
+    this.slider.max = String(x[x.length - 1]);
     this.plot(keep);
-    if (scene.motion && this.view) this.view.show(this.store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
+    if (scene.motion && this.view)
+      this.view.show(this.store.content.mechanisms[scene.motion.mechanism]!, scene.motion);
     this.goTo(this.now);
   }
 
@@ -161,18 +287,43 @@ export class Player {
   private offer(scene: Scene): void {
     const many = scene.panes.length > FEW;
     let others = 0;
-    const buttons = scene.panes.length < 2 ? [] : scene.panes.map((pane) => {
-      const shown = this.isShown(pane);
-      const button = toggle(pane.name, shown, (on) => {
-        this.panes.set(pane.name, on);
-        if (on && this.scene.panes.some((one) => one.name === pane.name && !one.curves.length)) this.lacking?.(); else this.plot(this.plots.window);
-      }, pane.words);
-      if (many && !shown) { button.classList.add("other"); others++; }
-      return button;
-    });
+    const buttons =
+      scene.panes.length < 2
+        ? []
+        : scene.panes.map((pane) => {
+            const shown = this.isShown(pane);
+            const button = toggle(
+              pane.name,
+              shown,
+              (on) => {
+                this.panes.set(pane.name, on);
+                if (
+                  on &&
+                  this.scene.panes.some((one) => one.name === pane.name && !one.curves.length)
+                )
+                  this.lacking?.();
+                else this.plot(this.plots.window);
+              },
+              pane.words,
+            );
+            if (many && !shown) {
+              button.classList.add("other");
+              others++;
+            }
+            return button;
+          });
     if (others) {
       const open = this.channels.classList.contains("every");
-      buttons.push(toggle(say("more", String(others)), open, (on) => { this.channels.classList.toggle("every", on); }, say("otherChannels")));
+      buttons.push(
+        toggle(
+          say("more", String(others)),
+          open,
+          (on) => {
+            this.channels.classList.toggle("every", on);
+          },
+          say("otherChannels"),
+        ),
+      );
     }
     this.channels.replaceChildren(...buttons);
   }
@@ -182,33 +333,53 @@ export class Player {
     let panes = scene.panes.filter((pane) => this.isShown(pane) && pane.curves.length);
     if (!panes.length) panes = scene.panes.filter((pane) => pane.curves.length).slice(0, 1);
     this.slider.setAttribute("aria-label", this.model.x.words);
-    this.plots.show({
-      x: this.store.get(scene.x), xLabel: `${this.model.x.words} [${this.model.x.unit}]`, spans: scene.spans, window: scene.window,
-      panes: panes.map((pane) => ({
-        title: pane.words, unit: pane.unit,
-        lines: pane.curves.map((curve) => ({ label: this.model.roles.length > 1 ? curve.label : "", role: curve.role, y: this.store.get(curve.y), step: this.store.step(curve.y), shown: this.roles.get(curve.role) ?? true })),
-      })),
-    }, window);
+    this.plots.show(
+      {
+        x: this.store.get(scene.x),
+        xLabel: `${this.model.x.words} [${this.model.x.unit}]`,
+        spans: scene.spans,
+        window: scene.window,
+        panes: panes.map((pane) => ({
+          title: pane.words,
+          unit: pane.unit,
+          lines: pane.curves.map((curve) => ({
+            label: this.model.roles.length > 1 ? curve.label : "",
+            role: curve.role,
+            y: this.store.get(curve.y),
+            step: this.store.step(curve.y),
+            shown: this.roles.get(curve.role) ?? true,
+          })),
+        })),
+      },
+      window,
+    );
     this.plots.mark(this.now);
   }
 
-  private isShown(pane: Pane): boolean { return this.panes.get(pane.name) ?? pane.shown; }
+  private isShown(pane: Pane): boolean {
+    return this.panes.get(pane.name) ?? pane.shown;
+  }
 
   /** The part that was looked at, where the next scene has it and it was not all of the last one. */
   private keptWindow(next: Scene): [number, number] | null {
-    const [low, high] = this.plots.window, [first, last] = this.plots.whole, x = this.store.get(next.x);
+    const [low, high] = this.plots.window,
+      [first, last] = this.plots.whole,
+      x = this.store.get(next.x);
     if (low <= first && high >= last) return [x[0] as number, x[x.length - 1] as number];
     const chosen = this.scene.window;
-    if (chosen && Math.abs(low - chosen[0]) < 1e-9 && Math.abs(high - chosen[1]) < 1e-9) return null; // each its own
+    if (chosen && Math.abs(low - chosen[0]) < 1e-9 && Math.abs(high - chosen[1]) < 1e-9)
+      return null; // each its own
     return low >= (x[0] as number) && high <= (x[x.length - 1] as number) ? [low, high] : null;
   }
 
   private lively(): void {
-    if (this.scene.window) this.plots.zoom(...this.scene.window); else this.plots.reset();
+    if (this.scene.window) this.plots.zoom(...this.scene.window);
+    else this.plots.reset();
   }
 
   private stepScene(by: number): void {
-    const { scenes } = this.model, next = (scenes.indexOf(this.scene) + by + scenes.length) % scenes.length;
+    const { scenes } = this.model,
+      next = (scenes.indexOf(this.scene) + by + scenes.length) % scenes.length;
     this.choose(scenes[next]!.name);
   }
 
@@ -216,12 +387,18 @@ export class Player {
     if (this.now < low || this.now > high) this.goTo(low);
   }
 
-  private toggle(): void { if (this.playing) this.pause(); else this.start(); }
+  private toggle(): void {
+    if (this.playing) this.pause();
+    else this.start();
+  }
 
   private start(): void {
     const [low, high] = this.plots.window;
     if (this.now >= high - 1e-9 * (high - low) || this.now < low) this.goTo(low);
-    this.playing = true; this.way = 1; this.last = 0; this.frames.length = 0;
+    this.playing = true;
+    this.way = 1;
+    this.last = 0;
+    this.frames.length = 0;
     this.play.textContent = say("pause");
     if (!this.isStepping) requestAnimationFrame((time) => this.step(time));
     this.isStepping = true;
@@ -233,17 +410,24 @@ export class Player {
     return this.model.x.unit === "s" ? 1 : (last - first) / 2;
   }
 
-  private pause(): void { this.playing = false; this.play.textContent = say("play"); }
+  private pause(): void {
+    this.playing = false;
+    this.play.textContent = say("play");
+  }
 
   /** What is seen is played, again and again. */
   private step(time: number): void {
     this.isStepping = this.playing && !this.isGone;
     if (!this.isStepping) return;
     const passed = this.last ? time - this.last : 0;
-    if (this.last) { this.frames.push(passed); if (this.frames.length > 600) this.frames.shift(); }
+    if (this.last) {
+      this.frames.push(passed);
+      if (this.frames.length > 600) this.frames.shift();
+    }
     this.last = time;
     const [low, high] = this.plots.window;
-    let next = this.now + this.way * this.rate * Math.min(passed, 250) / 1000 / Number(this.speed.value);
+    let next =
+      this.now + (this.way * this.rate * Math.min(passed, 250)) / 1000 / Number(this.speed.value);
     if (next > high || next < low) {
       if (STILL.matches) this.pause();
       if (this.model.x.unit !== "s") this.way = -this.way; // a sweep goes back the way it came
@@ -255,22 +439,42 @@ export class Player {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement) return;
-    const inButton = event.target instanceof HTMLButtonElement, inSlider = event.target === this.slider;
-    const x = this.store.get(this.scene.x), sample = ((x[x.length - 1] as number) - (x[0] as number)) / Math.max(x.length - 1, 1);
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement)
+      return;
+    const inButton = event.target instanceof HTMLButtonElement,
+      inSlider = event.target === this.slider;
+    const x = this.store.get(this.scene.x),
+      sample = ((x[x.length - 1] as number) - (x[0] as number)) / Math.max(x.length - 1, 1);
     const actions: Record<string, () => void> = {
-      "+": () => this.plots.zoomBy(0.5, this.now), "=": () => this.plots.zoomBy(0.5, this.now), "-": () => this.plots.zoomBy(2, this.now),
-      "0": () => this.plots.reset(), "9": () => this.lively(), "[": () => this.stepScene(-1), "]": () => this.stepScene(1),
+      "+": () => this.plots.zoomBy(0.5, this.now),
+      "=": () => this.plots.zoomBy(0.5, this.now),
+      "-": () => this.plots.zoomBy(2, this.now),
+      "0": () => this.plots.reset(),
+      "9": () => this.lively(),
+      "[": () => this.stepScene(-1),
+      "]": () => this.stepScene(1),
       f: () => this.element.querySelector<HTMLButtonElement>(".widen")!.click(),
       ...(inButton ? {} : { " ": () => this.toggle() }),
-      ...(inSlider ? {} : {
-        ArrowLeft: () => { this.pause(); this.goTo(this.now - sample * (event.shiftKey ? 20 : 1)); },
-        ArrowRight: () => { this.pause(); this.goTo(this.now + sample * (event.shiftKey ? 20 : 1)); },
-      }),
+      ...(inSlider
+        ? {}
+        : {
+            ArrowLeft: () => {
+              this.pause();
+              this.goTo(this.now - sample * (event.shiftKey ? 20 : 1));
+            },
+            ArrowRight: () => {
+              this.pause();
+              this.goTo(this.now + sample * (event.shiftKey ? 20 : 1));
+            },
+          }),
     };
-    if (event.key === "Escape" && this.element.classList.contains("wide")) actions.Escape = actions.f!;
+    if (event.key === "Escape" && this.element.classList.contains("wide"))
+      actions.Escape = actions.f!;
     const action = actions[event.key];
-    if (action) { event.preventDefault(); action(); }
+    if (action) {
+      event.preventDefault();
+      action();
+    }
   }
 }
 

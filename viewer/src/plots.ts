@@ -5,8 +5,18 @@ import { at, type Numbers } from "./data";
 import { colour, isFast, make, whenLeft, writtenTo } from "./page";
 import { localised } from "./words";
 
-export interface Line { label: string; role: string; y: Numbers; step: number; shown: boolean }
-export interface PlotPane { title: string; unit: string; lines: Line[] }
+export interface Line {
+  label: string;
+  role: string;
+  y: Numbers;
+  step: number;
+  shown: boolean;
+}
+export interface PlotPane {
+  title: string;
+  unit: string;
+  lines: Line[];
+}
 export interface Plotted {
   x: Numbers;
   xLabel: string;
@@ -18,7 +28,9 @@ export interface Plotted {
 
 const AXIS = 62;
 const STYLES: Record<string, { width: number; dash?: number[] }> = {
-  measured: { width: 2 }, before: { width: 1.25, dash: [5, 3] }, after: { width: 1.25 },
+  measured: { width: 2 },
+  before: { width: 1.25, dash: [5, 3] },
+  after: { width: 1.25 },
 };
 
 let count = 0;
@@ -35,7 +47,10 @@ export class LinkedPlots {
   private place = 0;
 
   /** `moved` hears where the pointer is on the common axis, `zoomed` what part of it is seen. */
-  constructor(private readonly moved: (x: number) => void, private readonly zoomed: (range: [number, number]) => void = () => {}) {
+  constructor(
+    private readonly moved: (x: number) => void,
+    private readonly zoomed: (range: [number, number]) => void = () => {},
+  ) {
     whenLeft(() => this.clear()); // plots whose cursors are linked know each other until then
     new ResizeObserver(() => this.resize()).observe(this.element);
     this.element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -46,7 +61,9 @@ export class LinkedPlots {
     if (this.refresh(plotted, keep)) return;
     this.clear();
     this.shown = plotted;
-    const { x } = plotted, first = x[0] as number, last = x[x.length - 1] as number;
+    const { x } = plotted,
+      first = x[0] as number,
+      last = x[x.length - 1] as number;
     this.range = keep ?? plotted.window ?? [first, last];
     plotted.panes.forEach((pane, k) => this.add(pane, k === plotted.panes.length - 1));
     this.mark(this.place);
@@ -55,14 +72,24 @@ export class LinkedPlots {
 
   /** Puts other numbers into the plots that stand there; whether they are of the same kind. */
   private refresh(plotted: Plotted, keep: [number, number] | null): boolean {
-    const kind = (one: Plotted) => JSON.stringify([one.xLabel, one.panes.map((pane) => [pane.title, pane.unit, pane.lines.map((line) => [line.label, line.role])])]);
+    const kind = (one: Plotted) =>
+      JSON.stringify([
+        one.xLabel,
+        one.panes.map((pane) => [
+          pane.title,
+          pane.unit,
+          pane.lines.map((line) => [line.label, line.role]),
+        ]),
+      ]);
     if (!this.shown || kind(this.shown) !== kind(plotted)) return false;
     this.shown = plotted;
     const { x } = plotted;
     this.range = keep ?? plotted.window ?? [x[0] as number, x[x.length - 1] as number];
     plotted.panes.forEach((pane, k) => {
       const plot = this.plots[k]!;
-      pane.lines.forEach((line, i) => { if (plot.series[i + 1]!.show !== line.shown) plot.setSeries(i + 1, { show: line.shown }); });
+      pane.lines.forEach((line, i) => {
+        if (plot.series[i + 1]!.show !== line.shown) plot.setSeries(i + 1, { show: line.shown });
+      });
       plot.setData([x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData);
     });
     this.mark(this.place);
@@ -73,11 +100,15 @@ export class LinkedPlots {
   clear(): void {
     this.shown = null;
     for (const plot of this.plots) plot.destroy();
-    this.plots = []; this.heads = []; this.marks = [];
+    this.plots = [];
+    this.heads = [];
+    this.marks = [];
     this.element.replaceChildren();
   }
 
-  get window(): [number, number] { return this.range; }
+  get window(): [number, number] {
+    return this.range;
+  }
 
   get whole(): [number, number] {
     const x = this.shown?.x;
@@ -85,11 +116,14 @@ export class LinkedPlots {
     return x && x.length ? [x[0] as number, x[x.length - 1] as number] : [0, 1];
   }
 
-  reset(): void { this.zoom(...this.whole); }
+  reset(): void {
+    this.zoom(...this.whole);
+  }
 
   /** Shows from `low` to `high`, kept within what there is. */
   zoom(low: number, high: number): void {
-    const [first, last] = this.whole, least = (last - first) * (this.shown?.whole ? 1e-7 : 1e-4) || 1;
+    const [first, last] = this.whole,
+      least = (last - first) * (this.shown?.whole ? 1e-7 : 1e-4) || 1;
     const span = Math.min(Math.max(high - low, least), last - first);
     const start = Math.min(Math.max(low, first), last - span);
     this.range = [start, start + span];
@@ -111,9 +145,14 @@ export class LinkedPlots {
   }
 
   setShown(role: string, shown: boolean): void {
-    this.shown?.panes.forEach((pane, k) => pane.lines.forEach((line, i) => {
-      if (line.role === role) { line.shown = shown; this.plots[k]!.setSeries(i + 1, { show: shown }); }
-    }));
+    this.shown?.panes.forEach((pane, k) =>
+      pane.lines.forEach((line, i) => {
+        if (line.role === role) {
+          line.shown = shown;
+          this.plots[k]!.setSeries(i + 1, { show: shown });
+        }
+      }),
+    );
     this.mark(this.place);
   }
 
@@ -123,7 +162,8 @@ export class LinkedPlots {
     const plotted = this.shown;
     if (!plotted) return;
     plotted.panes.forEach((pane, k) => {
-      const plot = this.plots[k]!, left = plot.valToPos(x, "x");
+      const plot = this.plots[k]!,
+        left = plot.valToPos(x, "x");
       const inside = x >= this.range[0] && x <= this.range[1];
       this.marks[k]!.style.transform = `translateX(${left}px)`;
       this.marks[k]!.hidden = !inside;
@@ -138,61 +178,143 @@ export class LinkedPlots {
 
   repaint(): void {
     const { shown, range } = this;
-    if (shown) { this.clear(); this.show(shown, range); }
+    if (shown) {
+      this.clear();
+      this.show(shown, range);
+    }
   }
 
   private add(pane: PlotPane, isLast: boolean): void {
     const plotted = this.shown!;
-    const head = make("div", { class: "pane-head" }, make("span", {}, make("b", {}, pane.title), make("span", { class: "unit" }, ` [${pane.unit || "–"}]`)));
+    const head = make(
+      "div",
+      { class: "pane-head" },
+      make(
+        "span",
+        {},
+        make("b", {}, pane.title),
+        make("span", { class: "unit" }, ` [${pane.unit || "–"}]`),
+      ),
+    );
     for (const line of pane.lines)
-      head.append(make("span", { class: "value" }, ...(line.label ? [make("i", { class: `swatch ${line.role}` }), `${line.label} `] : []), make("output", {}, "–")));
+      head.append(
+        make(
+          "span",
+          { class: "value" },
+          ...(line.label ? [make("i", { class: `swatch ${line.role}` }), `${line.label} `] : []),
+          make("output", {}, "–"),
+        ),
+      );
     const holder = make("div", { class: "pane" });
     this.element.append(head, holder);
-    const ink = colour("ink"), grid = { stroke: colour("line"), width: 1 }, faint = colour("span");
+    const ink = colour("ink"),
+      grid = { stroke: colour("line"), width: 1 },
+      faint = colour("span");
     const font = "12px system-ui, sans-serif";
     const values = (_: uPlot, ticks: number[]) => alike(ticks);
-    const plot = drawnByTheProcessor(() => new uPlot({
-      width: Math.max(this.element.clientWidth, 200), height: this.height(isLast),
-      padding: [6, 12, 0, 0],
-      legend: { show: false },
-      cursor: {
-        sync: { key: this.key, setSeries: false },
-        drag: { x: true, y: false, setScale: false },
-        points: { show: false },
-        y: false,
-        bind: { dblclick: () => null },
-      },
-      scales: { x: { time: false, auto: false, range: () => this.range }, y: { range: (_u: uPlot, low: number | null, high: number | null) => around(low, high) } },
-      axes: [
-        { stroke: ink, grid, ticks: { show: false }, size: isLast ? 24 : 6, font, values: isLast ? values : () => [], label: isLast ? plotted.xLabel : undefined, labelSize: 16, labelFont: font, labelGap: 0, gap: 3 },
-        { stroke: ink, grid, ticks: { show: false }, size: AXIS, space: 22, font, values }, // at least two marks, whatever the range
-      ],
-      series: [{}, ...pane.lines.map((line) => {
-        const style = STYLES[line.role] ?? { width: 1.25 };
-        return { label: line.label, stroke: colour(line.role), points: { show: false }, show: line.shown, pxAlign: 0, ...style };
-      })],
-      hooks: {
-        drawClear: [(u) => {
-          u.ctx.fillStyle = faint;
-          for (const [from, to] of plotted.spans) {
-            const low = Math.max(from, this.range[0]), high = Math.min(to, this.range[1]);
-            if (high > low) u.ctx.fillRect(u.valToPos(low, "x", true), u.bbox.top, u.valToPos(high, "x", true) - u.valToPos(low, "x", true), u.bbox.height);
-          }
-        }],
-        setSelect: [(u) => {
-          if (u.select.width > 4) this.zoom(u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x"));
-          u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-        }],
-        setCursor: [(u) => {
-          if (this.busy || u.cursor.left === undefined || u.cursor.left === null || u.cursor.left < 0 || !u.cursor.event) return;
-          this.moved(u.posToVal(u.cursor.left, "x"));
-        }],
-      },
-    } as uPlot.Options, [plotted.x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData, holder));
+    const plot = drawnByTheProcessor(
+      () =>
+        new uPlot(
+          {
+            width: Math.max(this.element.clientWidth, 200),
+            height: this.height(isLast),
+            padding: [6, 12, 0, 0],
+            legend: { show: false },
+            cursor: {
+              sync: { key: this.key, setSeries: false },
+              drag: { x: true, y: false, setScale: false },
+              points: { show: false },
+              y: false,
+              bind: { dblclick: () => null },
+            },
+            scales: {
+              x: { time: false, auto: false, range: () => this.range },
+              y: {
+                range: (_u: uPlot, low: number | null, high: number | null) => around(low, high),
+              },
+            },
+            axes: [
+              {
+                stroke: ink,
+                grid,
+                ticks: { show: false },
+                size: isLast ? 24 : 6,
+                font,
+                values: isLast ? values : () => [],
+                label: isLast ? plotted.xLabel : undefined,
+                labelSize: 16,
+                labelFont: font,
+                labelGap: 0,
+                gap: 3,
+              },
+              { stroke: ink, grid, ticks: { show: false }, size: AXIS, space: 22, font, values }, // at least two marks, whatever the range
+            ],
+            series: [
+              {},
+              ...pane.lines.map((line) => {
+                const style = STYLES[line.role] ?? { width: 1.25 };
+                return {
+                  label: line.label,
+                  stroke: colour(line.role),
+                  points: { show: false },
+                  show: line.shown,
+                  pxAlign: 0,
+                  ...style,
+                };
+              }),
+            ],
+            hooks: {
+              drawClear: [
+                (u) => {
+                  u.ctx.fillStyle = faint;
+                  for (const [from, to] of plotted.spans) {
+                    const low = Math.max(from, this.range[0]),
+                      high = Math.min(to, this.range[1]);
+                    if (high > low)
+                      u.ctx.fillRect(
+                        u.valToPos(low, "x", true),
+                        u.bbox.top,
+                        u.valToPos(high, "x", true) - u.valToPos(low, "x", true),
+                        u.bbox.height,
+                      );
+                  }
+                },
+              ],
+              setSelect: [
+                (u) => {
+                  if (u.select.width > 4)
+                    this.zoom(
+                      u.posToVal(u.select.left, "x"),
+                      u.posToVal(u.select.left + u.select.width, "x"),
+                    );
+                  u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+                },
+              ],
+              setCursor: [
+                (u) => {
+                  if (
+                    this.busy ||
+                    u.cursor.left === undefined ||
+                    u.cursor.left === null ||
+                    u.cursor.left < 0 ||
+                    !u.cursor.event
+                  )
+                    return;
+                  this.moved(u.posToVal(u.cursor.left, "x"));
+                },
+              ],
+            },
+          } as uPlot.Options,
+          [plotted.x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData,
+          holder,
+        ),
+    );
     const mark = make("div", { class: "mark-line" });
     plot.over.append(mark);
     plot.over.style.touchAction = "pan-y";
-    this.plots.push(plot); this.heads.push(head); this.marks.push(mark);
+    this.plots.push(plot);
+    this.heads.push(head);
+    this.marks.push(mark);
   }
 
   private height(isLast: boolean): number {
@@ -204,7 +326,9 @@ export class LinkedPlots {
   private resize(): void {
     const width = this.element.clientWidth;
     if (width < 50) return;
-    this.plots.forEach((plot, k) => plot.setSize({ width, height: this.height(k === this.plots.length - 1) }));
+    this.plots.forEach((plot, k) =>
+      plot.setSize({ width, height: this.height(k === this.plots.length - 1) }),
+    );
     this.mark(this.place);
   }
 
@@ -214,18 +338,31 @@ export class LinkedPlots {
     const plot = this.plots[0];
     if (!plot) return;
     if (event.shiftKey) this.pan(Math.sign(event.deltaY || event.deltaX) * 0.1);
-    else this.zoomBy(event.deltaY > 0 ? 1.25 : 0.8, plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
+    else
+      this.zoomBy(
+        event.deltaY > 0 ? 1.25 : 0.8,
+        plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"),
+      );
   }
 }
 
 /** Makes plots whose canvas is drawn by the processor where there is no graphics card: a stand-in for one takes twice as long. */
 function drawnByTheProcessor<T>(make: () => T): T {
   if (isFast()) return make();
-  const kind = HTMLCanvasElement.prototype, usual = kind.getContext; // uPlot asks for its context itself
+  const kind = HTMLCanvasElement.prototype,
+    usual = kind.getContext; // uPlot asks for its context itself
   kind.getContext = function (this: HTMLCanvasElement, name: string, options?: object) {
-    return usual.call(this, name, name === "2d" ? { ...options, willReadFrequently: true } : options);
+    return usual.call(
+      this,
+      name,
+      name === "2d" ? { ...options, willReadFrequently: true } : options,
+    );
   } as typeof usual;
-  try { return make(); } finally { kind.getContext = usual; }
+  try {
+    return make();
+  } finally {
+    kind.getContext = usual;
+  }
 }
 
 /** Labels of an axis, all with as many digits behind the point. */

@@ -1,33 +1,86 @@
 /** The viewer's words, in the language of its page. */
 
 const ENGLISH = {
-  light: "Light", dark: "Dark", showLight: "Show this page light", showDark: "Show this page dark",
+  light: "Light",
+  dark: "Dark",
+  showLight: "Show this page light",
+  showDark: "Show this page dark",
   failed: "The interactive plots could not be made (#); the figures of this page show the same.",
-  choice: "what is shown", previous: "previous ([)", next: "next (])", curves: "curves", channels: "channels",
-  more: "# more", otherChannels: "all other channels",
-  zoomIn: "zoom in (+)", zoomOut: "zoom out (−)", all: "All", everything: "everything (0, or double click)",
-  event: "Event", zoomToEvent: "zoom to the event (9)", wide: "Full window", fillWindow: "fill the window (f)",
-  play: "Play", pause: "Pause", speed: "speed", realTime: "real time", fast: "fast",
+  choice: "what is shown",
+  previous: "previous ([)",
+  next: "next (])",
+  curves: "curves",
+  channels: "channels",
+  more: "# more",
+  otherChannels: "all other channels",
+  zoomIn: "zoom in (+)",
+  zoomOut: "zoom out (−)",
+  all: "All",
+  everything: "everything (0, or double click)",
+  event: "Event",
+  zoomToEvent: "zoom to the event (9)",
+  wide: "Full window",
+  fillWindow: "fill the window (f)",
+  play: "Play",
+  pause: "Pause",
+  speed: "speed",
+  realTime: "real time",
+  fast: "fast",
   hint: "Drag to zoom, double click for everything; Ctrl + wheel zooms, Shift + wheel pans. Keys: space plays, ← → step, + − 0 zoom, [ ] change what is shown, f fills the window.",
-  view: "view", space: "3-D", front: "front", side: "side", top: "top", wheel: "wheel", names: "names", paths: "paths",
+  view: "view",
+  space: "3-D",
+  front: "front",
+  side: "side",
+  top: "top",
+  wheel: "wheel",
+  names: "names",
+  paths: "paths",
   mechanism: "The mechanism; drag to turn it, click on it to zoom with the wheel",
   noContact: "no contact",
-  strut: "spring and damper", contactPoint: "contact point",
+  strut: "spring and damper",
+  contactPoint: "contact point",
 };
 
 const GERMAN: typeof ENGLISH = {
-  light: "Hell", dark: "Dunkel", showLight: "Seite hell darstellen", showDark: "Seite dunkel darstellen",
-  failed: "Die interaktiven Diagramme konnten nicht erstellt werden (#); die Abbildungen der Seite zeigen dasselbe.",
-  choice: "Auswahl", previous: "zurück ([)", next: "weiter (])", curves: "Kurven", channels: "Kanäle",
-  more: "# weitere", otherChannels: "alle weiteren Kanäle",
-  zoomIn: "vergrößern (+)", zoomOut: "verkleinern (−)", all: "Alles", everything: "gesamter Bereich (0 oder Doppelklick)",
-  event: "Ereignis", zoomToEvent: "auf das Ereignis zoomen (9)", wide: "Großansicht", fillWindow: "ganzes Fenster nutzen (f)",
-  play: "Abspielen", pause: "Pause", speed: "Tempo", realTime: "Echtzeit", fast: "schnell",
+  light: "Hell",
+  dark: "Dunkel",
+  showLight: "Seite hell darstellen",
+  showDark: "Seite dunkel darstellen",
+  failed:
+    "Die interaktiven Diagramme konnten nicht erstellt werden (#); die Abbildungen der Seite zeigen dasselbe.",
+  choice: "Auswahl",
+  previous: "zurück ([)",
+  next: "weiter (])",
+  curves: "Kurven",
+  channels: "Kanäle",
+  more: "# weitere",
+  otherChannels: "alle weiteren Kanäle",
+  zoomIn: "vergrößern (+)",
+  zoomOut: "verkleinern (−)",
+  all: "Alles",
+  everything: "gesamter Bereich (0 oder Doppelklick)",
+  event: "Ereignis",
+  zoomToEvent: "auf das Ereignis zoomen (9)",
+  wide: "Großansicht",
+  fillWindow: "ganzes Fenster nutzen (f)",
+  play: "Abspielen",
+  pause: "Pause",
+  speed: "Tempo",
+  realTime: "Echtzeit",
+  fast: "schnell",
   hint: "Bereich aufziehen zum Zoomen, Doppelklick zeigt alles; Strg + Mausrad zoomt, Umschalt + Mausrad verschiebt. Tasten: Leertaste spielt ab, ← → Einzelschritt, + − 0 Zoom, [ ] wechselt die Auswahl, f Großansicht.",
-  view: "Ansicht", space: "3-D", front: "vorn", side: "Seite", top: "oben", wheel: "Rad", names: "Namen", paths: "Bahnkurven",
+  view: "Ansicht",
+  space: "3-D",
+  front: "vorn",
+  side: "Seite",
+  top: "oben",
+  wheel: "Rad",
+  names: "Namen",
+  paths: "Bahnkurven",
   mechanism: "Die Radaufhängung; ziehen dreht sie, nach einem Klick zoomt das Mausrad",
   noContact: "kein Bodenkontakt",
-  strut: "Feder und Dämpfer", contactPoint: "Radaufstandspunkt",
+  strut: "Feder und Dämpfer",
+  contactPoint: "Radaufstandspunkt",
 };
 
 export const isGerman = document.documentElement.lang.startsWith("de");
@@ -49,24 +102,42 @@ const SAID: Record<string, string> = {};
 let patterns: [RegExp, string][] | null = null;
 
 /** Adds German for English texts of a page; `#` in them is whatever stands there. */
-export function translate(texts: Record<string, string>): void { Object.assign(SAID, texts); patterns = null; }
+export function translate(texts: Record<string, string>): void {
+  Object.assign(SAID, texts);
+  patterns = null;
+}
 
 /** German of a text that is known, also by its words around what is given; names and numbers stay as they are. */
 function german(text: string): string | undefined {
   if (Object.hasOwn(SAID, text)) return SAID[text];
   if (text.length > 400) return undefined;
-  patterns ??= Object.entries(SAID).filter(([words]) => words.includes("#") && words.replaceAll("#", "").trim().length > 4)
+  patterns ??= Object.entries(SAID)
+    .filter(([words]) => words.includes("#") && words.replaceAll("#", "").trim().length > 4)
     .sort(([one], [other]) => other.length - one.length) // the one that says most first
-    .map(([words, said]) => [new RegExp(`^${words.split("#").map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).join("(.+?)")}$`, "s"), said]);
+    .map(([words, said]) => [
+      new RegExp(
+        `^${words
+          .split("#")
+          .map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"))
+          .join("(.+?)")}$`,
+        "s",
+      ),
+      said,
+    ]);
   for (const [pattern, said] of patterns) {
     const [, ...given] = pattern.exec(text) ?? [];
-    if (given.length) return said.replace(/#/g, () => { return heard(given.shift() ?? ""); });
+    if (given.length)
+      return said.replace(/#/g, () => {
+        return heard(given.shift() ?? "");
+      });
   }
   return undefined;
 }
 
 /** A text of an element in the language of the page: only what is a sentence or begins with a capital, which names and paths do not. */
-export function heard(text: string): string { return (isGerman && /^[A-Z]|\s/.test(text) && german(text)) || text; }
+export function heard(text: string): string {
+  return (isGerman && /^[A-Z]|\s/.test(text) && german(text)) || text;
+}
 
 /** An English text in the language of the page; `#` in it is what is given. */
 export function tr(text: string, given = ""): string {

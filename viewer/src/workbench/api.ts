@@ -4,75 +4,190 @@ import { lasting } from "../browser";
 import { tr } from "../words";
 import { Refused, told as refused } from "./refusals";
 
-export interface Entry { path: string; kind: string; size: number; modified: number; finished: number | null; count: number | null; has_hardpoints: boolean; address: string }
-export interface Project { name: string; folder: string; entries: Entry[] }
-export interface Text { path: string; text: string; digest: string }
-export interface Checked { kind: string; what: string; problems: Error[]; notes: string[] }
-export interface RigNumber { path: string; value: number; si: string; unit: string; factor: number }
-export interface Rig { name: string; model: string; digest: string; spatial: boolean; numbers: RigNumber[]; findings: { place: string; severity: string; message: string }[] }
-export interface Problem { path: string; line: number; text: string }
+export interface Entry {
+  path: string;
+  kind: string;
+  size: number;
+  modified: number;
+  finished: number | null;
+  count: number | null;
+  has_hardpoints: boolean;
+  address: string;
+}
+export interface Project {
+  name: string;
+  folder: string;
+  entries: Entry[];
+}
+export interface Text {
+  path: string;
+  text: string;
+  digest: string;
+}
+export interface Checked {
+  kind: string;
+  what: string;
+  problems: Error[];
+  notes: string[];
+}
+export interface RigNumber {
+  path: string;
+  value: number;
+  si: string;
+  unit: string;
+  factor: number;
+}
+export interface Rig {
+  name: string;
+  model: string;
+  digest: string;
+  spatial: boolean;
+  numbers: RigNumber[];
+  findings: { place: string; severity: string; message: string }[];
+}
+export interface Problem {
+  path: string;
+  line: number;
+  text: string;
+}
 /** What a file was before it was written anew: its name, and when that was (s since 1970). */
-export interface Version { name: string; replaced: number }
+export interface Version {
+  name: string;
+  replaced: number;
+}
 /** A text of a rig beside what it says. */
-export interface Form { text: string; values: unknown; model: string; problems: Problem[]; rig: Rig | null; changed: string[]; python: string; command: string }
+export interface Form {
+  text: string;
+  values: unknown;
+  model: string;
+  problems: Problem[];
+  rig: Rig | null;
+  changed: string[];
+  python: string;
+  command: string;
+}
 /** Content of a viewer (see ../data), and how to get the same by other ways. */
-export interface Answer { python: string; command: string; files: Record<string, string> }
+export interface Answer {
+  python: string;
+  command: string;
+  files: Record<string, string>;
+}
 /** The digest of the rig as it is saved, of whose numbers those that are sent are changes. */
-export interface OfRig { digest: string }
+export interface OfRig {
+  digest: string;
+}
 
-const KEY = "jounce-token", brought = new URLSearchParams(location.search).get("token");
+const KEY = "jounce-token",
+  brought = new URLSearchParams(location.search).get("token");
 /** What the printed address brings along, and every question carries. It is kept for this address, other tabs too, and sent to no other. */
 export const token = brought ?? lasting?.getItem(KEY) ?? "";
 if (brought !== null) {
-  try { lasting?.setItem(KEY, token); } catch { /* full: it is known as long as this page is open */ }
+  try {
+    lasting?.setItem(KEY, token);
+  } catch {
+    /* full: it is known as long as this page is open */
+  }
   history.replaceState(null, "", location.pathname + location.hash);
 }
 
-export const asked = (method: string, path: string, body?: unknown, accept = "application/json"): Promise<Response> =>
-  sent(path, { method, ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json", Accept: accept } }) });
+export const asked = (
+  method: string,
+  path: string,
+  body?: unknown,
+  accept = "application/json",
+): Promise<Response> =>
+  sent(path, {
+    method,
+    ...(body === undefined
+      ? {}
+      : {
+          body: JSON.stringify(body),
+          headers: { "Content-Type": "application/json", Accept: accept },
+        }),
+  });
 
 async function sent(path: string, given: RequestInit): Promise<Response> {
   let answer: Response;
   try {
-    answer = await fetch(path, { ...given, headers: { ...given.headers, Authorization: `Bearer ${token}` }, credentials: "omit" });
+    answer = await fetch(path, {
+      ...given,
+      headers: { ...given.headers, Authorization: `Bearer ${token}` },
+      credentials: "omit",
+    });
   } catch {
     throw new Error(tr("The server does not answer: start it again with jounce serve."));
   }
   if (answer.ok) return answer;
-  if (answer.status === 401) throw new Error(tr("This page is not known here any more: open the address that jounce serve printed."));
-  const told = await answer.json().catch(() => null) as { error?: { text: string }; detail?: { msg: string; loc: string[] }[] } | null;
-  throw new Refused(told?.error?.text ?? told?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ?? answer.statusText);
+  if (answer.status === 401)
+    throw new Error(
+      tr("This page is not known here any more: open the address that jounce serve printed."),
+    );
+  const told = (await answer.json().catch(() => null)) as {
+    error?: { text: string };
+    detail?: { msg: string; loc: string[] }[];
+  } | null;
+  throw new Refused(
+    told?.error?.text ??
+      told?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ??
+      answer.statusText,
+  );
 }
 
 export const query = (values: Record<string, string>) => new URLSearchParams(values).toString();
-export const get = async <T>(path: string): Promise<T> => (await asked("GET", path)).json() as Promise<T>;
+export const get = async <T>(path: string): Promise<T> =>
+  (await asked("GET", path)).json() as Promise<T>;
 
 export const project = () => get<Project>("/api/project");
 let place: Promise<string> | null = null;
 /** The folder that the workbench is opened on, asked for once. */
-export function folder(): Promise<string> { place ??= project().then((found) => found.folder); place.catch(() => { place = null; }); return place; }
+export function folder(): Promise<string> {
+  place ??= project().then((found) => found.folder);
+  place.catch(() => {
+    place = null;
+  });
+  return place;
+}
 export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/api/library");
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {
-  const found = await get<{ kind: string; what: string; problems: string[]; notes: string[] }>(`/api/check?${query({ path })}`);
+  const found = await get<{ kind: string; what: string; problems: string[]; notes: string[] }>(
+    `/api/check?${query({ path })}`,
+  );
   return { ...found, problems: found.problems.map((one) => new Refused(one)) };
 };
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
-export const start = async (name: string, path: string) => (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
-export const save = async (path: string, text: string, was: string) => (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
+export const start = async (name: string, path: string) =>
+  (await asked("POST", "/api/library", { name, path })).json() as Promise<Text>;
+export const save = async (path: string, text: string, was: string) =>
+  (await asked("PUT", "/api/file", { path, text, was })).json() as Promise<Text>;
 const schemas = new Map<string, Promise<object>>();
 /** Schema of a model, asked for once. */
 export function schema(model: string): Promise<object> {
   let found = schemas.get(model);
-  if (!found) { found = get<object>(`/api/schema?${query({ model })}`); schemas.set(model, found); found.catch(() => schemas.delete(model)); }
+  if (!found) {
+    found = get<object>(`/api/schema?${query({ model })}`);
+    schemas.set(model, found);
+    found.catch(() => schemas.delete(model));
+  }
   return found;
 }
-export const form = async (path: string, text: string, sets: unknown[], changes: Record<string, number>): Promise<Form> => {
-  const found = await (await asked("POST", "/api/form", { path, text, sets, changes })).json() as Form;
+export const form = async (
+  path: string,
+  text: string,
+  sets: unknown[],
+  changes: Record<string, number>,
+): Promise<Form> => {
+  const found = (await (
+    await asked("POST", "/api/form", { path, text, sets, changes })
+  ).json()) as Form;
   return { ...found, problems: found.problems.map((one) => ({ ...one, text: refused(one.text) })) };
 };
-export const binary = async (path: string, body: unknown) => (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();
+export const binary = async (path: string, body: unknown) =>
+  (await asked("POST", path, body, "application/octet-stream")).arrayBuffer();
 /** Puts a file into the project as it is. */
-export const upload = async (path: string, file: File): Promise<void> => { await sent(`/api/upload?${query({ path })}`, { method: "PUT", body: file }); };
-export const curves = (question: "simulate" | "kinematics", body: unknown) => binary(`/api/${question}`, body);
+export const upload = async (path: string, file: File): Promise<void> => {
+  await sent(`/api/upload?${query({ path })}`, { method: "PUT", body: file });
+};
+export const curves = (question: "simulate" | "kinematics", body: unknown) =>
+  binary(`/api/${question}`, body);

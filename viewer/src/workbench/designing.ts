@@ -7,69 +7,295 @@ import { field, once, problem, type Sliders } from "./parts";
 import { part } from "./quantities";
 import { Refused } from "./refusals";
 
-export interface Target { quantity: string; value?: string; at_least?: string; at_most?: string; tolerance: string; at?: string; over?: string; along?: string }
-interface Found { id: string; state: string; said: string; share: number | null; left: number | null; lasted: number | null; report: string; error: string | null; result: unknown }
+export interface Target {
+  quantity: string;
+  value?: string;
+  at_least?: string;
+  at_most?: string;
+  tolerance: string;
+  at?: string;
+  over?: string;
+  along?: string;
+}
+interface Found {
+  id: string;
+  state: string;
+  said: string;
+  share: number | null;
+  left: number | null;
+  lasted: number | null;
+  report: string;
+  error: string | null;
+  result: unknown;
+}
 
 const job = (id: string) => api.get<Found>(`/api/jobs/${encodeURIComponent(id)}`);
 
 /** A search for hardpoints that give the targets, as a job: how far it is, what was found, and that taken. */
-export function designing(name: string, rig: api.Rig, targets: Target[], sliders: Sliders, take: (changes: Record<string, number>) => void): HTMLElement {
-  const names = [...new Set(rig.numbers.map(({ path }) => /^(hardpoints\.\w+)\[/.exec(path)?.[1]).filter((one): one is string => !!one && !one.endsWith("wheel_centre")))];
-  const boxes = names.map((one) => make("input", { type: "checkbox", value: one, checked: /tie_rod|link_5/.test(one) }));
-  const within = make("input", { type: "text", value: "15 mm" }), starts = make("input", { type: "number", min: "1", max: "100", value: "4" }), out = make("div", { "aria-live": "polite" });
+export function designing(
+  name: string,
+  rig: api.Rig,
+  targets: Target[],
+  sliders: Sliders,
+  take: (changes: Record<string, number>) => void,
+): HTMLElement {
+  const names = [
+    ...new Set(
+      rig.numbers
+        .map(({ path }) => /^(hardpoints\.\w+)\[/.exec(path)?.[1])
+        .filter((one): one is string => !!one && !one.endsWith("wheel_centre")),
+    ),
+  ];
+  const boxes = names.map((one) =>
+    make("input", { type: "checkbox", value: one, checked: /tie_rod|link_5/.test(one) }),
+  );
+  const within = make("input", { type: "text", value: "15 mm" }),
+    starts = make("input", { type: "number", min: "1", max: "100", value: "4" }),
+    out = make("div", { "aria-live": "polite" });
   const begin = make("button", { type: "submit", class: "main" }, tr("Search"));
-  const form = make("form", {}, make("fieldset", { class: "free" }, make("legend", {}, tr("Hardpoints that may move")), ...boxes.map((box, i) => make("label", {}, box, ` ${part(names[i]!.replace("hardpoints.", ""))}`))),
-    make("div", { class: "form" }, field(tr("Each coordinate by up to"), within), field(tr("Searches"), starts), begin));
+  const form = make(
+    "form",
+    {},
+    make(
+      "fieldset",
+      { class: "free" },
+      make("legend", {}, tr("Hardpoints that may move")),
+      ...boxes.map((box, i) =>
+        make("label", {}, box, ` ${part(names[i]!.replace("hardpoints.", ""))}`),
+      ),
+    ),
+    make(
+      "div",
+      { class: "form" },
+      field(tr("Each coordinate by up to"), within),
+      field(tr("Searches"), starts),
+      begin,
+    ),
+  );
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const free = boxes.filter((box) => box.checked).map((box) => box.value);
-    if (!targets.length || !free.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Add a target above, and choose a hardpoint that may move."))); return; }
-    void once(begin, search(free, { ...sliders.changes }, within.value, Number(starts.value) || 4, [...targets])).catch((error) => out.replaceChildren(problem(error)));
+    if (!targets.length || !free.length) {
+      out.replaceChildren(
+        make(
+          "p",
+          { class: "muted" },
+          tr("Add a target above, and choose a hardpoint that may move."),
+        ),
+      );
+      return;
+    }
+    void once(
+      begin,
+      search(free, { ...sliders.changes }, within.value, Number(starts.value) || 4, [...targets]),
+    ).catch((error) => out.replaceChildren(problem(error)));
   });
 
   /** All of it as it was when the search was asked for, whatever is edited while it is written down. */
-  async function search(free: string[], changes: Record<string, number>, within: string, starts: number, targets: Target[]): Promise<void> {
-    const stem = name.replace(/\.toml$/, "").replaceAll("/", "-"), mark = new Date().toISOString().replace(/\D/g, "").slice(2, 14), study = `designs/${stem}-${mark}.toml`;
-    const quoted = (text: string) => JSON.stringify(text), file = await api.file(name), now = await api.form(name, file.text, [], changes);
-    if (now.problems.length) throw new Error(now.problems.map((one) => `${one.path ? `${one.path}: ` : ""}${one.text}`).join(" ")); // its text is that of the file then
+  async function search(
+    free: string[],
+    changes: Record<string, number>,
+    within: string,
+    starts: number,
+    targets: Target[],
+  ): Promise<void> {
+    const stem = name.replace(/\.toml$/, "").replaceAll("/", "-"),
+      mark = new Date().toISOString().replace(/\D/g, "").slice(2, 14),
+      study = `designs/${stem}-${mark}.toml`;
+    const quoted = (text: string) => JSON.stringify(text),
+      file = await api.file(name),
+      now = await api.form(name, file.text, [], changes);
+    if (now.problems.length)
+      throw new Error(
+        now.problems.map((one) => `${one.path ? `${one.path}: ` : ""}${one.text}`).join(" "),
+      ); // its text is that of the file then
     const start = `designs/${stem}-${mark}-start.toml`;
     await api.save(start, now.text, ""); // the rig as it stands on the page
-    const text = [`schema = "jounce.design/1"`, `rig = ${quoted(`${stem}-${mark}-start.toml`)}`, `starts = ${starts}`, "",
-      ...free.flatMap((one) => ["[[free]]", `point = ${quoted(one)}`, `within = ${quoted(within)}`, ""]),
-      ...targets.flatMap((one) => ["[[target]]", ...Object.entries(one).map(([key, value]) => `${key} = ${quoted(String(value))}`), ""])].join("\n");
+    const text = [
+      `schema = "jounce.design/1"`,
+      `rig = ${quoted(`${stem}-${mark}-start.toml`)}`,
+      `starts = ${starts}`,
+      "",
+      ...free.flatMap((one) => [
+        "[[free]]",
+        `point = ${quoted(one)}`,
+        `within = ${quoted(within)}`,
+        "",
+      ]),
+      ...targets.flatMap((one) => [
+        "[[target]]",
+        ...Object.entries(one).map(([key, value]) => `${key} = ${quoted(String(value))}`),
+        "",
+      ]),
+    ].join("\n");
     await api.save(study, text, "");
-    const begun = await (await api.asked("POST", "/api/jobs", { kind: "design", study, out: `designs/${stem}-${mark}` })).json() as Found;
-    const bar = make("progress", { max: "1", "aria-label": tr("share done") }), said = make("span", {}), cancel = make("button", { type: "button" }, tr("Cancel"));
-    cancel.addEventListener("click", () => { once(cancel, api.asked("POST", `/api/jobs/${encodeURIComponent(begun.id)}/cancel`, {})).catch((error) => out.append(problem(error))); });
+    const begun = (await (
+      await api.asked("POST", "/api/jobs", {
+        kind: "design",
+        study,
+        out: `designs/${stem}-${mark}`,
+      })
+    ).json()) as Found;
+    const bar = make("progress", { max: "1", "aria-label": tr("share done") }),
+      said = make("span", {}),
+      cancel = make("button", { type: "button" }, tr("Cancel"));
+    cancel.addEventListener("click", () => {
+      once(cancel, api.asked("POST", `/api/jobs/${encodeURIComponent(begun.id)}/cancel`, {})).catch(
+        (error) => out.append(problem(error)),
+      );
+    });
     out.replaceChildren(make("p", { class: "bar" }, bar, said, cancel));
     for (;;) {
       const found = await job(begun.id);
       if (!out.isConnected) return;
-      if (found.share === null) bar.removeAttribute("value"); else bar.value = found.share;
-      said.textContent = [tr(heard(found.said)), `${written(found.lasted ?? 0, 2)} s`, found.left ? tr("# s left", written(found.left, 2)) : ""].filter(Boolean).join(", ");
-      if (found.state === "done") { results(found); return; }
-      if (!["running", "cancelling"].includes(found.state)) { out.replaceChildren(problem(found.error ? new Refused(found.error) : new Error(tr("The search was ended.")))); return; }
+      if (found.share === null) bar.removeAttribute("value");
+      else bar.value = found.share;
+      said.textContent = [
+        tr(heard(found.said)),
+        `${written(found.lasted ?? 0, 2)} s`,
+        found.left ? tr("# s left", written(found.left, 2)) : "",
+      ]
+        .filter(Boolean)
+        .join(", ");
+      if (found.state === "done") {
+        results(found);
+        return;
+      }
+      if (!["running", "cancelling"].includes(found.state)) {
+        out.replaceChildren(
+          problem(found.error ? new Refused(found.error) : new Error(tr("The search was ended."))),
+        );
+        return;
+      }
       await new Promise((later) => setTimeout(later, 400));
     }
   }
 
   function results(found: Found): void {
-    const result = found.result as { met: boolean; moved: Record<string, { before: number; after: number }>; targets: { quantity: string; met: boolean }[]; starts: { start: number; met: boolean; cost: number | null; travelled: number | null; ended: string; numbers: Record<string, number> }[] };
+    const result = found.result as {
+      met: boolean;
+      moved: Record<string, { before: number; after: number }>;
+      targets: { quantity: string; met: boolean }[];
+      starts: {
+        start: number;
+        met: boolean;
+        cost: number | null;
+        travelled: number | null;
+        ended: string;
+        numbers: Record<string, number>;
+      }[];
+    };
     const button = make("button", { type: "button", class: "main" }, tr("Take the best"));
-    button.addEventListener("click", () => take(Object.fromEntries(Object.entries(result.moved).map(([path, one]) => [path, one.after]))));
-    const other = (start: number, moved: Record<string, number>) => { // any search that ended in a rig, not the best alone
+    button.addEventListener("click", () =>
+      take(
+        Object.fromEntries(Object.entries(result.moved).map(([path, one]) => [path, one.after])),
+      ),
+    );
+    const other = (start: number, moved: Record<string, number>) => {
+      // any search that ended in a rig, not the best alone
       if (!Object.keys(moved).length) return "";
-      const taking = make("button", { type: "button", "aria-label": tr("Take the design of search #", String(start)) }, tr("Take"));
+      const taking = make(
+        "button",
+        { type: "button", "aria-label": tr("Take the design of search #", String(start)) },
+        tr("Take"),
+      );
       taking.addEventListener("click", () => take(moved));
       return taking;
     };
     const numbers = new Map(rig.numbers.map((one) => [one.path, one]));
-    out.replaceChildren(make("p", { class: result.met ? "good" : "problem" }, result.met ? tr("Every target is met.") : tr("# of the targets are missed.", String(result.targets.filter((one) => !one.met).length))),
-      make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("search"), tr("targets"), tr("cost, tolerances²"), tr("moved, share of the boxes"), tr("ended"), ""].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))))),
-        make("tbody", {}, ...result.starts.map((one) => make("tr", {}, make("th", { scope: "row" }, String(one.start)), make("td", {}, one.met ? tr("met") : tr("missed")), make("td", { class: "right" }, written(one.cost, 3)), make("td", { class: "right" }, written(one.travelled, 2)), make("td", {}, tr(one.ended)), make("td", {}, other(one.start, one.numbers))))))),
-      make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) => make("th", { scope: "col" }, one)))),
-        make("tbody", {}, ...Object.entries(result.moved).map(([path, one]) => { const known = numbers.get(path), by = known?.factor ?? 1; return make("tr", {}, make("th", { scope: "row" }, path), make("td", { class: "right" }, written(one.before * by, 5)), make("td", { class: "right" }, written(one.after * by, 5)), make("td", {}, known?.unit ?? "")); })))),
-      make("p", { class: "bar" }, button, make("a", { href: found.report, target: "_blank" }, tr("Its report"))));
+    out.replaceChildren(
+      make(
+        "p",
+        { class: result.met ? "good" : "problem" },
+        result.met
+          ? tr("Every target is met.")
+          : tr(
+              "# of the targets are missed.",
+              String(result.targets.filter((one) => !one.met).length),
+            ),
+      ),
+      make(
+        "div",
+        { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") },
+        make(
+          "table",
+          {},
+          make(
+            "thead",
+            {},
+            make(
+              "tr",
+              {},
+              ...[
+                tr("search"),
+                tr("targets"),
+                tr("cost, tolerances²"),
+                tr("moved, share of the boxes"),
+                tr("ended"),
+                "",
+              ].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))),
+            ),
+          ),
+          make(
+            "tbody",
+            {},
+            ...result.starts.map((one) =>
+              make(
+                "tr",
+                {},
+                make("th", { scope: "row" }, String(one.start)),
+                make("td", {}, one.met ? tr("met") : tr("missed")),
+                make("td", { class: "right" }, written(one.cost, 3)),
+                make("td", { class: "right" }, written(one.travelled, 2)),
+                make("td", {}, tr(one.ended)),
+                make("td", {}, other(one.start, one.numbers)),
+              ),
+            ),
+          ),
+        ),
+      ),
+      make(
+        "div",
+        { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") },
+        make(
+          "table",
+          {},
+          make(
+            "thead",
+            {},
+            make(
+              "tr",
+              {},
+              ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) =>
+                make("th", { scope: "col" }, one),
+              ),
+            ),
+          ),
+          make(
+            "tbody",
+            {},
+            ...Object.entries(result.moved).map(([path, one]) => {
+              const known = numbers.get(path),
+                by = known?.factor ?? 1;
+              return make(
+                "tr",
+                {},
+                make("th", { scope: "row" }, path),
+                make("td", { class: "right" }, written(one.before * by, 5)),
+                make("td", { class: "right" }, written(one.after * by, 5)),
+                make("td", {}, known?.unit ?? ""),
+              );
+            }),
+          ),
+        ),
+      ),
+      make(
+        "p",
+        { class: "bar" },
+        button,
+        make("a", { href: found.report, target: "_blank" }, tr("Its report")),
+      ),
+    );
   }
   return make("div", {}, form, out);
 }

@@ -8,12 +8,26 @@ import { key } from "./quantities";
 export type Key = string | number;
 export type Value = string | number | boolean | null | Value[] | { [key: string]: Value };
 interface Schema {
-  $ref?: string; $defs?: Record<string, Schema>; type?: string | string[]; properties?: Record<string, Schema>; required?: string[]; title?: string;
-  description?: string; enum?: string[]; const?: string; default?: Value; anyOf?: Schema[]; oneOf?: Schema[]; prefixItems?: Schema[]; items?: Schema;
+  $ref?: string;
+  $defs?: Record<string, Schema>;
+  type?: string | string[];
+  properties?: Record<string, Schema>;
+  required?: string[];
+  title?: string;
+  description?: string;
+  enum?: string[];
+  const?: string;
+  default?: Value;
+  anyOf?: Schema[];
+  oneOf?: Schema[];
+  prefixItems?: Schema[];
+  items?: Schema;
 }
 const HEAD = ["schema", "model"];
-const isTable = (value: Value | undefined): value is { [key: string]: Value } => typeof value === "object" && value !== null && !Array.isArray(value);
-const path = (keys: Key[]) => keys.map((key, i) => (typeof key === "number" ? `[${key}]` : i ? `.${key}` : key)).join("");
+const isTable = (value: Value | undefined): value is { [key: string]: Value } =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+const path = (keys: Key[]) =>
+  keys.map((key, i) => (typeof key === "number" ? `[${key}]` : i ? `.${key}` : key)).join("");
 
 export class Form {
   readonly element = make("div", { class: "described" });
@@ -27,13 +41,22 @@ export class Form {
 
   /** `changed` hears what is to be written at some keys; null takes it away. */
   constructor(private readonly changed: (keys: Key[], value: Value) => void) {
-    this.element.addEventListener("input", (event) => { this.typing = event.target; });
-    this.element.addEventListener("change", () => { this.typing = this.next = null; }); // what was typed is asked about, and then shown
-    this.element.addEventListener("focusout", () => { this.typing = null; setTimeout(() => this.follow()); });
+    this.element.addEventListener("input", (event) => {
+      this.typing = event.target;
+    });
+    this.element.addEventListener("change", () => {
+      this.typing = this.next = null;
+    }); // what was typed is asked about, and then shown
+    this.element.addEventListener("focusout", () => {
+      this.typing = null;
+      setTimeout(() => this.follow());
+    });
   }
 
   /** Whether something is typed that is not in the text yet. */
-  get isTyped(): boolean { return this.typing !== null; }
+  get isTyped(): boolean {
+    return this.typing !== null;
+  }
 
   /** Shows what a text says; nothing is taken from under the hands of somebody who types. */
   show(schema: Schema, values: { [key: string]: Value }, problems: Problem[]): void {
@@ -49,126 +72,309 @@ export class Form {
   }
 
   private made(schema: Schema, values: { [key: string]: Value }, problems: Problem[]): void {
-    const active = document.activeElement, focused = active?.closest<HTMLElement>("[data-path]")?.dataset.path, inside = this.element.contains(active);
-    const marked = active instanceof HTMLInputElement ? [active.selectionStart, active.selectionEnd] as const : null;
+    const active = document.activeElement,
+      focused = active?.closest<HTMLElement>("[data-path]")?.dataset.path,
+      inside = this.element.contains(active);
+    const marked =
+      active instanceof HTMLInputElement
+        ? ([active.selectionStart, active.selectionEnd] as const)
+        : null;
     this.definitions = schema.$defs ?? {};
     this.problems = problems;
     this.element.replaceChildren(...this.rows(schema, values, []));
-    const known = new Set([...this.element.querySelectorAll<HTMLElement>("[data-path]")].map((one) => one.dataset.path));
+    const known = new Set(
+      [...this.element.querySelectorAll<HTMLElement>("[data-path]")].map((one) => one.dataset.path),
+    );
     const lost = problems.filter((one) => !known.has(one.path));
-    if (lost.length) this.element.prepend(...lost.map((one) => make("p", { class: "problem", role: "alert" }, `${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
+    if (lost.length)
+      this.element.prepend(
+        ...lost.map((one) =>
+          make(
+            "p",
+            { class: "problem", role: "alert" },
+            `${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`,
+          ),
+        ),
+      );
     if (!inside || !focused) return;
-    const again = this.element.querySelector<HTMLElement>(`[data-path="${CSS.escape(focused)}"]`)?.querySelector<HTMLInputElement | HTMLSelectElement>("input, select");
+    const again = this.element
+      .querySelector<HTMLElement>(`[data-path="${CSS.escape(focused)}"]`)
+      ?.querySelector<HTMLInputElement | HTMLSelectElement>("input, select");
     again?.focus();
-    if (again instanceof HTMLInputElement && again.type === "text" && marked) again.setSelectionRange(...marked); // what is typed next replaces what was marked
+    if (again instanceof HTMLInputElement && again.type === "text" && marked)
+      again.setSelectionRange(...marked); // what is typed next replaces what was marked
   }
 
-  private resolved(schema: Schema): Schema { return schema.$ref ? this.definitions[schema.$ref.split("/").pop()!]! : schema; }
+  private resolved(schema: Schema): Schema {
+    return schema.$ref ? this.definitions[schema.$ref.split("/").pop()!]! : schema;
+  }
 
   /** What a value may be, without nothing. */
   private choices(schema: Schema): Schema[] {
-    const own = this.resolved(schema), inner = own.anyOf ?? own.oneOf;
-    return inner ? inner.flatMap((one) => this.choices(one)).filter((one) => one.type !== "null") : [own];
+    const own = this.resolved(schema),
+      inner = own.anyOf ?? own.oneOf;
+    return inner
+      ? inner.flatMap((one) => this.choices(one)).filter((one) => one.type !== "null")
+      : [own];
   }
 
   private rows(schema: Schema, values: { [key: string]: Value }, keys: Key[]): HTMLElement[] {
-    const own = this.resolved(schema), properties = own.properties ?? {};
-    const names = [...Object.keys(values), ...(own.required ?? []).filter((name) => !(name in values))].filter((name) => keys.length || !HEAD.includes(name));
-    const plain: HTMLElement[] = [], tables: HTMLElement[] = [];
+    const own = this.resolved(schema),
+      properties = own.properties ?? {};
+    const names = [
+      ...Object.keys(values),
+      ...(own.required ?? []).filter((name) => !(name in values)),
+    ].filter((name) => keys.length || !HEAD.includes(name));
+    const plain: HTMLElement[] = [],
+      tables: HTMLElement[] = [];
     for (const name of names) {
-      const made = this.field(name, properties[name] ?? {}, values[name], [...keys, name], (own.required ?? []).includes(name) || !properties[name]?.$ref && properties[name]?.default === undefined);
+      const made = this.field(
+        name,
+        properties[name] ?? {},
+        values[name],
+        [...keys, name],
+        (own.required ?? []).includes(name) ||
+          (!properties[name]?.$ref && properties[name]?.default === undefined),
+      );
       (made.tagName === "DETAILS" ? tables : plain).push(made);
     }
-    const missing = Object.keys(properties).filter((name) => !(name in values) && !names.includes(name) && !(HEAD.includes(name) && !keys.length));
+    const missing = Object.keys(properties).filter(
+      (name) =>
+        !(name in values) && !names.includes(name) && !(HEAD.includes(name) && !keys.length),
+    );
     return [...plain, ...tables, ...(missing.length ? [this.more(missing, properties, keys)] : [])];
   }
 
   /** What may be added to a table. */
   private more(missing: string[], properties: Record<string, Schema>, keys: Key[]): HTMLElement {
-    const choice = make("select", { "aria-label": tr("Add to #", path(keys) || tr("the rig")) }, make("option", { value: "" }, tr("add …")), ...missing.map((name) => make("option", { value: name }, key(name))));
-    choice.addEventListener("change", () => { if (choice.value) { this.open.add(path([...keys, choice.value])); this.changed([...keys, choice.value], this.first(properties[choice.value]!)); } });
+    const choice = make(
+      "select",
+      { "aria-label": tr("Add to #", path(keys) || tr("the rig")) },
+      make("option", { value: "" }, tr("add …")),
+      ...missing.map((name) => make("option", { value: name }, key(name))),
+    );
+    choice.addEventListener("change", () => {
+      if (choice.value) {
+        this.open.add(path([...keys, choice.value]));
+        this.changed([...keys, choice.value], this.first(properties[choice.value]!));
+      }
+    });
     return make("p", { class: "add" }, choice);
   }
 
   /** What a new value is until it is typed: its default, or a mark that asks for it. */
   private first(schema: Schema): Value {
-    if (schema.default !== undefined && schema.default !== null && !isTable(schema.default)) return schema.default;
+    if (schema.default !== undefined && schema.default !== null && !isTable(schema.default))
+      return schema.default;
     const one = this.choices(schema)[0]!;
     if (one.const !== undefined) return one.const;
     if (one.enum) return one.enum[0]!;
-    if (one.properties) return Object.fromEntries(Object.entries(one.properties).filter(([name, own]) => one.required?.includes(name) || own.const !== undefined).map(([name, own]) => [name, this.first(own)]));
+    if (one.properties)
+      return Object.fromEntries(
+        Object.entries(one.properties)
+          .filter(([name, own]) => one.required?.includes(name) || own.const !== undefined)
+          .map(([name, own]) => [name, this.first(own)]),
+      );
     if (one.prefixItems) return one.prefixItems.map((item) => this.first(item));
     return one.type === "array" ? [] : one.type === "boolean" ? false : "?";
   }
 
-  private field(name: string, schema: Schema, value: Value | undefined, keys: Key[], needed: boolean): HTMLElement {
-    const place = path(keys), problems = this.problems.filter((one) => one.path === place), id = `f-${place}`;
-    const label = typeof keys[keys.length - 1] === "number" ? String(keys[keys.length - 1]) : key(name);
-    const said = problems.length ? [make("span", { class: "wrong", role: "alert", id: `${id}-wrong` }, problems.map((one) => one.text).join(" "))] : [];
-    const away = needed ? [] : [make("button", { type: "button", class: "away", title: tr("Take # away", place), "aria-label": tr("Take # away", place), click: () => this.changed(keys, null) }, "×")];
+  private field(
+    name: string,
+    schema: Schema,
+    value: Value | undefined,
+    keys: Key[],
+    needed: boolean,
+  ): HTMLElement {
+    const place = path(keys),
+      problems = this.problems.filter((one) => one.path === place),
+      id = `f-${place}`;
+    const label =
+      typeof keys[keys.length - 1] === "number" ? String(keys[keys.length - 1]) : key(name);
+    const said = problems.length
+      ? [
+          make(
+            "span",
+            { class: "wrong", role: "alert", id: `${id}-wrong` },
+            problems.map((one) => one.text).join(" "),
+          ),
+        ]
+      : [];
+    const away = needed
+      ? []
+      : [
+          make(
+            "button",
+            {
+              type: "button",
+              class: "away",
+              title: tr("Take # away", place),
+              "aria-label": tr("Take # away", place),
+              click: () => this.changed(keys, null),
+            },
+            "×",
+          ),
+        ];
     const choices = this.choices(schema);
     if (isTable(value) || (value === undefined && choices.some((one) => one.properties))) {
-      const details = make("details", { "data-path": place, open: this.open.has(place) || this.problems.some((one) => one.path.startsWith(place)) });
-      details.addEventListener("toggle", () => { if (details.open) this.open.add(place); else this.open.delete(place); });
-      const table = isTable(value) ? value : {}, kinds = choices.filter((one) => one.properties), kind = this.kindOf(kinds, table);
-      const choose = make("select", { "aria-label": tr("kind of #", place) }, ...kinds.map((one, i) => make("option", { value: String(i), ...(one === kind ? { selected: true } : {}) }, key(spoken(one.title ?? "")))));
-      choose.addEventListener("change", () => this.changed(keys, this.become(kinds[Number(choose.value)]!, table)));
+      const details = make("details", {
+        "data-path": place,
+        open: this.open.has(place) || this.problems.some((one) => one.path.startsWith(place)),
+      });
+      details.addEventListener("toggle", () => {
+        if (details.open) this.open.add(place);
+        else this.open.delete(place);
+      });
+      const table = isTable(value) ? value : {},
+        kinds = choices.filter((one) => one.properties),
+        kind = this.kindOf(kinds, table);
+      const choose = make(
+        "select",
+        { "aria-label": tr("kind of #", place) },
+        ...kinds.map((one, i) =>
+          make(
+            "option",
+            { value: String(i), ...(one === kind ? { selected: true } : {}) },
+            key(spoken(one.title ?? "")),
+          ),
+        ),
+      );
+      choose.addEventListener("change", () =>
+        this.changed(keys, this.become(kinds[Number(choose.value)]!, table)),
+      );
       const rows = this.rows(kind ?? {}, table, keys);
       if (away.length && !rows.at(-1)?.matches(".add")) rows.push(make("p", { class: "add" }));
       rows.at(-1)?.append(...away);
-      details.append(make("summary", {}, label), ...(kinds.length > 1 ? [make("p", { class: "kind" }, choose)] : []), ...said, ...rows);
+      details.append(
+        make("summary", {}, label),
+        ...(kinds.length > 1 ? [make("p", { class: "kind" }, choose)] : []),
+        ...said,
+        ...rows,
+      );
       return details;
     }
-    const attributes = { id, ...(problems.length ? { "aria-invalid": "true", "aria-describedby": `${id}-wrong` } : {}) };
+    const attributes = {
+      id,
+      ...(problems.length ? { "aria-invalid": "true", "aria-describedby": `${id}-wrong` } : {}),
+    };
     if (Array.isArray(value) && value.every((one) => typeof one !== "object")) {
       const items = choices.find((one) => one.prefixItems)?.prefixItems;
       if (items && items.length === value.length) {
         const wrong = this.problems.filter((one) => one.path.startsWith(`${place}[`));
-        const inputs = value.map((one, i) => this.typed(String(one), items[i]!, [...keys, i], { "aria-label": `${place}[${i}]`, ...(wrong.some((own) => own.path === `${place}[${i}]`) ? { "aria-invalid": "true" } : {}) }));
-        return make("div", { class: "row", "data-path": place }, make("span", { class: "name" }, label), make("span", { class: "three" }, ...inputs.map((input, i) => make("span", { "data-path": `${place}[${i}]` }, input))), ...away,
-          ...said, ...wrong.map((one) => make("span", { class: "wrong", role: "alert" }, `${one.path}: ${one.text}`)));
+        const inputs = value.map((one, i) =>
+          this.typed(String(one), items[i]!, [...keys, i], {
+            "aria-label": `${place}[${i}]`,
+            ...(wrong.some((own) => own.path === `${place}[${i}]`)
+              ? { "aria-invalid": "true" }
+              : {}),
+          }),
+        );
+        return make(
+          "div",
+          { class: "row", "data-path": place },
+          make("span", { class: "name" }, label),
+          make(
+            "span",
+            { class: "three" },
+            ...inputs.map((input, i) => make("span", { "data-path": `${place}[${i}]` }, input)),
+          ),
+          ...away,
+          ...said,
+          ...wrong.map((one) =>
+            make("span", { class: "wrong", role: "alert" }, `${one.path}: ${one.text}`),
+          ),
+        );
       }
     }
     let control: HTMLElement;
     const fixed = choices.find((one) => one.enum);
     if (fixed?.enum && typeof value === "string") {
-      const select = make("select", attributes, ...[...new Set([value, ...fixed.enum])].map((one) => make("option", { value: one, ...(one === value ? { selected: true } : {}) }, one)));
+      const select = make(
+        "select",
+        attributes,
+        ...[...new Set([value, ...fixed.enum])].map((one) =>
+          make("option", { value: one, ...(one === value ? { selected: true } : {}) }, one),
+        ),
+      );
       select.addEventListener("change", () => this.changed(keys, select.value));
       control = select;
     } else if (typeof value === "boolean") {
       const box = make("input", { type: "checkbox", ...attributes, checked: value });
       box.addEventListener("change", () => this.changed(keys, box.checked));
       control = box;
-    } else if (choices.length === 1 && choices[0]!.const !== undefined) control = make("output", attributes, String(value));
-    else control = this.typed(value === undefined ? "" : typeof value === "object" ? JSON.stringify(value) : String(value), schema, keys, attributes, typeof value === "object");
+    } else if (choices.length === 1 && choices[0]!.const !== undefined)
+      control = make("output", attributes, String(value));
+    else
+      control = this.typed(
+        value === undefined
+          ? ""
+          : typeof value === "object"
+            ? JSON.stringify(value)
+            : String(value),
+        schema,
+        keys,
+        attributes,
+        typeof value === "object",
+      );
     const allowed = schema.description ?? choices.find((one) => one.description)?.description ?? "";
-    return make("div", { class: "row", "data-path": place }, make("label", { class: "name", for: id, title: allowed }, label), control, ...away, ...said);
+    return make(
+      "div",
+      { class: "row", "data-path": place },
+      make("label", { class: "name", for: id, title: allowed }, label),
+      control,
+      ...away,
+      ...said,
+    );
   }
 
-  private typed(value: string, schema: Schema, keys: Key[], attributes: Record<string, string>, isList = false): HTMLInputElement {
+  private typed(
+    value: string,
+    schema: Schema,
+    keys: Key[],
+    attributes: Record<string, string>,
+    isList = false,
+  ): HTMLInputElement {
     const input = make("input", { type: "text", spellcheck: "false", value, ...attributes });
     const types = this.choices(schema).map((one) => one.type);
     input.addEventListener("change", () => {
       const text = input.value.trim();
       if (isList) {
-        try { this.changed(keys, JSON.parse(text) as Value); } catch { this.changed(keys, text); }
-      } else this.changed(keys, text !== "" && !Number.isNaN(Number(text)) && types.some((one) => one === "number" || one === "integer") ? Number(text) : text);
+        try {
+          this.changed(keys, JSON.parse(text) as Value);
+        } catch {
+          this.changed(keys, text);
+        }
+      } else
+        this.changed(
+          keys,
+          text !== "" &&
+            !Number.isNaN(Number(text)) &&
+            types.some((one) => one === "number" || one === "integer")
+            ? Number(text)
+            : text,
+        );
     });
     return input;
   }
 
   /** Which of several kinds a table is: the one that says so, or that knows most of its keys. */
   private kindOf(kinds: Schema[], table: { [key: string]: Value }): Schema | undefined {
-    const named = kinds.find((one) => one.properties?.kind?.const !== undefined && one.properties.kind.const === table.kind);
-    const fit = (one: Schema) => Object.keys(table).filter((name) => name in one.properties!).length - Object.keys(table).filter((name) => !(name in one.properties!)).length
-      - (one.required ?? []).filter((name) => !(name in table)).length;
+    const named = kinds.find(
+      (one) =>
+        one.properties?.kind?.const !== undefined && one.properties.kind.const === table.kind,
+    );
+    const fit = (one: Schema) =>
+      Object.keys(table).filter((name) => name in one.properties!).length -
+      Object.keys(table).filter((name) => !(name in one.properties!)).length -
+      (one.required ?? []).filter((name) => !(name in table)).length;
     return named ?? [...kinds].sort((a, b) => fit(b) - fit(a))[0];
   }
 
   /** A table as another kind: what both know stays. */
   private become(kind: Schema, table: { [key: string]: Value }): Value {
     const fresh = this.first(kind) as { [key: string]: Value };
-    for (const [name, value] of Object.entries(table)) if (name !== "kind" && name in kind.properties!) fresh[name] = value;
+    for (const [name, value] of Object.entries(table))
+      if (name !== "kind" && name in kind.properties!) fresh[name] = value;
     return fresh;
   }
 }

@@ -6,36 +6,89 @@ import { heard, isGerman, tr } from "../words";
 import { copied, InTurn, problem } from "./parts";
 import { Refused } from "./refusals";
 
-export interface Step { evaluation: number; objective: number; parameters: Record<string, { value: number; initial: number; lower: number; upper: number }> }
-export interface Job {
-  id: string; kind: string; asked: Record<string, unknown>; title: string; state: "running" | "cancelling" | "done" | "failed" | "cancelled" | "stopped";
-  python: string; command: string; files: Record<string, string>; out: string; report: string; begun: number; ended: number | null; lasted: number | null;
-  said: string; share: number | null; left: number | null; steps: Step[]; error: string | null; code?: number;
+export interface Step {
+  evaluation: number;
+  objective: number;
+  parameters: Record<string, { value: number; initial: number; lower: number; upper: number }>;
 }
-export interface Whole<T = unknown> extends Job { result: T; has_page: boolean }
+export interface Job {
+  id: string;
+  kind: string;
+  asked: Record<string, unknown>;
+  title: string;
+  state: "running" | "cancelling" | "done" | "failed" | "cancelled" | "stopped";
+  python: string;
+  command: string;
+  files: Record<string, string>;
+  out: string;
+  report: string;
+  begun: number;
+  ended: number | null;
+  lasted: number | null;
+  said: string;
+  share: number | null;
+  left: number | null;
+  steps: Step[];
+  error: string | null;
+  code?: number;
+}
+export interface Whole<T = unknown> extends Job {
+  result: T;
+  has_page: boolean;
+}
 /** What a quick question gives. */
-export interface Told<T> { result: T; python: string; command: string; files: Record<string, string>; report: string }
+export interface Told<T> {
+  result: T;
+  python: string;
+  command: string;
+  files: Record<string, string>;
+  report: string;
+}
 
-const send = async <T>(method: string, path: string, body?: unknown): Promise<T> => (await asked(method, path, body)).json() as Promise<T>;
+const send = async <T>(method: string, path: string, body?: unknown): Promise<T> =>
+  (await asked(method, path, body)).json() as Promise<T>;
 export const begin = (task: object) => send<Job>("POST", "/api/jobs", task);
 export const ask = <T>(task: object) => send<Told<T>>("POST", "/api/ask", task);
 export const whole = <T>(id: string) => get<Whole<T>>(`/api/jobs/${encodeURIComponent(id)}`);
 
 type Listener = (jobs: Job[]) => void;
 const listeners = new Map<Listener, { node: Node; shown: boolean }>();
-let latest: Job[] | null = null, socket: WebSocket | null = null, pause = 1000;
-const lost = make("p", { class: "problem", role: "alert" }, "The server does not tell about jobs any more; those that run go on. Start it again with jounce serve, and open the address that it prints.");
+let latest: Job[] | null = null,
+  socket: WebSocket | null = null,
+  pause = 1000;
+const lost = make(
+  "p",
+  { class: "problem", role: "alert" },
+  "The server does not tell about jobs any more; those that run go on. Start it again with jounce serve, and open the address that it prints.",
+);
 
 function open(): void {
-  socket = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`, token ? ["jounce", token] : []);
-  const take = (jobs: Job[]) => { pause = 1000; lost.remove(); latest = jobs; tell(); };
+  socket = new WebSocket(
+    `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live`,
+    token ? ["jounce", token] : [],
+  );
+  const take = (jobs: Job[]) => {
+    pause = 1000;
+    lost.remove();
+    latest = jobs;
+    tell();
+  };
   socket.addEventListener("message", (event) => take(JSON.parse(event.data as string) as Job[]));
   socket.addEventListener("close", async () => {
     socket = null;
-    if (![...listeners.values()].some((one) => one.node.isConnected)) { listeners.clear(); return; }
-    try { take(await get<Job[]>("/api/jobs")); } // what lets no socket through answers all the same
-    catch { document.getElementById("main")!.prepend(lost); }
-    setTimeout(() => { if (listeners.size && !socket) open(); }, pause);
+    if (![...listeners.values()].some((one) => one.node.isConnected)) {
+      listeners.clear();
+      return;
+    }
+    try {
+      take(await get<Job[]>("/api/jobs"));
+    } catch {
+      // what lets no socket through answers all the same
+      document.getElementById("main")!.prepend(lost);
+    }
+    setTimeout(() => {
+      if (listeners.size && !socket) open();
+    }, pause);
     pause = Math.min(2 * pause, 30_000);
   });
 }
@@ -43,7 +96,8 @@ function open(): void {
 function tell(): void {
   for (const [listener, one] of listeners) {
     if (one.node.isConnected) one.shown = true;
-    if (one.node.isConnected || !one.shown) listener(latest!); else listeners.delete(listener);
+    if (one.node.isConnected || !one.shown) listener(latest!);
+    else listeners.delete(listener);
   }
 }
 
@@ -55,17 +109,34 @@ export function follow(node: Node, listener: Listener): void {
   if (!socket) open();
 }
 
-const WORDS: Record<Job["state"], string> = { running: "running", cancelling: "stopping", done: "done", failed: "failed", cancelled: "cancelled", stopped: "stopped" };
-const TONES: Record<Job["state"], string> = { running: "plain", cancelling: "fair", done: "good", failed: "bad", cancelled: "fair", stopped: "bad" };
+const WORDS: Record<Job["state"], string> = {
+  running: "running",
+  cancelling: "stopping",
+  done: "done",
+  failed: "failed",
+  cancelled: "cancelled",
+  stopped: "stopped",
+};
+const TONES: Record<Job["state"], string> = {
+  running: "plain",
+  cancelling: "fair",
+  done: "good",
+  failed: "bad",
+  cancelled: "fair",
+  stopped: "bad",
+};
 
 export function lasting(seconds: number): string {
   const whole = Math.max(0, Math.round(seconds));
   if (whole < 60) return `${whole} s`;
-  return whole < 3600 ? `${Math.floor(whole / 60)} min ${whole % 60} s` : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
+  return whole < 3600
+    ? `${Math.floor(whole / 60)} min ${whole % 60} s`
+    : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
 }
 
 /** What a job is called, in the language of the page; names of files and roads stay. */
-export const titled = (title: string) => (isGerman ? heard(title).replace(/^(.+) on (\S+) at (\S+(?: \S+)?)$/, "$1 auf $2 mit $3") : title);
+export const titled = (title: string) =>
+  isGerman ? heard(title).replace(/^(.+) on (\S+) at (\S+(?: \S+)?)$/, "$1 auf $2 mit $3") : title;
 
 /** One job: what it does, how far it is, what went wrong, and what can be done about it. */
 export class JobCard {
@@ -78,9 +149,18 @@ export class JobCard {
   private readonly told = make("div", {});
   private shown = "";
 
-  constructor(public job: Job, private readonly open?: (job: Job) => void) {
+  constructor(
+    public job: Job,
+    private readonly open?: (job: Job) => void,
+  ) {
     this.bar.setAttribute("aria-label", heard(`share of ${titled(job.title)} that is done`));
-    this.element.append(make("div", { class: "bar" }, make("h3", {}, titled(job.title)), this.state, this.times), this.bar, this.said, this.told, this.actions);
+    this.element.append(
+      make("div", { class: "bar" }, make("h3", {}, titled(job.title)), this.state, this.times),
+      this.bar,
+      this.said,
+      this.told,
+      this.actions,
+    );
     this.show(job);
   }
 
@@ -91,20 +171,43 @@ export class JobCard {
     this.state.textContent = tr(WORDS[job.state]);
     this.state.className = `mark ${TONES[job.state]}`;
     this.bar.hidden = !runs;
-    if (job.share === null) this.bar.removeAttribute("value"); else this.bar.value = job.share;
+    if (job.share === null) this.bar.removeAttribute("value");
+    else this.bar.value = job.share;
     this.said.hidden = !runs;
-    this.said.textContent = tr(job.state === "cancelling" ? "stopping; what is finished is kept" : heard(job.said) || "starting");
+    this.said.textContent = tr(
+      job.state === "cancelling"
+        ? "stopping; what is finished is kept"
+        : heard(job.said) || "starting",
+    );
     this.tick();
     if (this.shown === job.state) return;
     this.shown = job.state;
     this.told.replaceChildren(...(job.error ? [problem(new Refused(job.error))] : []));
     const act = (text: string, does: () => Promise<unknown>, main = false) => {
-      const button = make("button", { type: "button", ...(main ? { class: "main" } : {}), "aria-label": `${text}: ${titled(job.title)}` }, text);
-      button.addEventListener("click", () => { button.disabled = true; does().catch((error) => { this.told.replaceChildren(problem(error)); button.disabled = false; }); });
+      const button = make(
+        "button",
+        {
+          type: "button",
+          ...(main ? { class: "main" } : {}),
+          "aria-label": `${text}: ${titled(job.title)}`,
+        },
+        text,
+      );
+      button.addEventListener("click", () => {
+        button.disabled = true;
+        does().catch((error) => {
+          this.told.replaceChildren(problem(error));
+          button.disabled = false;
+        });
+      });
       return button;
     };
     const opens = () => {
-      const button = make("button", { type: "button", class: "main", "aria-label": `Show the results: ${titled(job.title)}` }, "Show the results");
+      const button = make(
+        "button",
+        { type: "button", class: "main", "aria-label": `Show the results: ${titled(job.title)}` },
+        "Show the results",
+      );
       button.addEventListener("click", () => this.open!(this.job));
       return button;
     };
@@ -112,28 +215,50 @@ export class JobCard {
     this.actions.replaceChildren(
       ...(job.state === "running" ? [act("Cancel", () => send("POST", `${path}/cancel`, {}))] : []),
       ...(this.open && (job.state === "done" || job.kind === "sweep") ? [opens()] : []),
-      ...(!runs && job.state !== "done" ? [act(job.kind === "sweep" ? "Resume" : "Begin again", () => send("POST", `${path}/again`, {}), true)] : []),
-      ...(!runs ? [act("Take off the list", () => send("DELETE", path))] : []));
-    this.actions.append(make("details", {}, make("summary", {}, "In Python, and on the command line"), ways(job)));
+      ...(!runs && job.state !== "done"
+        ? [
+            act(
+              job.kind === "sweep" ? "Resume" : "Begin again",
+              () => send("POST", `${path}/again`, {}),
+              true,
+            ),
+          ]
+        : []),
+      ...(!runs ? [act("Take off the list", () => send("DELETE", path))] : []),
+    );
+    this.actions.append(
+      make("details", {}, make("summary", {}, "In Python, and on the command line"), ways(job)),
+    );
   }
 
   private tick(): void {
     const { ended, lasted, share, left, state } = this.job; // by the server's clock that does not jump: it tells every second
     const parts = lasted === null ? [] : [tr(ended ? "took #" : "for #", lasting(lasted))];
     if (state === "running" && share !== null) parts.push(`${written(100 * share, 3)} %`);
-    if (state === "running" && left !== null && left >= 1) parts.push(tr("about # left", lasting(left)));
+    if (state === "running" && left !== null && left >= 1)
+      parts.push(tr("about # left", lasting(left)));
     this.times.textContent = parts.join(" · ");
   }
 }
 
 /** Calls back with a job whenever it has changed, and once with all that it gave. */
-export async function accompany<T>(place: HTMLElement, first: Whole<T>, goes: (job: Job) => void, ended: (end: Whole<T>) => void): Promise<void> {
+export async function accompany<T>(
+  place: HTMLElement,
+  first: Whole<T>,
+  goes: (job: Job) => void,
+  ended: (end: Whole<T>) => void,
+): Promise<void> {
   let isDone = false;
   const take = async (job: Job) => {
     goes(job);
     if (job.state !== "done" || isDone) return;
     isDone = true;
-    try { ended(job === first ? first : await whole<T>(first.id)); } catch (error) { isDone = false; throw error; }
+    try {
+      ended(job === first ? first : await whole<T>(first.id));
+    } catch (error) {
+      isDone = false;
+      throw error;
+    }
   };
   await take(first);
   follow(place, (jobs) => {
@@ -143,73 +268,147 @@ export async function accompany<T>(place: HTMLElement, first: Whole<T>, goes: (j
 }
 
 /** All jobs of some kinds (or every one), the newest first, as they are told. */
-export function jobList(kinds: string[] | null, shown: (job: Job) => void, none: string): HTMLElement {
+export function jobList(
+  kinds: string[] | null,
+  shown: (job: Job) => void,
+  none: string,
+): HTMLElement {
   const place = make("div", { class: "jobs" }, make("p", { class: "muted" }, "asking …"));
   const cards = new Map<string, JobCard>();
   follow(place, (jobs) => {
     const own = jobs.filter((job) => !kinds || kinds.includes(job.kind));
     for (const job of own) {
       const card = cards.get(job.id);
-      if (card) card.show(job); else cards.set(job.id, new JobCard(job, shown));
+      if (card) card.show(job);
+      else cards.set(job.id, new JobCard(job, shown));
     }
     for (const id of [...cards.keys()]) if (!own.some((job) => job.id === id)) cards.delete(id);
     const elements = own.map((job) => cards.get(job.id)!.element);
     if (!elements.length) place.replaceChildren(make("p", { class: "empty" }, none));
-    else if (elements.some((one, k) => place.children[k] !== one) || place.children.length !== elements.length) place.replaceChildren(...elements);
+    else if (
+      elements.some((one, k) => place.children[k] !== one) ||
+      place.children.length !== elements.length
+    )
+      place.replaceChildren(...elements);
   });
   return place;
 }
 
 /** The same in Python and on the command line, to copy. */
-export function ways(told: { python: string; command: string; files: Record<string, string> }): HTMLElement {
-  return make("div", { class: "ways" }, ...(told.python ? [copied("The same in Python", told.python)] : []), ...(told.command ? [copied("The same on the command line", told.command)] : []),
-    ...Object.entries(told.files ?? {}).map(([name, text]) => copied(name, text)));
+export function ways(told: {
+  python: string;
+  command: string;
+  files: Record<string, string>;
+}): HTMLElement {
+  return make(
+    "div",
+    { class: "ways" },
+    ...(told.python ? [copied("The same in Python", told.python)] : []),
+    ...(told.command ? [copied("The same on the command line", told.command)] : []),
+    ...Object.entries(told.files ?? {}).map(([name, text]) => copied(name, text)),
+  );
 }
 
 /** What a command that did its work could not write or draw. */
 export function undone(result: unknown): HTMLElement[] {
-  const findings = (result as { findings?: { severity: string; message: string }[] } | null)?.findings ?? [];
-  return findings.filter((one) => one.severity === "problem").map((one) => problem(new Refused(one.message)));
+  const findings =
+    (result as { findings?: { severity: string; message: string }[] } | null)?.findings ?? [];
+  return findings
+    .filter((one) => one.severity === "problem")
+    .map((one) => problem(new Refused(one.message)));
 }
 
 /** A report in a frame of its own, where its script can ask nothing; German pages say which is English. */
 export function report(address: string, title: string, language = "en"): HTMLElement {
-  return make("section", { class: "whole" },
-    make("div", { class: "bar" }, make("h2", {}, title), ...(isGerman && language === "en" ? [make("span", { class: "muted" }, "(englisch)")] : []), make("a", { href: address, target: "_blank", rel: "noopener" }, "open it in a tab of its own")),
-    make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }));
+  return make(
+    "section",
+    { class: "whole" },
+    make(
+      "div",
+      { class: "bar" },
+      make("h2", {}, title),
+      ...(isGerman && language === "en" ? [make("span", { class: "muted" }, "(englisch)")] : []),
+      make(
+        "a",
+        { href: address, target: "_blank", rel: "noopener" },
+        "open it in a tab of its own",
+      ),
+    ),
+    make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }),
+  );
 }
 
 /** Puts files into the project, one after the other. `coming` is called when somebody gives some; what it returns hears which paths they have there. */
-export function dropZone(folder: () => string, words: string, coming: () => (paths: string[]) => void): HTMLElement {
+export function dropZone(
+  folder: () => string,
+  words: string,
+  coming: () => (paths: string[]) => void,
+): HTMLElement {
   const input = make("input", { type: "file", multiple: true, "aria-label": words });
-  const told = make("div", { "aria-live": "polite" }), turn = new InTurn((error) => told.append(problem(error)));
+  const told = make("div", { "aria-live": "polite" }),
+    turn = new InTurn((error) => told.append(problem(error)));
   const zone = make("div", { class: "drop" }, make("p", {}, words), input, told);
   const take = (given: FileList | null) => {
-    const files = [...(given ?? [])], into = folder().replace(/\/+$/, ""), done = coming(), said = make("div", {});
+    const files = [...(given ?? [])],
+      into = folder().replace(/\/+$/, ""),
+      done = coming(),
+      said = make("div", {});
     input.value = "";
     if (!files.length) return;
     if (!turn.waiting) told.replaceChildren();
     told.append(said);
     void turn.do(async () => {
-      const paths: string[] = [], wrong: HTMLElement[] = [];
+      const paths: string[] = [],
+        wrong: HTMLElement[] = [];
       for (const file of files) {
         const path = [into, file.name].filter(Boolean).join("/");
-        said.replaceChildren(make("p", { class: "state" }, `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`));
+        said.replaceChildren(
+          make(
+            "p",
+            { class: "state" },
+            `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`,
+          ),
+        );
         try {
-          if (file.size > MOST) throw new Error(`${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`);
-          await file.slice(0, 1).arrayBuffer().catch(() => { throw new Error(tr("#: a folder, or a file that cannot be read: choose the files themselves.", file.name)); });
+          if (file.size > MOST)
+            throw new Error(
+              `${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`,
+            );
+          await file
+            .slice(0, 1)
+            .arrayBuffer()
+            .catch(() => {
+              throw new Error(
+                tr(
+                  "#: a folder, or a file that cannot be read: choose the files themselves.",
+                  file.name,
+                ),
+              );
+            });
           await upload(path, file);
           paths.push(path);
-        } catch (error) { wrong.push(problem(error)); }
+        } catch (error) {
+          wrong.push(problem(error));
+        }
       }
-      said.replaceChildren(...wrong, ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: here now.`)] : []));
+      said.replaceChildren(
+        ...wrong,
+        ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: here now.`)] : []),
+      );
       if (paths.length && zone.isConnected) done(paths);
     });
   };
   input.addEventListener("change", () => take(input.files));
-  zone.addEventListener("dragover", (event) => { event.preventDefault(); zone.classList.add("over"); });
+  zone.addEventListener("dragover", (event) => {
+    event.preventDefault();
+    zone.classList.add("over");
+  });
   zone.addEventListener("dragleave", () => zone.classList.remove("over"));
-  zone.addEventListener("drop", (event) => { event.preventDefault(); zone.classList.remove("over"); take(event.dataTransfer?.files ?? null); });
+  zone.addEventListener("drop", (event) => {
+    event.preventDefault();
+    zone.classList.remove("over");
+    take(event.dataTransfer?.files ?? null);
+  });
   return zone;
 }
 
@@ -221,7 +420,11 @@ export class Question<T, A extends object = object> {
   readonly place = make("div", { "aria-live": "polite" });
   private asked = 0;
 
-  constructor(label: string, private readonly task: () => A, private readonly show: (told: Told<T>, asked: A) => (Node | string)[]) {
+  constructor(
+    label: string,
+    private readonly task: () => A,
+    private readonly show: (told: Told<T>, asked: A) => (Node | string)[],
+  ) {
     this.button = make("button", { type: "button", class: "main" }, label);
     this.button.addEventListener("click", () => void this.ask());
   }
@@ -234,7 +437,8 @@ export class Question<T, A extends object = object> {
     this.place.prepend(waiting);
     let shown: () => (Node | string)[];
     try {
-      const task = this.task(), told = await ask<T>(task);
+      const task = this.task(),
+        told = await ask<T>(task);
       shown = () => this.show(told, task);
     } catch (error) {
       shown = () => [problem(error)];

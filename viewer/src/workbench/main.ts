@@ -48,7 +48,9 @@ async function show(): Promise<void> {
   setLive(null);
   const place = make("div", {}, make("p", { class: "muted" }, "loading …")); // its own: a page that was left fills nothing any more
   document.querySelectorAll("#pages a").forEach((link) => {
-    if ((link as HTMLAnchorElement).dataset.page === chosen) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
+    if ((link as HTMLAnchorElement).dataset.page === chosen)
+      link.setAttribute("aria-current", "page");
+    else link.removeAttribute("aria-current");
   });
   carry(carried(chosen, new URLSearchParams(values)));
   document.title = `${tr(PAGES[chosen]!.label)} – jounce workbench`;
@@ -57,25 +59,52 @@ async function show(): Promise<void> {
     await PAGES[chosen]!.show(place, new URLSearchParams(values));
   } catch (error) {
     carry(""); // it may be gone
-    place.replaceChildren(make("h1", {}, PAGES[chosen]!.label), problem(error), make("p", {}, make("a", { href: address("project") }, "Back to the project")));
+    place.replaceChildren(
+      make("h1", {}, PAGES[chosen]!.label),
+      problem(error),
+      make("p", {}, make("a", { href: address("project") }, "Back to the project")),
+    );
   }
   if (place.isConnected) document.documentElement.dataset.ready = chosen;
 }
 
 document.documentElement.classList.add("live");
-document.getElementById("pages")!.append(...Object.entries(PAGES).map(([page, { label }]) => make("a", { href: address(page), "data-page": page }, label)));
+document
+  .getElementById("pages")!
+  .append(
+    ...Object.entries(PAGES).map(([page, { label }]) =>
+      make("a", { href: address(page), "data-page": page }, label),
+    ),
+  );
 document.querySelector("header")!.append(languageButton(), themeButton());
 document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
 const skip = document.querySelector(".skip")!;
 skip.textContent = tr("To the content");
-skip.addEventListener("click", (event) => { event.preventDefault(); document.getElementById("main")!.focus(); }); // an address names a page here
+skip.addEventListener("click", (event) => {
+  event.preventDefault();
+  document.getElementById("main")!.focus();
+}); // an address names a page here
 let shown = location.hash;
 addEventListener("hashchange", () => {
-  if (location.hash !== shown && !mayLeave()) { history.replaceState(null, "", shown || address("project")); return; }
+  if (location.hash !== shown && !mayLeave()) {
+    history.replaceState(null, "", shown || address("project"));
+    return;
+  }
   shown = location.hash;
   delete document.documentElement.dataset.ready;
-  void show().then(() => { if (document.activeElement === document.body) document.getElementById("main")!.focus({ preventScroll: true }); }); // the link that led here is gone
+  void show().then(() => {
+    if (document.activeElement === document.body)
+      document.getElementById("main")!.focus({ preventScroll: true });
+  }); // the link that led here is gone
 });
-for (const one of ["dragover", "drop"] as const) addEventListener(one, (event) => { if (event.dataTransfer?.types.includes("Files")) event.preventDefault(); }); // a file that misses its place does not take that of the page
-api.project().then(({ name }) => { document.getElementById("project")!.textContent = name; }, () => {});
+for (const one of ["dragover", "drop"] as const)
+  addEventListener(one, (event) => {
+    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+  }); // a file that misses its place does not take that of the page
+api.project().then(
+  ({ name }) => {
+    document.getElementById("project")!.textContent = name;
+  },
+  () => {},
+);
 void show();

@@ -5,10 +5,28 @@ import { colour, make, sized, whenColoursChange, written } from "../page";
 import { isGerman, localised, tr } from "../words";
 import { quantity } from "./quantities";
 
-export interface Band { quantity: string; at: number[]; low: (number | null)[]; high: (number | null)[] }
-interface One { name: string; lines: { role: string; y: Numbers }[]; band: Band | null; canvas: HTMLCanvasElement; value: HTMLElement; mark: HTMLElement; box: HTMLElement; verdict: HTMLElement }
+export interface Band {
+  quantity: string;
+  at: number[];
+  low: (number | null)[];
+  high: (number | null)[];
+}
+interface One {
+  name: string;
+  lines: { role: string; y: Numbers }[];
+  band: Band | null;
+  canvas: HTMLCanvasElement;
+  value: HTMLElement;
+  mark: HTMLElement;
+  box: HTMLElement;
+  verdict: HTMLElement;
+}
 
-const LEFT = 46, RIGHT = 8, TOP = 6, BOTTOM = 16, HEIGHT = 104;
+const LEFT = 46,
+  RIGHT = 8,
+  TOP = 6,
+  BOTTOM = 16,
+  HEIGHT = 104;
 
 export class Multiples {
   readonly element = make("div", { class: "multiples" });
@@ -23,11 +41,15 @@ export class Multiples {
   /** `moved` hears where the pointer is on the axis. */
   constructor(private readonly moved: (x: number) => void) {
     new ResizeObserver(() => this.sized()).observe(this.element);
-    whenColoursChange(() => { this.colours = {}; this.sized(); });
+    whenColoursChange(() => {
+      this.colours = {};
+      this.sized();
+    });
   }
 
   show(model: Model, store: Store, bands: Band[]): void {
-    const scene = model.scenes[0]!, panes = scene.panes.filter((pane) => !pane.name.startsWith("Δ"));
+    const scene = model.scenes[0]!,
+      panes = scene.panes.filter((pane) => !pane.name.startsWith("Δ"));
     this.x = store.get(scene.x);
     const kind = JSON.stringify([panes.map((pane) => [pane.name, pane.unit])]);
     if (kind !== this.kind) {
@@ -42,7 +64,8 @@ export class Multiples {
       one.band = bands.find((band) => band.quantity === pane.name) ?? null;
       one.box.classList.toggle("wanted", one.band !== null);
     });
-    if (!this.width) this.sized(); else this.draw();
+    if (!this.width) this.sized();
+    else this.draw();
     this.mark(this.place);
   }
 
@@ -50,14 +73,16 @@ export class Multiples {
   filter(text: string): void {
     this.wanted = text;
     const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-    for (const one of this.plots) one.box.hidden = !words.every((word) => one.box.dataset.words!.includes(word));
+    for (const one of this.plots)
+      one.box.hidden = !words.every((word) => one.box.dataset.words!.includes(word));
     this.draw();
   }
 
   /** Moves the mark that stands at one place in all plots, and writes the values there. */
   mark(x: number): void {
     this.place = x;
-    const [first, last] = this.ends(), share = last > first ? (x - first) / (last - first) : 0;
+    const [first, last] = this.ends(),
+      share = last > first ? (x - first) / (last - first) : 0;
     const left = LEFT + Math.min(Math.max(share, 0), 1) * (this.width - LEFT - RIGHT);
     for (const one of this.plots) {
       if (one.box.hidden) continue;
@@ -67,17 +92,43 @@ export class Multiples {
     }
   }
 
-  private ends(): [number, number] { return this.x.length ? [this.x[0] as number, this.x[this.x.length - 1] as number] : [0, 1]; }
+  private ends(): [number, number] {
+    return this.x.length ? [this.x[0] as number, this.x[this.x.length - 1] as number] : [0, 1];
+  }
 
   private made(name: string, words: string, unit: string): One {
-    const canvas = make("canvas", { "aria-hidden": "true" }), value = make("output", {}, "–"), mark = make("i", { class: "at" }), verdict = make("span", { class: "verdict" });
+    const canvas = make("canvas", { "aria-hidden": "true" }),
+      value = make("output", {}, "–"),
+      mark = make("i", { class: "at" }),
+      verdict = make("span", { class: "verdict" });
     const holder = make("div", { class: "holder" }, canvas, mark);
     holder.addEventListener("pointermove", (event) => {
-      const [first, last] = this.ends(), box = holder.getBoundingClientRect();
-      this.moved(first + Math.min(Math.max((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0), 1) * (last - first));
+      const [first, last] = this.ends(),
+        box = holder.getBoundingClientRect();
+      this.moved(
+        first +
+          Math.min(Math.max((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0), 1) *
+            (last - first),
+      );
     });
-    const box = make("figure", { "data-words": `${name} ${quantity(name)} ${words}`.toLowerCase().replaceAll("_", " ") },
-      make("figcaption", { title: isGerman ? `${name}, ${quantity(name)}` : words }, make("b", {}, quantity(name)), " ", make("span", { class: "whole" }, value, make("span", { class: "unit" }, unit && ` ${unit}`), verdict)), holder);
+    const box = make(
+      "figure",
+      { "data-words": `${name} ${quantity(name)} ${words}`.toLowerCase().replaceAll("_", " ") },
+      make(
+        "figcaption",
+        { title: isGerman ? `${name}, ${quantity(name)}` : words },
+        make("b", {}, quantity(name)),
+        " ",
+        make(
+          "span",
+          { class: "whole" },
+          value,
+          make("span", { class: "unit" }, unit && ` ${unit}`),
+          verdict,
+        ),
+      ),
+      holder,
+    );
     return { name, lines: [], band: null, canvas, value, mark, box, verdict };
   }
 
@@ -91,7 +142,9 @@ export class Multiples {
     this.mark(this.place);
   }
 
-  private ink(name: string): string { return (this.colours[name] ??= colour(name)); }
+  private ink(name: string): string {
+    return (this.colours[name] ??= colour(name));
+  }
 
   private draw(): void {
     if (!this.width) return;
@@ -99,31 +152,51 @@ export class Multiples {
   }
 
   private drawn(one: One): void {
-    const context = one.canvas.getContext("2d")!, { x, width } = this;
+    const context = one.canvas.getContext("2d")!,
+      { x, width } = this;
     const [first, last] = this.ends();
-    let low = Infinity, high = -Infinity;
-    const take = (value: number | null) => { if (value !== null && Number.isFinite(value)) { if (value < low) low = value; if (value > high) high = value; } };
+    let low = Infinity,
+      high = -Infinity;
+    const take = (value: number | null) => {
+      if (value !== null && Number.isFinite(value)) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    };
     for (const { y } of one.lines) for (let i = 0; i < y.length; i++) take(y[i] as number | null);
-    one.band?.low.forEach(take); one.band?.high.forEach(take);
+    one.band?.low.forEach(take);
+    one.band?.high.forEach(take);
     if (!(high >= low)) [low, high] = [-1, 1];
     const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high)) || 1e-9; // what is even to rounding is drawn as even
     const room = high - low > least ? 0.08 * (high - low) : 0.1 * Math.abs(high) || 1;
-    low -= room; high += room;
-    const toX = (value: number) => LEFT + (value - first) / (last - first || 1) * (width - LEFT - RIGHT);
-    const toY = (value: number) => TOP + (high - value) / (high - low) * (HEIGHT - TOP - BOTTOM);
+    low -= room;
+    high += room;
+    const toX = (value: number) =>
+      LEFT + ((value - first) / (last - first || 1)) * (width - LEFT - RIGHT);
+    const toY = (value: number) => TOP + ((high - value) / (high - low)) * (HEIGHT - TOP - BOTTOM);
     context.clearRect(0, 0, width, HEIGHT);
     context.font = "11px system-ui, sans-serif";
     context.lineWidth = 1;
     context.strokeStyle = this.ink("line");
     context.fillStyle = this.ink("muted");
-    context.textAlign = "right"; context.textBaseline = "middle";
+    context.textAlign = "right";
+    context.textBaseline = "middle";
     for (const tick of ticks(low, high, 3)) {
       const y = Math.round(toY(tick)) + 0.5;
-      context.beginPath(); context.moveTo(LEFT, y); context.lineTo(width - RIGHT, y); context.stroke();
+      context.beginPath();
+      context.moveTo(LEFT, y);
+      context.lineTo(width - RIGHT, y);
+      context.stroke();
       context.fillText(short(tick), LEFT - 5, y);
     }
-    context.textBaseline = "alphabetic"; context.textAlign = "center";
-    for (const tick of ticks(first, last, 3)) context.fillText(short(tick), Math.min(Math.max(toX(tick), LEFT + 8), width - RIGHT - 8), HEIGHT - 4);
+    context.textBaseline = "alphabetic";
+    context.textAlign = "center";
+    for (const tick of ticks(first, last, 3))
+      context.fillText(
+        short(tick),
+        Math.min(Math.max(toX(tick), LEFT + 8), width - RIGHT - 8),
+        HEIGHT - 4,
+      );
     if (one.band) this.band(context, one, toX, toY, low, high);
     else one.verdict.textContent = "";
     for (let k = one.lines.length - 1; k >= 0; k--) {
@@ -135,8 +208,12 @@ export class Multiples {
       let down = false;
       for (let i = 0; i < x.length; i++) {
         const value = y[i];
-        if (value === null || value === undefined || !Number.isFinite(value)) { down = false; continue; }
-        if (down) context.lineTo(toX(x[i] as number), toY(value)); else context.moveTo(toX(x[i] as number), toY(value));
+        if (value === null || value === undefined || !Number.isFinite(value)) {
+          down = false;
+          continue;
+        }
+        if (down) context.lineTo(toX(x[i] as number), toY(value));
+        else context.moveTo(toX(x[i] as number), toY(value));
         down = true;
       }
       context.stroke();
@@ -145,22 +222,51 @@ export class Multiples {
   }
 
   /** What is wanted, within its tolerance, and whether the first curve keeps to it. */
-  private band(context: CanvasRenderingContext2D, one: One, toX: (x: number) => number, toY: (y: number) => number, low: number, high: number): void {
-    const band = one.band!, wide = band.at.length > 1 ? 0 : 4;
-    context.fillStyle = this.ink("span"); context.strokeStyle = this.ink("other-1");
+  private band(
+    context: CanvasRenderingContext2D,
+    one: One,
+    toX: (x: number) => number,
+    toY: (y: number) => number,
+    low: number,
+    high: number,
+  ): void {
+    const band = one.band!,
+      wide = band.at.length > 1 ? 0 : 4;
+    context.fillStyle = this.ink("span");
+    context.strokeStyle = this.ink("other-1");
     context.beginPath();
-    const path = [...band.at.map((place, i) => [toX(place), toY(band.high[i] ?? high)]), ...band.at.map((place, i) => [toX(place), toY(band.low[i] ?? low)]).reverse()];
-    if (wide) context.rect(path[0]![0]! - wide, path[0]![1]!, 2 * wide, path[1]![1]! - path[0]![1]!);
-    else { path.forEach(([a, b], i) => { if (i) context.lineTo(a!, b!); else context.moveTo(a!, b!); }); context.closePath(); }
-    context.fill(); context.stroke();
-    const y = one.lines[0]?.y, [first, last] = this.ends(), step = 1e-9 * (last - first);
+    const path = [
+      ...band.at.map((place, i) => [toX(place), toY(band.high[i] ?? high)]),
+      ...band.at.map((place, i) => [toX(place), toY(band.low[i] ?? low)]).reverse(),
+    ];
+    if (wide)
+      context.rect(path[0]![0]! - wide, path[0]![1]!, 2 * wide, path[1]![1]! - path[0]![1]!);
+    else {
+      path.forEach(([a, b], i) => {
+        if (i) context.lineTo(a!, b!);
+        else context.moveTo(a!, b!);
+      });
+      context.closePath();
+    }
+    context.fill();
+    context.stroke();
+    const y = one.lines[0]?.y,
+      [first, last] = this.ends(),
+      step = 1e-9 * (last - first);
     if (band.at.some((place) => place < first - step || place > last + step)) {
       one.verdict.textContent = " ?";
       one.verdict.className = "verdict";
       one.verdict.title = tr("not swept as far as this is wanted");
       return;
     }
-    const isMet = !!y && band.at.every((place, i) => { const value = at(this.x, y, place); return value >= (band.low[i] ?? -Infinity) - 1e-9 && value <= (band.high[i] ?? Infinity) + 1e-9; });
+    const isMet =
+      !!y &&
+      band.at.every((place, i) => {
+        const value = at(this.x, y, place);
+        return (
+          value >= (band.low[i] ?? -Infinity) - 1e-9 && value <= (band.high[i] ?? Infinity) + 1e-9
+        );
+      });
     one.verdict.textContent = isMet ? " ✓" : " ✗";
     one.verdict.className = `verdict ${isMet ? "good" : "missed"}`;
     one.verdict.title = tr(isMet ? "within the tolerance" : "outside of the tolerance");
@@ -169,7 +275,9 @@ export class Multiples {
 
 /** Round numbers between two ends, about so many. */
 export function ticks(low: number, high: number, count: number): number[] {
-  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw)!;
+  const raw = (high - low) / count,
+    power = 10 ** Math.floor(Math.log10(raw)),
+    step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw)!;
   const found: number[] = [];
   for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) found.push(k * step);
   return found.length < 2 && count < 6 ? ticks(low, high, count + 1) : found; // one alone says nothing of how far
@@ -177,5 +285,9 @@ export function ticks(low: number, high: number, count: number): number[] {
 
 export function short(value: number): string {
   const text = Number(value.toPrecision(4));
-  return localised(Math.abs(text) >= 1e5 || (text !== 0 && Math.abs(text) < 1e-3) ? text.toExponential(0) : String(text));
+  return localised(
+    Math.abs(text) >= 1e5 || (text !== 0 && Math.abs(text) < 1e-3)
+      ? text.toExponential(0)
+      : String(text),
+  );
 }

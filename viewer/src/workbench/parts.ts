@@ -10,32 +10,68 @@ import { asSaid, Refused } from "./refusals";
 import { type Answer, type OfRig, type Rig, type RigNumber } from "./api";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
-  return make("label", { class: "field" }, make("span", {}, label), control, ...(note ? [make("small", {}, note)] : []));
+  return make(
+    "label",
+    { class: "field" },
+    make("span", {}, label),
+    control,
+    ...(note ? [make("small", {}, note)] : []),
+  );
 }
 
 export function problem(error: unknown): HTMLElement {
-  return make("p", { class: "problem", role: "alert" }, error instanceof Refused ? asSaid(error.said) : error instanceof Error ? error.message : String(error));
+  return make(
+    "p",
+    { class: "problem", role: "alert" },
+    error instanceof Refused
+      ? asSaid(error.said)
+      : error instanceof Error
+        ? error.message
+        : String(error),
+  );
 }
 
 /** What a button begins is not begun again before it has ended, however often it is pressed. */
 export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T> {
   button.disabled = true;
-  return work.finally(() => { button.disabled = false; });
+  return work.finally(() => {
+    button.disabled = false;
+  });
 }
 
 /** A text that can be copied. */
 export function copied(title: string, text: string): HTMLElement {
-  const button = make("button", { type: "button" }, tr("Copy")), place = make("pre", { tabindex: "0", "aria-label": title }, text);
+  const button = make("button", { type: "button" }, tr("Copy")),
+    place = make("pre", { tabindex: "0", "aria-label": title }, text);
   button.addEventListener("click", () => {
-    const copies = navigator.clipboard?.writeText(place.textContent) ?? Promise.reject(new Error("no clipboard")); // only a page of this machine has one, or of https
-    void copies.then(() => { button.textContent = tr("Copied"); }, () => { getSelection()?.selectAllChildren(place); button.textContent = tr("Selected: copy it"); });
+    const copies =
+      navigator.clipboard?.writeText(place.textContent) ??
+      Promise.reject(new Error("no clipboard")); // only a page of this machine has one, or of https
+    void copies.then(
+      () => {
+        button.textContent = tr("Copied");
+      },
+      () => {
+        getSelection()?.selectAllChildren(place);
+        button.textContent = tr("Selected: copy it");
+      },
+    );
   });
-  return make("section", { class: "code" }, make("div", { class: "bar" }, make("h2", {}, title), button), place);
+  return make(
+    "section",
+    { class: "code" },
+    make("div", { class: "bar" }, make("h2", {}, title), button),
+    place,
+  );
 }
 
 /** The same by other ways, to copy. */
 export function ways({ python, command, files }: Answer): HTMLElement[] {
-  return [copied(tr("The same in Python"), python), ...(command ? [copied(tr("The same on the command line"), command)] : []), ...Object.entries(files).map(([name, content]) => copied(name, content))];
+  return [
+    copied(tr("The same in Python"), python),
+    ...(command ? [copied(tr("The same on the command line"), command)] : []),
+    ...Object.entries(files).map(([name, content]) => copied(name, content)),
+  ];
 }
 
 /** Says that the file of a rig was changed since its numbers were put on the page, wherever an answer comes from another one. */
@@ -43,11 +79,26 @@ export class Outdated {
   readonly element = make("div", { "aria-live": "polite" });
   constructor(private readonly rig: Rig) {}
   show({ digest }: OfRig): void {
-    if (digest === this.rig.digest) { this.element.replaceChildren(); return; }
+    if (digest === this.rig.digest) {
+      this.element.replaceChildren();
+      return;
+    }
     if (this.element.firstChild) return;
     const again = make("button", { type: "button" }, tr("Load it again"));
-    again.addEventListener("click", () => { if (mayLeave()) dispatchEvent(new HashChangeEvent("hashchange")); });
-    this.element.append(make("p", { class: "problem" }, tr("# was changed meanwhile: the curves are those of the file as it is by now, the numbers on this page are not.", this.rig.name)), make("div", { class: "bar" }, again));
+    again.addEventListener("click", () => {
+      if (mayLeave()) dispatchEvent(new HashChangeEvent("hashchange"));
+    });
+    this.element.append(
+      make(
+        "p",
+        { class: "problem" },
+        tr(
+          "# was changed meanwhile: the curves are those of the file as it is by now, the numbers on this page are not.",
+          this.rig.name,
+        ),
+      ),
+      make("div", { class: "bar" }, again),
+    );
   }
 }
 
@@ -55,8 +106,12 @@ export class Outdated {
 export class Ways {
   readonly element = make("div", { class: "ways" });
   show({ python, command, files }: Answer): void {
-    const texts = [python, ...(command ? [command] : []), ...Object.values(files)], places = this.element.querySelectorAll("pre");
-    if (places.length === texts.length) places.forEach((place, i) => { if (place.textContent !== texts[i]) place.textContent = texts[i]!; });
+    const texts = [python, ...(command ? [command] : []), ...Object.values(files)],
+      places = this.element.querySelectorAll("pre");
+    if (places.length === texts.length)
+      places.forEach((place, i) => {
+        if (place.textContent !== texts[i]) place.textContent = texts[i]!;
+      });
     else this.element.replaceChildren(...ways({ python, command, files }));
   }
 }
@@ -70,8 +125,14 @@ export class Newest {
     if (this.busy) return;
     this.busy = true;
     try {
-      while (this.next) { const now: () => Promise<void> = this.next; this.next = null; await now(); }
-    } finally { this.busy = false; }
+      while (this.next) {
+        const now: () => Promise<void> = this.next;
+        this.next = null;
+        await now();
+      }
+    } finally {
+      this.busy = false;
+    }
   }
 }
 
@@ -81,10 +142,19 @@ export class InTurn {
   /** How many are not done yet. */
   waiting = 0;
   /** `rested` is called when nothing waits any more. */
-  constructor(private readonly refused: (error: unknown) => void, private readonly rested: () => Promise<void> | void = () => {}) {}
+  constructor(
+    private readonly refused: (error: unknown) => void,
+    private readonly rested: () => Promise<void> | void = () => {},
+  ) {}
   do(work: () => Promise<void>): Promise<void> {
     this.waiting++;
-    return (this.last = this.last.then(work).catch(this.refused).then(() => { if (!--this.waiting) return this.rested(); }).catch(this.refused));
+    return (this.last = this.last
+      .then(work)
+      .catch(this.refused)
+      .then(() => {
+        if (!--this.waiting) return this.rested();
+      })
+      .catch(this.refused));
   }
 }
 
@@ -99,34 +169,67 @@ export class Steps<T> {
   readonly element = make("div", { class: "bar" }, this.undo, this.redo);
 
   /** Ctrl+Z and Ctrl+Y below `root` do the same, but in a text that is being typed. */
-  constructor(private readonly state: () => T, private readonly put: (state: T) => void, root: HTMLElement) {
+  constructor(
+    private readonly state: () => T,
+    private readonly put: (state: T) => void,
+    root: HTMLElement,
+  ) {
     this.now = JSON.stringify(state());
     this.undo.addEventListener("click", () => this.back());
     this.redo.addEventListener("click", () => this.forth());
-    for (const one of ["input", "change", "click", "pointerup"]) root.addEventListener(one, () => this.changed());
+    for (const one of ["input", "change", "click", "pointerup"])
+      root.addEventListener(one, () => this.changed());
     root.addEventListener("keydown", (event) => {
-      const isTyped = event.target instanceof HTMLInputElement && event.target.type !== "range" && event.target.type !== "checkbox";
+      const isTyped =
+        event.target instanceof HTMLInputElement &&
+        event.target.type !== "range" &&
+        event.target.type !== "checkbox";
       if (!(event.ctrlKey || event.metaKey) || isTyped) return;
-      if (event.key === "z" && !event.shiftKey) { event.preventDefault(); this.back(); }
-      if (event.key === "y" || (event.key === "Z" && event.shiftKey)) { event.preventDefault(); this.forth(); }
+      if (event.key === "z" && !event.shiftKey) {
+        event.preventDefault();
+        this.back();
+      }
+      if (event.key === "y" || (event.key === "Z" && event.shiftKey)) {
+        event.preventDefault();
+        this.forth();
+      }
     });
   }
 
   /** Something may have changed: it is a step once nothing more comes. */
-  changed(): void { clearTimeout(this.timer); this.timer = window.setTimeout(() => this.take(), PAUSE); }
+  changed(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.take(), PAUSE);
+  }
 
   private take(): void {
     clearTimeout(this.timer);
     const state = JSON.stringify(this.state());
-    if (state !== this.now) { this.past.push(this.now); this.future = []; this.now = state; }
-    for (const [one, other, lies] of [[this.undo, this.redo, this.past], [this.redo, this.undo, this.future]] as const) {
-      if (!lies.length && one === document.activeElement) { other.disabled = false; other.focus(); } // the keyboard goes on from there
+    if (state !== this.now) {
+      this.past.push(this.now);
+      this.future = [];
+      this.now = state;
+    }
+    for (const [one, other, lies] of [
+      [this.undo, this.redo, this.past],
+      [this.redo, this.undo, this.future],
+    ] as const) {
+      if (!lies.length && one === document.activeElement) {
+        other.disabled = false;
+        other.focus();
+      } // the keyboard goes on from there
       one.disabled = !lies.length;
     }
   }
 
-  private back(): void { this.take(); this.step(this.past, this.future); }
-  private forth(): void { this.take(); this.step(this.future, this.past); }
+  private back(): void {
+    this.take();
+    this.step(this.past, this.future);
+  }
+  private forth(): void {
+    this.take();
+    this.step(this.future, this.past);
+  }
 
   private step(from: string[], to: string[]): void {
     const state = from.pop();
@@ -147,53 +250,115 @@ export class Sliders {
   private readonly rows = make("div", {});
   private readonly known = new Map<string, RigNumber>();
 
-  constructor(rig: Rig, first: string[], private readonly moved: () => void, given: Record<string, number> = {}) {
+  constructor(
+    rig: Rig,
+    first: string[],
+    private readonly moved: () => void,
+    given: Record<string, number> = {},
+  ) {
     const known = this.known;
     for (const one of rig.numbers) known.set(one.path, one);
-    const choice = make("select", { "aria-label": tr("another number") }, make("option", { value: "" }, tr("another number …")));
+    const choice = make(
+      "select",
+      { "aria-label": tr("another number") },
+      make("option", { value: "" }, tr("another number …")),
+    );
     for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
-    choice.addEventListener("change", () => { const one = known.get(choice.value); if (one) this.add(one); choice.value = ""; });
-    for (const path of first) { const one = known.get(path); if (one) this.add(one); }
-    for (const [path, value] of Object.entries(given)) if (Number.isFinite(value)) this.take(path, value);
+    choice.addEventListener("change", () => {
+      const one = known.get(choice.value);
+      if (one) this.add(one);
+      choice.value = "";
+    });
+    for (const path of first) {
+      const one = known.get(path);
+      if (one) this.add(one);
+    }
+    for (const [path, value] of Object.entries(given))
+      if (Number.isFinite(value)) this.take(path, value);
     const back = make("button", { type: "button" }, tr("All as they were"));
-    back.addEventListener("click", () => { this.reset(); this.moved(); });
+    back.addEventListener("click", () => {
+      this.reset();
+      this.moved();
+    });
     this.element.append(this.rows, make("div", { class: "bar" }, choice, back));
   }
 
   /** Puts all numbers back to what the rig says. */
   reset(): void {
     for (const path of Object.keys(this.changes)) delete this.changes[path];
-    this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => { one.value = one.defaultValue; });
+    this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => {
+      one.value = one.defaultValue;
+    });
   }
 
   /** Takes a number that was changed elsewhere (SI), and shows its slider. */
-  take(path: string, value: number): void { const one = this.known.get(path); if (one) { this.add(one); this.set(path, value); } }
+  take(path: string, value: number): void {
+    const one = this.known.get(path);
+    if (one) {
+      this.add(one);
+      this.set(path, value);
+    }
+  }
 
   /** Takes a number that was changed elsewhere (SI). */
   set(path: string, value: number): void {
     const one = this.known.get(path);
     if (!one) return;
-    const shown = Number((value * one.factor).toPrecision(7)), row = this.rows.querySelector(`[data-path="${CSS.escape(path)}"]`);
-    if (Math.abs(value - one.value) <= 1e-12 * Math.max(Math.abs(value), 1)) delete this.changes[path]; else this.changes[path] = value;
-    row?.querySelectorAll("input").forEach((input) => { input.value = String(shown); });
+    const shown = Number((value * one.factor).toPrecision(7)),
+      row = this.rows.querySelector(`[data-path="${CSS.escape(path)}"]`);
+    if (Math.abs(value - one.value) <= 1e-12 * Math.max(Math.abs(value), 1))
+      delete this.changes[path];
+    else this.changes[path] = value;
+    row?.querySelectorAll("input").forEach((input) => {
+      input.value = String(shown);
+    });
   }
 
   private add(one: RigNumber): void {
     if (this.rows.querySelector(`[data-path="${CSS.escape(one.path)}"]`)) return;
-    const shown = one.value * one.factor, reach = 0.5 * Math.abs(shown) || 1;
+    const shown = one.value * one.factor,
+      reach = 0.5 * Math.abs(shown) || 1;
     const text = String(Number(shown.toPrecision(6)));
     const name = `${one.path} [${one.unit || "–"}]`;
-    const slider = make("input", { type: "range", min: String(shown - reach), max: String(shown + reach), step: String(reach / 100), value: text, "aria-label": name });
-    const number = make("input", { type: "number", step: "any", value: text, "aria-label": `${name}, ${tr("typed")}` });
+    const slider = make("input", {
+      type: "range",
+      min: String(shown - reach),
+      max: String(shown + reach),
+      step: String(reach / 100),
+      value: text,
+      "aria-label": name,
+    });
+    const number = make("input", {
+      type: "number",
+      step: "any",
+      value: text,
+      "aria-label": `${name}, ${tr("typed")}`,
+    });
     const take = (value: string) => {
       const wanted = Number(value);
       if (value === "" || !Number.isFinite(wanted)) return;
-      if (value === text) delete this.changes[one.path]; else this.changes[one.path] = wanted / one.factor;
+      if (value === text) delete this.changes[one.path];
+      else this.changes[one.path] = wanted / one.factor;
       this.moved();
     };
-    slider.addEventListener("input", () => { number.value = String(Number(Number(slider.value).toPrecision(5))); take(number.value); });
-    number.addEventListener("input", () => { slider.value = number.value; take(number.value); });
-    this.rows.append(make("div", { class: "slider", "data-path": one.path }, make("span", { class: "name" }, one.path), slider, number, make("span", { class: "unit" }, one.unit)));
+    slider.addEventListener("input", () => {
+      number.value = String(Number(Number(slider.value).toPrecision(5)));
+      take(number.value);
+    });
+    number.addEventListener("input", () => {
+      slider.value = number.value;
+      take(number.value);
+    });
+    this.rows.append(
+      make(
+        "div",
+        { class: "slider", "data-path": one.path },
+        make("span", { class: "name" }, one.path),
+        slider,
+        number,
+        make("span", { class: "unit" }, one.unit),
+      ),
+    );
   }
 }
 
@@ -222,7 +387,11 @@ export class Live {
     if (this.busy) return;
     this.busy = true;
     const began = performance.now();
-    const waiting = setTimeout(() => { this.state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
+    const waiting = setTimeout(() => {
+      this.state.textContent = tr(
+        "computing; the first time a model is compiled once, which takes some seconds",
+      );
+    }, 500);
     try {
       const store = inWords(Store.of(await this.question(this.player?.shown ?? [])));
       if (!this.element.isConnected) return;

@@ -12,14 +12,38 @@ const MM = 1e-3;
 export class Points {
   readonly element = make("div", { class: "points form" });
   private readonly choice = make("select", { "aria-label": tr("Hardpoint") });
-  private readonly inputs = ["x", "y", "z"].map((axis) => make("input", { type: "number", step: "any", "aria-label": `${axis} [mm]` }));
-  private readonly snap = make("select", {}, ...["0.1", "0.5", "1", "5", "10"].map((step) => make("option", { value: step, ...(step === "1" ? { selected: true } : {}) }, `${step} mm`)));
+  private readonly inputs = ["x", "y", "z"].map((axis) =>
+    make("input", { type: "number", step: "any", "aria-label": `${axis} [mm]` }),
+  );
+  private readonly snap = make(
+    "select",
+    {},
+    ...["0.1", "0.5", "1", "5", "10"].map((step) =>
+      make("option", { value: step, ...(step === "1" ? { selected: true } : {}) }, `${step} mm`),
+    ),
+  );
   private places = new Map<string, [number, number, number]>();
   private from: [number, number, number] | null = null;
 
-  constructor(private readonly view: MechanismView, private readonly moved: (changes: Record<string, number>, done: boolean) => void) {
-    const way = make("select", {}, ...([["view", tr("in the plane of the picture")], ["x", tr("along x")], ["y", tr("along y")], ["z", tr("along z")]] as const).map(([value, words]) => make("option", { value }, words)));
-    way.addEventListener("change", () => { view.way = way.value as typeof view.way; });
+  constructor(
+    private readonly view: MechanismView,
+    private readonly moved: (changes: Record<string, number>, done: boolean) => void,
+  ) {
+    const way = make(
+      "select",
+      {},
+      ...(
+        [
+          ["view", tr("in the plane of the picture")],
+          ["x", tr("along x")],
+          ["y", tr("along y")],
+          ["z", tr("along z")],
+        ] as const
+      ).map(([value, words]) => make("option", { value }, words)),
+    );
+    way.addEventListener("change", () => {
+      view.way = way.value as typeof view.way;
+    });
     view.grabbed = (name, by, done) => this.drag(name, by, done);
     this.choice.addEventListener("change", () => this.choose(this.choice.value));
     this.inputs.forEach((input) => {
@@ -29,7 +53,12 @@ export class Points {
         this.put(this.choice.value, values as [number, number, number], true);
       });
     });
-    this.element.append(field(tr("Hardpoint"), this.choice), ...this.inputs.map((input, i) => field(`${"xyz"[i]} [mm]`, input)), field(tr("Dragged"), way), field(tr("Snaps to"), this.snap));
+    this.element.append(
+      field(tr("Hardpoint"), this.choice),
+      ...this.inputs.map((input, i) => field(`${"xyz"[i]} [mm]`, input)),
+      field(tr("Dragged"), way),
+      field(tr("Snaps to"), this.snap),
+    );
   }
 
   /** Takes what the hardpoints of a rig are (SI). */
@@ -43,7 +72,9 @@ export class Points {
       found.set(place[1]!, one);
     }
     if ([...found.keys()].join() !== [...this.places.keys()].join())
-      this.choice.replaceChildren(...[...found.keys()].map((name) => make("option", { value: name }, part(name))));
+      this.choice.replaceChildren(
+        ...[...found.keys()].map((name) => make("option", { value: name }, part(name))),
+      );
     this.places = found;
     this.write();
   }
@@ -57,9 +88,16 @@ export class Points {
   private drag(name: string, by: [number, number, number], done: boolean): void {
     const place = this.places.get(name);
     if (!place) return;
-    if (this.from === null || this.choice.value !== name) { this.from = [...place]; this.choose(name); }
-    const far = Math.hypot(...by), step = Number(this.snap.value), start = this.from;
-    const next = start.map((value, i) => (Math.abs(by[i]!) > 0.02 * far ? Math.round((value + by[i]!) / step) * step : value)) as [number, number, number];
+    if (this.from === null || this.choice.value !== name) {
+      this.from = [...place];
+      this.choose(name);
+    }
+    const far = Math.hypot(...by),
+      step = Number(this.snap.value),
+      start = this.from;
+    const next = start.map((value, i) =>
+      Math.abs(by[i]!) > 0.02 * far ? Math.round((value + by[i]!) / step) * step : value,
+    ) as [number, number, number];
     if (done) this.from = null;
     if (far > 0 || done) this.put(name, next, done, start);
   }
@@ -69,14 +107,27 @@ export class Points {
     const place = this.places.get(name);
     if (!place) return;
     const changes: Record<string, number> = {};
-    next.forEach((value, i) => { if ([place[i]!, before[i]!].some((was) => Math.abs(value - Number(was.toFixed(4))) > 1e-9)) changes[`hardpoints.${name}[${i}]`] = Number(value.toPrecision(12)) * MM; });
-    this.places.set(name, next.map((value, i) => (`hardpoints.${name}[${i}]` in changes ? value : place[i]!)) as [number, number, number]);
+    next.forEach((value, i) => {
+      if ([place[i]!, before[i]!].some((was) => Math.abs(value - Number(was.toFixed(4))) > 1e-9))
+        changes[`hardpoints.${name}[${i}]`] = Number(value.toPrecision(12)) * MM;
+    });
+    this.places.set(
+      name,
+      next.map((value, i) => (`hardpoints.${name}[${i}]` in changes ? value : place[i]!)) as [
+        number,
+        number,
+        number,
+      ],
+    );
     this.write();
     if (Object.keys(changes).length) this.moved(changes, done);
   }
 
   private write(): void {
     const place = this.places.get(this.choice.value);
-    this.inputs.forEach((input, i) => { if (document.activeElement !== input) input.value = place ? String(Number(place[i]!.toFixed(4))) : ""; });
+    this.inputs.forEach((input, i) => {
+      if (document.activeElement !== input)
+        input.value = place ? String(Number(place[i]!.toFixed(4))) : "";
+    });
   }
 }

@@ -10,13 +10,38 @@ import { asSaid, advised } from "./refusals";
 import { inWords } from "./quantities";
 
 interface Preview {
-  columns: { name: string; unit: string; count: number; least: number | null; greatest: number | null }[]; more: number;
-  problem: string | null; findings: { severity: string; place: string; message: string }[];
-  content: object | null; points: { x: number[]; y: number[]; count: number } | null;
+  columns: {
+    name: string;
+    unit: string;
+    count: number;
+    least: number | null;
+    greatest: number | null;
+  }[];
+  more: number;
+  problem: string | null;
+  findings: { severity: string; place: string; message: string }[];
+  content: object | null;
+  points: { x: number[]; y: number[]; count: number } | null;
 }
-export interface Fields { columns: Record<string, string>; variable: string; sample_time: string; stroke_positive: string; force_positive: string }
+export interface Fields {
+  columns: Record<string, string>;
+  variable: string;
+  sample_time: string;
+  stroke_positive: string;
+  force_positive: string;
+}
 
-const USUAL = ["time", "sprung.z", "sprung.az", "unsprung.z", "unsprung.az", "strut.deflection", "strut.force", "tyre.force", "road.z"];
+const USUAL = [
+  "time",
+  "sprung.z",
+  "sprung.az",
+  "unsprung.z",
+  "unsprung.az",
+  "strut.deflection",
+  "strut.force",
+  "tyre.force",
+  "road.z",
+];
 
 /** Force over deflection as dots. */
 function xy(points: { x: number[]; y: number[]; count: number }): HTMLElement {
@@ -27,26 +52,78 @@ function xy(points: { x: number[]; y: number[]; count: number }): HTMLElement {
     return element;
   };
   const [width, height, left, foot] = [520, 300, 62, 34];
-  const span = (values: number[]) => { let low = Math.min(0, ...values.slice(0, 1)), high = low; for (const value of values) { low = Math.min(low, value); high = Math.max(high, value); } return high > low ? [low, high] as const : [low - 1, high + 1] as const; };
-  const [x0, x1] = span(points.x), [y0, y1] = span(points.y);
-  const px = (value: number) => left + (width - left - 12) * (value - x0) / (x1 - x0), py = (value: number) => height - foot - (height - foot - 10) * (value - y0) / (y1 - y0);
-  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "xy", role: "img", "aria-label": heard(`force from ${written(y0, 3)} to ${written(y1, 3)} N over deflections from ${written(x0, 3)} to ${written(x1, 3)} mm`) });
-  picture.append(svg("path", { class: "axis", d: `M${left} 6V${height - foot}H${width - 8}` }), svg("path", { class: "zero", d: `M${px(0)} 6V${height - foot}M${left} ${py(0)}H${width - 8}` }));
-  for (const value of [x0, x1]) picture.append(svg("text", { x: px(value), y: height - foot + 15, "text-anchor": value === x0 ? "start" : "end" }, written(value, 3)));
-  for (const value of [y0, y1]) picture.append(svg("text", { x: left - 5, y: py(value) + 5, "text-anchor": "end" }, written(value, 3)));
-  picture.append(svg("text", { x: (left + width) / 2, y: height - 6, "text-anchor": "middle" }, tr("deflection, compression positive [mm]")), svg("text", { x: 13, y: height / 2, transform: `rotate(-90 13 ${height / 2})`, "text-anchor": "middle" }, tr("force, compression positive [N]")));
+  const span = (values: number[]) => {
+    let low = Math.min(0, ...values.slice(0, 1)),
+      high = low;
+    for (const value of values) {
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+    return high > low ? ([low, high] as const) : ([low - 1, high + 1] as const);
+  };
+  const [x0, x1] = span(points.x),
+    [y0, y1] = span(points.y);
+  const px = (value: number) => left + ((width - left - 12) * (value - x0)) / (x1 - x0),
+    py = (value: number) => height - foot - ((height - foot - 10) * (value - y0)) / (y1 - y0);
+  const picture = svg("svg", {
+    viewBox: `0 0 ${width} ${height}`,
+    class: "xy",
+    role: "img",
+    "aria-label": heard(
+      `force from ${written(y0, 3)} to ${written(y1, 3)} N over deflections from ${written(x0, 3)} to ${written(x1, 3)} mm`,
+    ),
+  });
+  picture.append(
+    svg("path", { class: "axis", d: `M${left} 6V${height - foot}H${width - 8}` }),
+    svg("path", { class: "zero", d: `M${px(0)} 6V${height - foot}M${left} ${py(0)}H${width - 8}` }),
+  );
+  for (const value of [x0, x1])
+    picture.append(
+      svg(
+        "text",
+        { x: px(value), y: height - foot + 15, "text-anchor": value === x0 ? "start" : "end" },
+        written(value, 3),
+      ),
+    );
+  for (const value of [y0, y1])
+    picture.append(
+      svg("text", { x: left - 5, y: py(value) + 5, "text-anchor": "end" }, written(value, 3)),
+    );
+  picture.append(
+    svg(
+      "text",
+      { x: (left + width) / 2, y: height - 6, "text-anchor": "middle" },
+      tr("deflection, compression positive [mm]"),
+    ),
+    svg(
+      "text",
+      { x: 13, y: height / 2, transform: `rotate(-90 13 ${height / 2})`, "text-anchor": "middle" },
+      tr("force, compression positive [N]"),
+    ),
+  );
   let path = "";
-  points.x.forEach((x, k) => { path += `M${px(x).toFixed(1)} ${py(points.y[k]!).toFixed(1)}h.01`; });
+  points.x.forEach((x, k) => {
+    path += `M${px(x).toFixed(1)} ${py(points.y[k]!).toFixed(1)}h.01`;
+  });
   picture.append(svg("path", { class: "dots", d: path }));
   const holder = make("figure", {});
-  holder.append(picture, make("figcaption", { class: "muted" }, `${points.count} samples as they would be read`));
+  holder.append(
+    picture,
+    make("figcaption", { class: "muted" }, `${points.count} samples as they would be read`),
+  );
   return holder;
 }
 
 /** A form of how a file is read, with its preview; `fields` is what was chosen. */
 export class Reading {
   readonly element = make("div", { class: "reading" });
-  readonly fields: Fields = { columns: {}, variable: "", sample_time: "", stroke_positive: "", force_positive: "" };
+  readonly fields: Fields = {
+    columns: {},
+    variable: "",
+    sample_time: "",
+    stroke_positive: "",
+    force_positive: "",
+  };
   private readonly mapping = make("tbody", {});
   private readonly names = make("datalist", { id: "channels-to-read" });
   private readonly question: Question<Preview>;
@@ -54,11 +131,30 @@ export class Reading {
   private known: Preview["columns"] = [];
 
   /** `like`: files whose way of being read is offered, where this one has their columns. */
-  constructor(readonly file: string, public form: "recording" | "force-deflection", given: Partial<Fields> = {}, private readonly like: { file: string; fields: Partial<Fields> }[] = []) {
+  constructor(
+    readonly file: string,
+    public form: "recording" | "force-deflection",
+    given: Partial<Fields> = {},
+    private readonly like: { file: string; fields: Partial<Fields> }[] = [],
+  ) {
     Object.assign(this.fields, given, { columns: { ...given.columns } });
     const sign = (key: "stroke_positive" | "force_positive", words: string[]) => {
-      const select = make("select", {}, make("option", { value: "" }, "not stated"), ...words.map((word) => make("option", word === this.fields[key] ? { value: word, selected: true } : { value: word }, `positive in ${word}`)));
-      select.addEventListener("change", () => { this.fields[key] = select.value; void this.ask(); });
+      const select = make(
+        "select",
+        {},
+        make("option", { value: "" }, "not stated"),
+        ...words.map((word) =>
+          make(
+            "option",
+            word === this.fields[key] ? { value: word, selected: true } : { value: word },
+            `positive in ${word}`,
+          ),
+        ),
+      );
+      select.addEventListener("change", () => {
+        this.fields[key] = select.value;
+        void this.ask();
+      });
       this.signs.set(key, select);
       return select;
     };
@@ -66,39 +162,110 @@ export class Reading {
       const input = make("input", { type: "text", value: this.fields[key], placeholder: hint });
       input.addEventListener("change", () => {
         this.fields[key] = input.value.trim();
-        if (key === "variable") { this.known = []; this.mapping.replaceChildren(); } // its columns are others
+        if (key === "variable") {
+          this.known = [];
+          this.mapping.replaceChildren();
+        } // its columns are others
         void this.ask();
       });
       return input;
     };
-    this.question = new Question<Preview>("Preview", () => ({ kind: "preview", files: [this.file], form: this.form, ...this.asked() }), (told) => this.shown(told.result, told));
+    this.question = new Question<Preview>(
+      "Preview",
+      () => ({ kind: "preview", files: [this.file], form: this.form, ...this.asked() }),
+      (told) => this.shown(told.result, told),
+    );
     this.names.append(...USUAL.map((one) => make("option", { value: one })));
     this.element.append(
-      make("div", { class: "form" }, field("Stroke", sign("stroke_positive", ["compression", "extension"])), field("Force", sign("force_positive", ["compression", "tension"])),
-        ...(form === "recording" ? [field("Sample time, where the file has none", text("sample_time", "1 ms"))] : []), field("Variable or group (.mat, .tdms)", text("variable", "")), this.question.button),
-      make("details", { open: true }, make("summary", {}, "Columns"), this.names,
-        make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "columns" }, make("table", {}, make("thead", {}, make("tr", {}, ...["column of the file", "unit", "from", "to", "read as", "unit, where the file has none"].map((one) => make("th", { scope: "col" }, one)))), this.mapping))),
-      this.question.place);
+      make(
+        "div",
+        { class: "form" },
+        field("Stroke", sign("stroke_positive", ["compression", "extension"])),
+        field("Force", sign("force_positive", ["compression", "tension"])),
+        ...(form === "recording"
+          ? [field("Sample time, where the file has none", text("sample_time", "1 ms"))]
+          : []),
+        field("Variable or group (.mat, .tdms)", text("variable", "")),
+        this.question.button,
+      ),
+      make(
+        "details",
+        { open: true },
+        make("summary", {}, "Columns"),
+        this.names,
+        make(
+          "div",
+          { class: "table", tabindex: "0", role: "region", "aria-label": "columns" },
+          make(
+            "table",
+            {},
+            make(
+              "thead",
+              {},
+              make(
+                "tr",
+                {},
+                ...[
+                  "column of the file",
+                  "unit",
+                  "from",
+                  "to",
+                  "read as",
+                  "unit, where the file has none",
+                ].map((one) => make("th", { scope: "col" }, one)),
+              ),
+            ),
+            this.mapping,
+          ),
+        ),
+      ),
+      this.question.place,
+    );
   }
 
   asked(): object {
     const { columns, variable, sample_time, stroke_positive, force_positive } = this.fields;
-    return { columns, variable, stroke_positive, force_positive, ...(this.form === "recording" ? { sample_time } : {}) };
+    return {
+      columns,
+      variable,
+      stroke_positive,
+      force_positive,
+      ...(this.form === "recording" ? { sample_time } : {}),
+    };
   }
 
-  ask(): Promise<void> { return this.question.ask(); }
+  ask(): Promise<void> {
+    return this.question.ask();
+  }
 
-  private shown(found: Preview, told: { python: string; command: string; files: Record<string, string> }): HTMLElement[] {
-    if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) { this.known = found.columns; this.offer(); }
+  private shown(
+    found: Preview,
+    told: { python: string; command: string; files: Record<string, string> },
+  ): HTMLElement[] {
+    if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) {
+      this.known = found.columns;
+      this.offer();
+    }
     const shown: HTMLElement[] = this.alike();
-    if (found.problem) shown.push(make("p", { class: "problem", role: "alert" }, asSaid(found.problem)));
-    shown.push(...advised(found.findings.map((one) => ({ ...one, place: "" })), "p"));
+    if (found.problem)
+      shown.push(make("p", { class: "problem", role: "alert" }, asSaid(found.problem)));
+    shown.push(
+      ...advised(
+        found.findings.map((one) => ({ ...one, place: "" })),
+        "p",
+      ),
+    );
     if (found.more) shown.push(make("p", { class: "muted" }, `and ${found.more} more columns`));
     if (found.points) shown.push(xy(found.points));
     if (found.content) {
       const holder = make("div", {});
       shown.push(holder);
-      void Store.open(JSON.stringify(found.content)).then(inWords).then((store) => { const model = store.content.viewers[0]; if (model) holder.replaceChildren(new Player(model, store).element); });
+      void Store.open(JSON.stringify(found.content))
+        .then(inWords)
+        .then((store) => {
+          const model = store.content.viewers[0];
+          if (model) holder.replaceChildren(new Player(model, store).element);
+        });
     }
     return [...shown, ways(told)];
   }
@@ -106,12 +273,23 @@ export class Reading {
   /** A file of the same columns was read before: one button reads this one so, where nothing was said of it yet. */
   private alike(): HTMLElement[] {
     const names = new Set(this.known.map((one) => one.name));
-    const same = this.like.find((one) => one.file !== this.file && Object.values(one.fields.columns ?? {}).every((column) => names.has(column.replace(/ \[[^\]]*\]$/, ""))));
+    const same = this.like.find(
+      (one) =>
+        one.file !== this.file &&
+        Object.values(one.fields.columns ?? {}).every((column) =>
+          names.has(column.replace(/ \[[^\]]*\]$/, "")),
+        ),
+    );
     if (!same || Object.keys(this.fields.columns).length) return [];
-    const button = make("button", { type: "button" }, tr("Read it as # is read", same.file.split("/").pop()!));
+    const button = make(
+      "button",
+      { type: "button" },
+      tr("Read it as # is read", same.file.split("/").pop()!),
+    );
     button.addEventListener("click", () => {
       this.fields.columns = { ...same.fields.columns };
-      for (const [key, select] of this.signs) select.value = this.fields[key] = same.fields[key] ?? "";
+      for (const [key, select] of this.signs)
+        select.value = this.fields[key] = same.fields[key] ?? "";
       this.offer();
       void this.ask();
     });
@@ -119,20 +297,65 @@ export class Reading {
   }
 
   private offer(): void {
-    const meant = Object.fromEntries(Object.entries(this.fields.columns).map(([name, column]) => [column.replace(/ \[[^\]]*\]$/, ""), { name, unit: /\[([^\]]*)\]$/.exec(column)?.[1] ?? "" }]));
-    this.mapping.replaceChildren(...this.known.map((one) => {
-      const own = meant[one.name];
-      const name = this.form === "recording" ? make("input", { type: "text", list: "channels-to-read", value: own?.name ?? "", placeholder: "as it is", "aria-label": `what ${one.name} is read as`, size: "16" })
-        : make("select", { "aria-label": `what ${one.name} is read as` }, ...["", "displacement", "force"].map((word) => make("option", word === (own?.name ?? "") ? { value: word, selected: true } : { value: word }, word || "as it is")));
-      const unit = make("input", { type: "text", value: own?.unit ?? "", placeholder: one.unit || "e.g. mm", "aria-label": `unit of ${one.name}`, size: "8" });
-      const take = () => {
-        for (const [key, column] of Object.entries(this.fields.columns)) if (column.replace(/ \[[^\]]*\]$/, "") === one.name) delete this.fields.columns[key];
-        if (name.value) this.fields.columns[name.value] = unit.value.trim() ? `${one.name} [${unit.value.trim()}]` : one.name;
-        void this.ask();
-      };
-      name.addEventListener("change", take);
-      unit.addEventListener("change", take);
-      return make("tr", {}, make("th", { scope: "row" }, one.name), make("td", {}, one.unit || "–"), make("td", { class: "right" }, written(one.least)), make("td", { class: "right" }, written(one.greatest)), make("td", {}, name), make("td", {}, unit));
-    }));
+    const meant = Object.fromEntries(
+      Object.entries(this.fields.columns).map(([name, column]) => [
+        column.replace(/ \[[^\]]*\]$/, ""),
+        { name, unit: /\[([^\]]*)\]$/.exec(column)?.[1] ?? "" },
+      ]),
+    );
+    this.mapping.replaceChildren(
+      ...this.known.map((one) => {
+        const own = meant[one.name];
+        const name =
+          this.form === "recording"
+            ? make("input", {
+                type: "text",
+                list: "channels-to-read",
+                value: own?.name ?? "",
+                placeholder: "as it is",
+                "aria-label": `what ${one.name} is read as`,
+                size: "16",
+              })
+            : make(
+                "select",
+                { "aria-label": `what ${one.name} is read as` },
+                ...["", "displacement", "force"].map((word) =>
+                  make(
+                    "option",
+                    word === (own?.name ?? "") ? { value: word, selected: true } : { value: word },
+                    word || "as it is",
+                  ),
+                ),
+              );
+        const unit = make("input", {
+          type: "text",
+          value: own?.unit ?? "",
+          placeholder: one.unit || "e.g. mm",
+          "aria-label": `unit of ${one.name}`,
+          size: "8",
+        });
+        const take = () => {
+          for (const [key, column] of Object.entries(this.fields.columns))
+            if (column.replace(/ \[[^\]]*\]$/, "") === one.name) delete this.fields.columns[key];
+          if (name.value)
+            this.fields.columns[name.value] = unit.value.trim()
+              ? `${one.name} [${unit.value.trim()}]`
+              : one.name;
+          void this.ask();
+        };
+        name.addEventListener("change", take);
+        unit.addEventListener("change", take);
+        return make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, one.name),
+          make("td", {}, one.unit || "–"),
+          make("td", { class: "right" }, written(one.least)),
+          make("td", { class: "right" }, written(one.greatest)),
+          make("td", {}, name),
+          make("td", {}, unit),
+        );
+      }),
+    );
   }
 }

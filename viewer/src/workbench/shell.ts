@@ -7,40 +7,110 @@ import * as api from "./api";
 
 export type Values = URLSearchParams;
 /** A page has a word in the head and fills its place; an error that it throws is shown there with the way back. */
-export interface Page { label: string; show: (place: HTMLElement, values: Values) => Promise<void> }
+export interface Page {
+  label: string;
+  show: (place: HTMLElement, values: Values) => Promise<void>;
+}
 
-export const RIGS = ["rig"], VEHICLES = ["rig", "vehicle"];
-export const address = (page: string, values: Record<string, string> = {}) => `#/${page}?${new URLSearchParams(values)}`;
+export const RIGS = ["rig"],
+  VEHICLES = ["rig", "vehicle"];
+export const address = (page: string, values: Record<string, string> = {}) =>
+  `#/${page}?${new URLSearchParams(values)}`;
 
 /** Goes to another page, unless the one that asked was left meanwhile: an answer that comes late takes nobody from where they are. */
-export function goTo(from: Node, page: string, values: Record<string, string> = {}): void { if (from.isConnected) location.hash = address(page, values); }
+export function goTo(from: Node, page: string, values: Record<string, string> = {}): void {
+  if (from.isConnected) location.hash = address(page, values);
+}
 
 /** Under which word the address of a page says which rig or vehicle it shows. */
-const SHOWS: Record<string, string> = { rig: "name", kinematics: "rig", trial: "rig", ride: "vehicle" }, KEY = "jounce-rig";
+const SHOWS: Record<string, string> = {
+    rig: "name",
+    kinematics: "rig",
+    trial: "rig",
+    ride: "vehicle",
+  },
+  KEY = "jounce-rig";
 
 /** What a page shows stays with whoever goes on to another page by its word in the head; that of the open page leads to the choice. */
 export function carry(name: string): void {
   passing?.setItem(KEY, name);
   for (const link of document.querySelectorAll<HTMLAnchorElement>("#pages a")) {
-    const page = link.dataset.page!, takes = SHOWS[page];
-    const fits = takes && name && !link.hasAttribute("aria-current") && (page !== "rig" || name.endsWith(".toml")); // what is shipped has no file here
+    const page = link.dataset.page!,
+      takes = SHOWS[page];
+    const fits =
+      takes &&
+      name &&
+      !link.hasAttribute("aria-current") &&
+      (page !== "rig" || name.endsWith(".toml")); // what is shipped has no file here
     link.setAttribute("href", address(page, fits ? { [takes]: name } : {}));
   }
 }
 /** The rig or vehicle that a page shows, else the one that was shown last. */
-export const carried = (page: string, values: Values): string => values.get(SHOWS[page] ?? "") ?? passing?.getItem(KEY) ?? "";
+export const carried = (page: string, values: Values): string =>
+  values.get(SHOWS[page] ?? "") ?? passing?.getItem(KEY) ?? "";
 
 /** The live curves of the open page, for whoever measures them. */
 export let live: { times: number[] } | null = null;
-export function setLive(curves: { times: number[] } | null): void { live = curves; }
+export function setLive(curves: { times: number[] } | null): void {
+  live = curves;
+}
 
 /** Rigs to choose from, where none was. */
-export async function choose(place: HTMLElement, page: string, label: string, key: string, shipped = false, kinds = RIGS, more: Record<string, string> = {}): Promise<void> {
+export async function choose(
+  place: HTMLElement,
+  page: string,
+  label: string,
+  key: string,
+  shipped = false,
+  kinds = RIGS,
+  more: Record<string, string> = {},
+): Promise<void> {
   const { entries } = await api.project();
-  const list = (names: string[]) => make("ul", {}, ...names.map((name) => make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name))));
-  const own = entries.filter((entry) => kinds.includes(entry.kind) && (page !== "kinematics" || entry.has_hardpoints)).map((entry) => entry.path);
-  const others = shipped ? (await api.library()).filter((one) => page !== "kinematics" || one.has_hardpoints).map((one) => one.name) : [];
-  place.replaceChildren(make("h1", {}, label), ...(own.length || others.length ? [make("p", { class: "muted" }, page === "kinematics" ? tr("Choose a corner with hardpoints.") : tr("Choose what is looked at."))] : []),
-    ...(own.length ? [make("h2", {}, tr("In this project")), list(own)] : []), ...(others.length ? [make("h2", {}, tr("Shipped with jounce")), list(others)] : []),
-    ...(own.length || others.length ? [] : [make("p", { class: "empty" }, kinds.includes("rig") ? tr("No rig lies here yet: ") : tr("Nothing of that kind lies here yet: "), make("a", { href: address("project") }, tr("to the project")), ".")]));
+  const list = (names: string[]) =>
+    make(
+      "ul",
+      {},
+      ...names.map((name) =>
+        make("li", {}, make("a", { href: address(page, { [key]: name, ...more }) }, name)),
+      ),
+    );
+  const own = entries
+    .filter(
+      (entry) => kinds.includes(entry.kind) && (page !== "kinematics" || entry.has_hardpoints),
+    )
+    .map((entry) => entry.path);
+  const others = shipped
+    ? (await api.library())
+        .filter((one) => page !== "kinematics" || one.has_hardpoints)
+        .map((one) => one.name)
+    : [];
+  place.replaceChildren(
+    make("h1", {}, label),
+    ...(own.length || others.length
+      ? [
+          make(
+            "p",
+            { class: "muted" },
+            page === "kinematics"
+              ? tr("Choose a corner with hardpoints.")
+              : tr("Choose what is looked at."),
+          ),
+        ]
+      : []),
+    ...(own.length ? [make("h2", {}, tr("In this project")), list(own)] : []),
+    ...(others.length ? [make("h2", {}, tr("Shipped with jounce")), list(others)] : []),
+    ...(own.length || others.length
+      ? []
+      : [
+          make(
+            "p",
+            { class: "empty" },
+            kinds.includes("rig")
+              ? tr("No rig lies here yet: ")
+              : tr("Nothing of that kind lies here yet: "),
+            make("a", { href: address("project") }, tr("to the project")),
+            ".",
+          ),
+        ]),
+  );
 }

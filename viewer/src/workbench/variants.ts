@@ -3,15 +3,31 @@
 import { colour, make, sized, whenColoursChange, written } from "../page";
 import { heard, tr } from "../words";
 
-export interface Column { name: string; unit: string; factor: number; is_number: boolean; values: (number | null)[] }
+export interface Column {
+  name: string;
+  unit: string;
+  factor: number;
+  is_number: boolean;
+  values: (number | null)[];
+}
 
 /** A name that may go on in the next line behind a dot, and in no word of it. */
-const dotted = (text: string) => text.split(/(?<=\.)(?=[a-z])/).flatMap((part, i) => (i ? [make("wbr"), part] : [part]));
+const dotted = (text: string) =>
+  text.split(/(?<=\.)(?=[a-z])/).flatMap((part, i) => (i ? [make("wbr"), part] : [part]));
 const named = (one: Column) => `${one.name} [${one.unit || "–"}]`;
 const ends = (values: (number | null)[]): [number, number] => {
-  let low = Infinity, high = -Infinity;
-  for (const value of values) if (value !== null) { if (value < low) low = value; if (value > high) high = value; }
-  return low < high ? [low, high] : low === high ? [low - (Math.abs(low) || 1) * 0.5, low + (Math.abs(low) || 1) * 0.5] : [0, 1];
+  let low = Infinity,
+    high = -Infinity;
+  for (const value of values)
+    if (value !== null) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  return low < high
+    ? [low, high]
+    : low === high
+      ? [low - (Math.abs(low) || 1) * 0.5, low + (Math.abs(low) || 1) * 0.5]
+      : [0, 1];
 };
 
 /** Which variants are chosen: those within every range that is set. */
@@ -21,40 +37,65 @@ export class Brushes {
   picked = -1;
   private readonly listeners: (() => void)[] = [];
 
-  constructor(readonly columns: Column[]) { this.count(); }
-
-  listen(change: () => void): void { this.listeners.push(change); }
-
-  set(column: number, range: [number, number] | null): void {
-    if (range) this.ranges.set(column, range); else this.ranges.delete(column);
+  constructor(readonly columns: Column[]) {
     this.count();
   }
 
-  clear(): void { this.ranges.clear(); this.count(); }
+  listen(change: () => void): void {
+    this.listeners.push(change);
+  }
 
-  pick(row: number): void { this.picked = row; for (const change of this.listeners) change(); }
+  set(column: number, range: [number, number] | null): void {
+    if (range) this.ranges.set(column, range);
+    else this.ranges.delete(column);
+    this.count();
+  }
+
+  clear(): void {
+    this.ranges.clear();
+    this.count();
+  }
+
+  pick(row: number): void {
+    this.picked = row;
+    for (const change of this.listeners) change();
+  }
 
   private count(): void {
     const rows = this.columns[0]?.values.length ?? 0;
-    this.chosen = Array.from({ length: rows }, (_, row) => [...this.ranges].every(([k, [low, high]]) => {
-      const value = this.columns[k]!.values[row];
-      return value !== null && value !== undefined && value >= low && value <= high;
-    }));
+    this.chosen = Array.from({ length: rows }, (_, row) =>
+      [...this.ranges].every(([k, [low, high]]) => {
+        const value = this.columns[k]!.values[row];
+        return value !== null && value !== undefined && value >= low && value <= high;
+      }),
+    );
     for (const change of this.listeners) change();
   }
 }
 
-const SPACE = 130, TOP = 26, HIGH = 250, FOOT = 22;
+const SPACE = 130,
+  TOP = 26,
+  HIGH = 250,
+  FOOT = 22;
 
 /** Lines through parallel axes: drag along an axis to keep what passes there, or type the ends of a range. */
 export function parallel(brushes: Brushes): HTMLElement {
-  const { columns } = brushes, scales = columns.map((one) => ends(one.values));
-  const width = SPACE * columns.length, height = TOP + HIGH + FOOT;
-  const drawing = make("canvas"), context = sized(drawing, width, height);
+  const { columns } = brushes,
+    scales = columns.map((one) => ends(one.values));
+  const width = SPACE * columns.length,
+    height = TOP + HIGH + FOOT;
+  const drawing = make("canvas"),
+    context = sized(drawing, width, height);
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", heard(`every variant as a line through ${columns.map(named).join(", ")}`));
+  drawing.setAttribute(
+    "aria-label",
+    heard(`every variant as a line through ${columns.map(named).join(", ")}`),
+  );
   const at = (k: number) => SPACE * (k + 0.5);
-  const y = (k: number, value: number) => { const [low, high] = scales[k]!; return TOP + HIGH * (1 - (value - low) / (high - low)); };
+  const y = (k: number, value: number) => {
+    const [low, high] = scales[k]!;
+    return TOP + HIGH * (1 - (value - low) / (high - low));
+  };
   const draw = () => {
     context.clearRect(0, 0, width, height);
     const line = (row: number) => {
@@ -62,8 +103,12 @@ export function parallel(brushes: Brushes): HTMLElement {
       let open = false;
       columns.forEach((one, k) => {
         const value = one.values[row];
-        if (value === null || value === undefined) { open = false; return; }
-        if (open) context.lineTo(at(k), y(k, value)); else context.moveTo(at(k), y(k, value));
+        if (value === null || value === undefined) {
+          open = false;
+          return;
+        }
+        if (open) context.lineTo(at(k), y(k, value));
+        else context.moveTo(at(k), y(k, value));
         open = true;
       });
       context.stroke();
@@ -71,24 +116,37 @@ export function parallel(brushes: Brushes): HTMLElement {
     const rows = brushes.chosen.length;
     context.lineWidth = 1;
     context.strokeStyle = colour("line");
-    if (brushes.ranges.size) for (let row = 0; row < rows; row++) if (!brushes.chosen[row]) line(row);
+    if (brushes.ranges.size)
+      for (let row = 0; row < rows; row++) if (!brushes.chosen[row]) line(row);
     context.strokeStyle = colour("accent");
     context.globalAlpha = Math.max(0.08, Math.min(0.7, 60 / Math.max(rows, 1)));
     for (let row = 0; row < rows; row++) if (brushes.chosen[row]) line(row);
     context.globalAlpha = 1;
-    if (brushes.picked >= 0) { context.strokeStyle = colour("other-5"); context.lineWidth = 2.5; line(brushes.picked); }
+    if (brushes.picked >= 0) {
+      context.strokeStyle = colour("other-5");
+      context.lineWidth = 2.5;
+      line(brushes.picked);
+    }
     context.font = "12px system-ui, sans-serif";
     context.textAlign = "center";
     columns.forEach((one, k) => {
       const [low, high] = scales[k]!;
       context.strokeStyle = colour("edge");
       context.lineWidth = 1;
-      context.beginPath(); context.moveTo(at(k), TOP); context.lineTo(at(k), TOP + HIGH); context.stroke();
+      context.beginPath();
+      context.moveTo(at(k), TOP);
+      context.lineTo(at(k), TOP + HIGH);
+      context.stroke();
       const range = brushes.ranges.get(k);
       if (range) {
         context.fillStyle = colour("other-5");
         context.globalAlpha = 0.3;
-        context.fillRect(at(k) - 7, y(k, range[1]), 14, Math.max(2, y(k, range[0]) - y(k, range[1])));
+        context.fillRect(
+          at(k) - 7,
+          y(k, range[1]),
+          14,
+          Math.max(2, y(k, range[0]) - y(k, range[1])),
+        );
         context.globalAlpha = 1;
       }
       context.fillStyle = colour("ink");
@@ -100,34 +158,65 @@ export function parallel(brushes: Brushes): HTMLElement {
   let from: { k: number; value: number } | null = null;
   const place = (event: PointerEvent) => {
     const box = drawing.getBoundingClientRect();
-    const k = Math.min(columns.length - 1, Math.max(0, Math.floor((event.clientX - box.left) / SPACE)));
-    const share = Math.min(1, Math.max(0, 1 - (event.clientY - box.top - TOP) / HIGH)), [low, high] = scales[from?.k ?? k]!;
+    const k = Math.min(
+      columns.length - 1,
+      Math.max(0, Math.floor((event.clientX - box.left) / SPACE)),
+    );
+    const share = Math.min(1, Math.max(0, 1 - (event.clientY - box.top - TOP) / HIGH)),
+      [low, high] = scales[from?.k ?? k]!;
     return { k, value: low + share * (high - low) };
   };
-  drawing.addEventListener("pointerdown", (event) => { from = place(event); drawing.setPointerCapture(event.pointerId); });
+  drawing.addEventListener("pointerdown", (event) => {
+    from = place(event);
+    drawing.setPointerCapture(event.pointerId);
+  });
   drawing.addEventListener("pointermove", (event) => {
     if (!from) return;
-    const { value } = place(event), [low, high] = scales[from.k]!;
-    if (Math.abs(value - from.value) > 0.01 * (high - low)) brushes.set(from.k, [Math.min(value, from.value), Math.max(value, from.value)]);
+    const { value } = place(event),
+      [low, high] = scales[from.k]!;
+    if (Math.abs(value - from.value) > 0.01 * (high - low))
+      brushes.set(from.k, [Math.min(value, from.value), Math.max(value, from.value)]);
   });
   drawing.addEventListener("pointerup", (event) => {
-    if (from && Math.abs(place(event).value - from.value) < 0.01 * (scales[from.k]![1] - scales[from.k]![0])) brushes.set(from.k, null); // a click takes it away
+    if (
+      from &&
+      Math.abs(place(event).value - from.value) < 0.01 * (scales[from.k]![1] - scales[from.k]![0])
+    )
+      brushes.set(from.k, null); // a click takes it away
     from = null;
   });
   brushes.listen(draw);
   whenColoursChange(draw);
   draw();
-  const heads = make("div", { class: "axes" }, ...columns.map((one) => make("span", { title: named(one) }, ...dotted(one.name), make("small", {}, one.unit || "–"))));
+  const heads = make(
+    "div",
+    { class: "axes" },
+    ...columns.map((one) =>
+      make("span", { title: named(one) }, ...dotted(one.name), make("small", {}, one.unit || "–")),
+    ),
+  );
   heads.style.width = `${width}px`;
   heads.style.gridTemplateColumns = `repeat(${columns.length}, ${SPACE}px)`;
-  return make("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "parallel coordinates" }, heads, drawing);
+  return make(
+    "div",
+    { class: "wide", tabindex: "0", role: "region", "aria-label": "parallel coordinates" },
+    heads,
+    drawing,
+  );
 }
 
 /** The ranges as numbers, for those who do not drag. */
 export function ranges(brushes: Brushes): HTMLElement {
   const cells = brushes.columns.map((one, k) => {
     const [low, high] = ends(one.values);
-    const inputs = ["from", "to"].map((word) => make("input", { type: "number", step: "any", "aria-label": `${one.name}, ${word} [${one.unit || "–"}]`, placeholder: written(word === "from" ? low : high, 4) }));
+    const inputs = ["from", "to"].map((word) =>
+      make("input", {
+        type: "number",
+        step: "any",
+        "aria-label": `${one.name}, ${word} [${one.unit || "–"}]`,
+        placeholder: written(word === "from" ? low : high, 4),
+      }),
+    );
     const take = () => {
       const [a, b] = inputs.map((one) => one.value);
       brushes.set(k, a || b ? [a ? Number(a) : -Infinity, b ? Number(b) : Infinity] : null);
@@ -135,30 +224,77 @@ export function ranges(brushes: Brushes): HTMLElement {
     for (const input of inputs) input.addEventListener("change", take);
     brushes.listen(() => {
       const range = brushes.ranges.get(k);
-      inputs.forEach((input, i) => { if (document.activeElement !== input) input.value = range && Number.isFinite(range[i]!) ? String(Number(range[i]!.toPrecision(4))) : ""; });
+      inputs.forEach((input, i) => {
+        if (document.activeElement !== input)
+          input.value =
+            range && Number.isFinite(range[i]!) ? String(Number(range[i]!.toPrecision(4))) : "";
+      });
     });
-    return make("tr", {}, make("th", { scope: "row" }, one.name), make("td", {}, inputs[0]!), make("td", {}, inputs[1]!), make("td", {}, one.unit || "–"));
+    return make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, one.name),
+      make("td", {}, inputs[0]!),
+      make("td", {}, inputs[1]!),
+      make("td", {}, one.unit || "–"),
+    );
   });
-  return make("details", {}, make("summary", {}, "Ranges as numbers"), make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "ranges" }, make("table", {},
-    make("thead", {}, make("tr", {}, ...["", "from", "to", "unit"].map((text) => (text ? make("th", { scope: "col" }, text) : make("td", {}))))), make("tbody", {}, ...cells))));
+  return make(
+    "details",
+    {},
+    make("summary", {}, "Ranges as numbers"),
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "ranges" },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            ...["", "from", "to", "unit"].map((text) =>
+              text ? make("th", { scope: "col" }, text) : make("td", {}),
+            ),
+          ),
+        ),
+        make("tbody", {}, ...cells),
+      ),
+    ),
+  );
 }
 
-const WIDE = 170, TALL = 130, MARGIN = 8;
+const WIDE = 170,
+  TALL = 130,
+  MARGIN = 8;
 
 /** One picture of dots: every variant by two of its columns. */
 function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
-  const drawing = make("canvas"), context = sized(drawing, WIDE, TALL), [x0, x1] = ends(x.values), [y0, y1] = ends(y.values);
-  const px = (value: number) => MARGIN + (WIDE - 2 * MARGIN) * (value - x0) / (x1 - x0), py = (value: number) => TALL - MARGIN - (TALL - 2 * MARGIN) * (value - y0) / (y1 - y0);
+  const drawing = make("canvas"),
+    context = sized(drawing, WIDE, TALL),
+    [x0, x1] = ends(x.values),
+    [y0, y1] = ends(y.values);
+  const px = (value: number) => MARGIN + ((WIDE - 2 * MARGIN) * (value - x0)) / (x1 - x0),
+    py = (value: number) => TALL - MARGIN - ((TALL - 2 * MARGIN) * (value - y0)) / (y1 - y0);
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", heard(`${named(y)} over ${named(x)}: ${written(y0, 3)} to ${written(y1, 3)} over ${written(x0, 3)} to ${written(x1, 3)}`));
+  drawing.setAttribute(
+    "aria-label",
+    heard(
+      `${named(y)} over ${named(x)}: ${written(y0, 3)} to ${written(y1, 3)} over ${written(x0, 3)} to ${written(x1, 3)}`,
+    ),
+  );
   const draw = () => {
     context.clearRect(0, 0, WIDE, TALL);
     context.strokeStyle = colour("edge");
     context.strokeRect(0.5, 0.5, WIDE - 1, TALL - 1);
     const rows = brushes.chosen.length;
     const put = (row: number, size: number) => {
-      const a = x.values[row], b = y.values[row];
-      if (a !== null && a !== undefined && b !== null && b !== undefined) context.fillRect(px(a) - size / 2, py(b) - size / 2, size, size);
+      const a = x.values[row],
+        b = y.values[row];
+      if (a !== null && a !== undefined && b !== null && b !== undefined)
+        context.fillRect(px(a) - size / 2, py(b) - size / 2, size, size);
     };
     context.fillStyle = colour("line");
     for (let row = 0; row < rows; row++) if (!brushes.chosen[row]) put(row, 2);
@@ -166,16 +302,24 @@ function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
     context.globalAlpha = rows > 400 ? 0.5 : 0.9;
     for (let row = 0; row < rows; row++) if (brushes.chosen[row]) put(row, 2.5);
     context.globalAlpha = 1;
-    if (brushes.picked >= 0) { context.fillStyle = colour("other-5"); put(brushes.picked, 7); }
+    if (brushes.picked >= 0) {
+      context.fillStyle = colour("other-5");
+      put(brushes.picked, 7);
+    }
   };
   drawing.addEventListener("click", (event) => {
-    const box = drawing.getBoundingClientRect(), at = [event.clientX - box.left, event.clientY - box.top];
-    let best = -1, least = 15 ** 2;
+    const box = drawing.getBoundingClientRect(),
+      at = [event.clientX - box.left, event.clientY - box.top];
+    let best = -1,
+      least = 15 ** 2;
     x.values.forEach((a, row) => {
       const b = y.values[row];
       if (a === null || b === null || b === undefined || !brushes.chosen[row]) return;
       const far = (px(a) - at[0]!) ** 2 + (py(b) - at[1]!) ** 2;
-      if (far < least) { least = far; best = row; }
+      if (far < least) {
+        least = far;
+        best = row;
+      }
     });
     if (best >= 0) brushes.pick(best);
   });
@@ -187,22 +331,65 @@ function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
 
 /** Every metric over every number. */
 export function matrix(brushes: Brushes): HTMLElement {
-  const numbers = brushes.columns.filter((one) => one.is_number).slice(0, 8), metrics = brushes.columns.filter((one) => !one.is_number).slice(0, 6);
-  return make("div", { class: "wide table", tabindex: "0", role: "region", "aria-label": "matrix of dots" }, make("table", { class: "matrix" },
-    make("thead", {}, make("tr", {}, make("td", {}), ...numbers.map((one) => make("th", { scope: "col" }, ...dotted(named(one)))))),
-    make("tbody", {}, ...metrics.map((metric) => make("tr", {}, make("th", { scope: "row" }, ...dotted(named(metric))), ...numbers.map((number) => make("td", {}, dots(brushes, number, metric))))))));
+  const numbers = brushes.columns.filter((one) => one.is_number).slice(0, 8),
+    metrics = brushes.columns.filter((one) => !one.is_number).slice(0, 6);
+  return make(
+    "div",
+    { class: "wide table", tabindex: "0", role: "region", "aria-label": "matrix of dots" },
+    make(
+      "table",
+      { class: "matrix" },
+      make(
+        "thead",
+        {},
+        make(
+          "tr",
+          {},
+          make("td", {}),
+          ...numbers.map((one) => make("th", { scope: "col" }, ...dotted(named(one)))),
+        ),
+      ),
+      make(
+        "tbody",
+        {},
+        ...metrics.map((metric) =>
+          make(
+            "tr",
+            {},
+            make("th", { scope: "row" }, ...dotted(named(metric))),
+            ...numbers.map((number) => make("td", {}, dots(brushes, number, metric))),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
-export interface Influence { metric: string; number: string; measures: Record<string, { value: number; interval: [number, number] | null } | number> }
-const INDEX: [string, string][] = [["total", "share of the variance, with others"], ["mean_absolute_effect", "mean size of effects"], ["regression", "regression coefficient"]];
+export interface Influence {
+  metric: string;
+  number: string;
+  measures: Record<string, { value: number; interval: [number, number] | null } | number>;
+}
+const INDEX: [string, string][] = [
+  ["total", "share of the variance, with others"],
+  ["mean_absolute_effect", "mean size of effects"],
+  ["regression", "regression coefficient"],
+];
 
 /** What a metric depends on, as bars, the number that matters most above. */
 export function tornado(influences: Influence[], metric: Column, mean: number): HTMLElement {
-  const value = (one: Influence, key: string) => { const found = one.measures[key]; return typeof found === "number" ? found : found?.value ?? NaN; };
+  const value = (one: Influence, key: string) => {
+    const found = one.measures[key];
+    return typeof found === "number" ? found : (found?.value ?? NaN);
+  };
   const own = influences.filter((one) => one.metric === metric.name);
-  const [key, words] = INDEX.find(([key]) => own.some((one) => Number.isFinite(value(one, key)))) ?? ["regression", "regression coefficient"];
+  const [key, words] = INDEX.find(([key]) =>
+    own.some((one) => Number.isFinite(value(one, key))),
+  ) ?? ["regression", "regression coefficient"];
   own.sort((a, b) => Math.abs(value(b, key)) - Math.abs(value(a, key)));
-  const swings = own.map((one) => [value(one, "at_low"), value(one, "at_high")].map((end) => (end - mean) * metric.factor));
+  const swings = own.map((one) =>
+    [value(one, "at_low"), value(one, "at_high")].map((end) => (end - mean) * metric.factor),
+  );
   const reach = Math.max(1e-300, ...swings.flat().filter(Number.isFinite).map(Math.abs));
   const svg = (name: string, attributes: Record<string, string | number>) => {
     const element = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -214,14 +401,70 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
     picture.append(svg("line", { x1: 0, x2: 0, y1: 0, y2: 16, class: "zero" }));
     swings[k]!.forEach((swing, i) => {
       if (!Number.isFinite(swing)) return;
-      const long = 96 * swing / reach;
-      picture.append(svg("rect", { x: Math.min(0, long), width: Math.abs(long), y: i ? 8.5 : 1.5, height: 6, class: i ? "high" : "low" }));
+      const long = (96 * swing) / reach;
+      picture.append(
+        svg("rect", {
+          x: Math.min(0, long),
+          width: Math.abs(long),
+          y: i ? 8.5 : 1.5,
+          height: 6,
+          class: i ? "high" : "low",
+        }),
+      );
     });
-    const told = swings[k]!.map((swing) => Number.isFinite(swing) ? `${swing > 0 ? "+" : ""}${written(swing, 3)}` : "–");
-    return make("tr", {}, make("th", { scope: "row" }, one.number), make("td", { class: "right" }, told[0]!), make("td", {}, picture as unknown as HTMLElement), make("td", { class: "right" }, told[1]!), make("td", { class: "right" }, written(value(one, key), 3)));
+    const told = swings[k]!.map((swing) =>
+      Number.isFinite(swing) ? `${swing > 0 ? "+" : ""}${written(swing, 3)}` : "–",
+    );
+    return make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, one.number),
+      make("td", { class: "right" }, told[0]!),
+      make("td", {}, picture as unknown as HTMLElement),
+      make("td", { class: "right" }, told[1]!),
+      make("td", { class: "right" }, written(value(one, key), 3)),
+    );
   });
-  return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": `what ${metric.name} depends on` }, make("table", {},
-    make("caption", {}, `${metric.name}: from its mean of ${written(mean * metric.factor, 4)} ${metric.unit}, where a number is low and where it is high`),
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "number"), make("th", { scope: "col", class: "right" }, make("span", { class: "key low" }), ` ${tr("low")} [${metric.unit || "–"}]`), make("td", {}), make("th", { scope: "col", class: "right" }, make("span", { class: "key high" }), ` ${tr("high")} [${metric.unit || "–"}]`), make("th", { scope: "col", class: "right" }, words))),
-    make("tbody", {}, ...rows)));
+  return make(
+    "div",
+    {
+      class: "table",
+      tabindex: "0",
+      role: "region",
+      "aria-label": `what ${metric.name} depends on`,
+    },
+    make(
+      "table",
+      {},
+      make(
+        "caption",
+        {},
+        `${metric.name}: from its mean of ${written(mean * metric.factor, 4)} ${metric.unit}, where a number is low and where it is high`,
+      ),
+      make(
+        "thead",
+        {},
+        make(
+          "tr",
+          {},
+          make("th", { scope: "col" }, "number"),
+          make(
+            "th",
+            { scope: "col", class: "right" },
+            make("span", { class: "key low" }),
+            ` ${tr("low")} [${metric.unit || "–"}]`,
+          ),
+          make("td", {}),
+          make(
+            "th",
+            { scope: "col", class: "right" },
+            make("span", { class: "key high" }),
+            ` ${tr("high")} [${metric.unit || "–"}]`,
+          ),
+          make("th", { scope: "col", class: "right" }, words),
+        ),
+      ),
+      make("tbody", {}, ...rows),
+    ),
+  );
 }

@@ -4,7 +4,19 @@ import { make, withInterval, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered, typedIn } from "../drafts";
-import { accompany, ask, begin, dropZone, JobCard, jobList, Question, report, type Step, ways, whole } from "../jobs";
+import {
+  accompany,
+  ask,
+  begin,
+  dropZone,
+  JobCard,
+  jobList,
+  Question,
+  report,
+  type Step,
+  ways,
+  whole,
+} from "../jobs";
 import { field, once, problem } from "../parts";
 import { type Fields, Reading } from "../reading";
 import { address, goTo, type Page, type Values } from "../shell";
@@ -12,175 +24,606 @@ import { advised, asSaid } from "../refusals";
 
 export const campaign: Page = { label: "Campaign", show };
 
-interface Bench { name: string; found: string[]; files: string[]; columns?: Record<string, string>; variable?: string; stroke_positive?: string; force_positive?: string; law?: string; discard_below?: string; intercept?: string; branch?: string; channel?: string; from?: string; to?: string; sample_time?: string }
+interface Bench {
+  name: string;
+  found: string[];
+  files: string[];
+  columns?: Record<string, string>;
+  variable?: string;
+  stroke_positive?: string;
+  force_positive?: string;
+  law?: string;
+  discard_below?: string;
+  intercept?: string;
+  branch?: string;
+  channel?: string;
+  from?: string;
+  to?: string;
+  sample_time?: string;
+}
 /** What was written last: the text of the campaign before it, and the digest of that with it; and in which words that is told. */
-interface Written { path: string; before: string; digest: string; said?: string }
+interface Written {
+  path: string;
+  before: string;
+  digest: string;
+  said?: string;
+}
 let written_: Written | null = null;
-interface Overview { title: string; synthetic: string; rig: string; roads: string[]; mass: string; bench: Bench[]; trials: Record<string, unknown>[]; updates: Record<string, unknown>[] }
+interface Overview {
+  title: string;
+  synthetic: string;
+  rig: string;
+  roads: string[];
+  mass: string;
+  bench: Bench[];
+  trials: Record<string, unknown>[];
+  updates: Record<string, unknown>[];
+}
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
-  const job = values.get("job"), file = values.get("file");
-  if (job) { await showRun(place, job); return; }
-  if (file) { await showFile(place, file, values.get("read") ?? ""); return; }
+  const job = values.get("job"),
+    file = values.get("file");
+  if (job) {
+    await showRun(place, job);
+    return;
+  }
+  if (file) {
+    await showFile(place, file, values.get("read") ?? "");
+    return;
+  }
   const { entries } = await api.project();
   const files = entries.filter((one) => one.kind === "campaign");
-  const folder = make("input", { type: "text", value: "campaign", spellcheck: "false" }), told = make("div", { "aria-live": "polite" });
+  const folder = make("input", { type: "text", value: "campaign", spellcheck: "false" }),
+    told = make("div", { "aria-live": "polite" });
   const start = make("button", { type: "submit", class: "main" }, "Start from it");
   const form = make("form", { class: "form" }, field("Folder", folder), start);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const out = folder.value;
-    once(start, ask({ kind: "new-campaign", out })).then(() => goTo(place, "campaign", { file: `${out}/campaign.toml` }), (error) => told.replaceChildren(problem(error)));
+    once(start, ask({ kind: "new-campaign", out })).then(
+      () => goTo(place, "campaign", { file: `${out}/campaign.toml` }),
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
-  place.replaceChildren(make("h1", {}, "Campaigns"),
-    make("p", { class: "muted" }, "From measurements of springs, tyres, decays and trials to a model that holds: characterised, updated, compared with every trial."),
-    files.length ? make("ul", { class: "files" }, ...files.map((one) => make("li", {}, make("a", { href: address("campaign", { file: one.path }) }, one.path)))) : make("p", { class: "empty" }, "No campaign lies here yet. Start from the one below, and put your own measurements in."),
-    make("h2", {}, "Runs"), jobList(["campaign"], (one) => { location.hash = address("campaign", { job: one.id }); }, "No campaign was run here yet."),
-    make("h2", {}, "A campaign to start from"), make("p", { class: "muted" }, "It runs as it is, with synthetic recordings."), form, told);
+  place.replaceChildren(
+    make("h1", {}, "Campaigns"),
+    make(
+      "p",
+      { class: "muted" },
+      "From measurements of springs, tyres, decays and trials to a model that holds: characterised, updated, compared with every trial.",
+    ),
+    files.length
+      ? make(
+          "ul",
+          { class: "files" },
+          ...files.map((one) =>
+            make("li", {}, make("a", { href: address("campaign", { file: one.path }) }, one.path)),
+          ),
+        )
+      : make(
+          "p",
+          { class: "empty" },
+          "No campaign lies here yet. Start from the one below, and put your own measurements in.",
+        ),
+    make("h2", {}, "Runs"),
+    jobList(
+      ["campaign"],
+      (one) => {
+        location.hash = address("campaign", { job: one.id });
+      },
+      "No campaign was run here yet.",
+    ),
+    make("h2", {}, "A campaign to start from"),
+    make("p", { class: "muted" }, "It runs as it is, with synthetic recordings."),
+    form,
+    told,
+  );
 }
 
 async function showFile(place: HTMLElement, path: string, read: string): Promise<void> {
   const reading = api.get<Overview>(`/api/campaign?${api.query({ path })}`);
   reading.catch(() => {}); // heard below
-  const [saved, project] = await Promise.all([api.file(path), api.folder()]), own = textOf(path, saved, place);
-  const latest = written_?.path === path ? written_ : null, undo = make("button", { type: "button" }, "Undo"), done = make("div", { "aria-live": "polite" });
-  if (latest) done.append(make("p", { class: "bar" }, make("span", { class: "good" }, latest.said ?? "Entered into the campaign."), undo));
+  const [saved, project] = await Promise.all([api.file(path), api.folder()]),
+    own = textOf(path, saved, place);
+  const latest = written_?.path === path ? written_ : null,
+    undo = make("button", { type: "button" }, "Undo"),
+    done = make("div", { "aria-live": "polite" });
+  if (latest)
+    done.append(
+      make(
+        "p",
+        { class: "bar" },
+        make("span", { class: "good" }, latest.said ?? "Entered into the campaign."),
+        undo,
+      ),
+    );
   undo.addEventListener("click", () => {
-    once(undo, api.save(path, latest!.before, latest!.digest)).then(() => { written_ = null; goTo(place, "campaign", { file: path, undone: String(Date.now()) }); }, (error) => done.append(problem(error)));
+    once(undo, api.save(path, latest!.before, latest!.digest)).then(
+      () => {
+        written_ = null;
+        goTo(place, "campaign", { file: path, undone: String(Date.now()) });
+      },
+      (error) => done.append(problem(error)),
+    );
   });
   let found: Overview;
-  try { found = await reading; } catch (error) { // it can be mended here
+  try {
+    found = await reading;
+  } catch (error) {
+    // it can be mended here
     if (!place.isConnected) return;
     let others = {}; // what a draft holds for the page that this file will have again
-    const drafts = new Drafts<Edited>(project, address("campaign", { file: path }), own.state(), () => ({ ...others, ...own.state() }), (was) => { others = was; own.restore(was); }, () => saved.digest, () => false, own.isTyped);
+    const drafts = new Drafts<Edited>(
+      project,
+      address("campaign", { file: path }),
+      own.state(),
+      () => ({ ...others, ...own.state() }),
+      (was) => {
+        others = was;
+        own.restore(was);
+      },
+      () => saved.digest,
+      () => false,
+      own.isTyped,
+    );
     own.used = () => drafts.done(own.state());
     drafts.hear(place);
     own.element.open = true;
-    place.replaceChildren(make("h1", {}, path), make("p", {}, make("a", { href: address("campaign") }, "All campaigns")), drafts.element, done, problem(error), own.element);
+    place.replaceChildren(
+      make("h1", {}, path),
+      make("p", {}, make("a", { href: address("campaign") }, "All campaigns")),
+      drafts.element,
+      done,
+      problem(error),
+      own.element,
+    );
     return;
   }
   if (!place.isConnected) return;
   const folder = path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "";
   const inside = (name: string) => (folder ? `${folder}/${name}` : name);
-  const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }), force = make("input", { type: "checkbox" });
-  const told = make("div", { "aria-live": "polite" }), go = make("button", { type: "button", class: "main" }, "Run the campaign");
+  const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }),
+    force = make("input", { type: "checkbox" });
+  const told = make("div", { "aria-live": "polite" }),
+    go = make("button", { type: "button", class: "main" }, "Run the campaign");
   /** Tells that what would be run or checked is the file, and not what stands in its text. */
   const isUnsaved = () => {
-    if (own.isTyped()) { own.element.open = true; told.replaceChildren(problem(new Error(tr("The campaign's file is edited and not saved: save it, or discard what was typed.")))); }
+    if (own.isTyped()) {
+      own.element.open = true;
+      told.replaceChildren(
+        problem(
+          new Error(
+            tr("The campaign's file is edited and not saved: save it, or discard what was typed."),
+          ),
+        ),
+      );
+    }
     return own.isTyped();
   };
   go.addEventListener("click", () => {
     const was = state().form;
     if (isUnsaved()) return;
-    once(go, begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked })).then((job) => { drafts.done({ form: was }); goTo(place, "campaign", { job: job.id }); }, (error) => told.replaceChildren(problem(error)));
+    once(
+      go,
+      begin({ kind: "campaign", campaign: path, out: out.value, force: force.checked }),
+    ).then(
+      (job) => {
+        drafts.done({ form: was });
+        goTo(place, "campaign", { job: job.id });
+      },
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
   const check = make("button", { type: "button" }, "Check it");
   check.addEventListener("click", () => {
     if (isUnsaved()) return;
-    once(check, api.check(path)).then(({ problems, notes }) => told.replaceChildren(...(problems.length ? problems.map(problem) : [make("p", { class: "good" }, "Nothing is wrong with it.")]), ...notes.map((one) => make("p", { class: "muted" }, asSaid(one)))), (error) => told.replaceChildren(problem(error)));
+    once(check, api.check(path)).then(
+      ({ problems, notes }) =>
+        told.replaceChildren(
+          ...(problems.length
+            ? problems.map(problem)
+            : [make("p", { class: "good" }, "Nothing is wrong with it.")]),
+          ...notes.map((one) => make("p", { class: "muted" }, asSaid(one))),
+        ),
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
-  const reader = make("div", {}), come = make("p", { class: "bar", hidden: true }, "measured: ");
-  const open = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
+  const reader = make("div", {}),
+    come = make("p", { class: "bar", hidden: true }, "measured: ");
+  const open = (
+    file: string,
+    form: "recording" | "force-deflection",
+    given: Partial<Bench> = {},
+  ) => {
     opened = entry(path, file, form, given, found, go, (was) => drafts.done({ entry: was }));
     reader.replaceChildren(opened.element);
     drafts.changed();
     reader.scrollIntoView({ block: "start" });
   };
   let opened: Opened | null = null;
-  const link = (file: string, form: "recording" | "force-deflection", given: Partial<Bench> = {}) => {
-    const button = make("button", { type: "button", "aria-label": tr("look at #", file) }, file.split("/").pop()!);
+  const link = (
+    file: string,
+    form: "recording" | "force-deflection",
+    given: Partial<Bench> = {},
+  ) => {
+    const button = make(
+      "button",
+      { type: "button", "aria-label": tr("look at #", file) },
+      file.split("/").pop()!,
+    );
     button.addEventListener("click", () => open(file, form, given));
     return button;
   };
   const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
-  const parts = found.bench.map((one) => part(one, found, link)).map((one) => ({ ...one, first: entered(one.controls) })), form = { out, force, where }, first = entered(form);
-  const state = () => ({ entry: opened?.state() ?? null, form: typedIn(form, first), ...own.state(), fits: Object.fromEntries(parts.map((one) => [one.name, typedIn(one.controls, one.first)])) });
-  const drafts = new Drafts<ReturnType<typeof state>>(project, address("campaign", { file: path }), state(), state, (was) => {
-    enter(form, was.form ?? {});
-    for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
-    own.restore(was);
-    if (!was.entry) return;
-    open(was.entry.file, was.entry.form, was.entry.fields);
-    opened!.restore(was.entry);
-  }, () => saved.digest, () => false, own.isTyped); // what else is entered goes with any text
+  const parts = found.bench
+      .map((one) => part(one, found, link))
+      .map((one) => ({ ...one, first: entered(one.controls) })),
+    form = { out, force, where },
+    first = entered(form);
+  const state = () => ({
+    entry: opened?.state() ?? null,
+    form: typedIn(form, first),
+    ...own.state(),
+    fits: Object.fromEntries(parts.map((one) => [one.name, typedIn(one.controls, one.first)])),
+  });
+  const drafts = new Drafts<ReturnType<typeof state>>(
+    project,
+    address("campaign", { file: path }),
+    state(),
+    state,
+    (was) => {
+      enter(form, was.form ?? {});
+      for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
+      own.restore(was);
+      if (!was.entry) return;
+      open(was.entry.file, was.entry.form, was.entry.fields);
+      opened!.restore(was.entry);
+    },
+    () => saved.digest,
+    () => false,
+    own.isTyped,
+  ); // what else is entered goes with any text
   own.used = () => drafts.done(own.state());
   drafts.hear(place);
-  place.replaceChildren(make("h1", {}, found.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), ` · ${path} · rig `, ...(/^[^@]+\.toml$/.test(found.rig) && !found.rig.includes("..") ? [make("a", { href: address("rig", { name: inside(found.rig) }) }, found.rig)] : [found.rig])),
-    drafts.element, done, ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
-    make("div", { class: "form" }, field("Folder of the results", out), make("label", { class: "field" }, make("span", {}, "Replace what is there"), force), check, go), told,
-    make("h2", {}, "Parts"), ...(parts.length ? parts.map((one) => one.element) : [make("p", { class: "empty" }, "Nothing was measured of the parts: the rig is taken as its file says.")]),
-    make("h2", {}, "Trials"), table("trials", ["trial", "use", "road", "speed", "tyre pressure", "recording"], found.trials.map((one) => [String(one.number), tr(String(one.use ?? "hold-out")), String(one.road ?? tr("measured support")), String(one.speed ?? "–"), String(one.tyre_pressure ?? "–"), one.file ? link(String(one.file), "recording", one as Partial<Bench>) : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`)])),
-    make("h2", {}, "Updates"), found.updates.length ? table("updates", ["name", "free", "trials", "method"], found.updates.map((one) => [String(one.name), Object.entries(one.free as Record<string, unknown>).map(([name, bounds]) => `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`).join(", "), JSON.stringify(one.trials ?? "fit").replaceAll('"', ""), String(one.method ?? "least-squares")])) : make("p", { class: "empty" }, "Nothing is updated: the campaign compares the characterised model with the trials."),
+  place.replaceChildren(
+    make("h1", {}, found.title),
+    make(
+      "p",
+      { class: "muted" },
+      make("a", { href: address("campaign") }, "All campaigns"),
+      ` · ${path} · rig `,
+      ...(/^[^@]+\.toml$/.test(found.rig) && !found.rig.includes("..")
+        ? [make("a", { href: address("rig", { name: inside(found.rig) }) }, found.rig)]
+        : [found.rig]),
+    ),
+    drafts.element,
+    done,
+    ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
+    make(
+      "div",
+      { class: "form" },
+      field("Folder of the results", out),
+      make("label", { class: "field" }, make("span", {}, "Replace what is there"), force),
+      check,
+      go,
+    ),
+    told,
+    make("h2", {}, "Parts"),
+    ...(parts.length
+      ? parts.map((one) => one.element)
+      : [
+          make(
+            "p",
+            { class: "empty" },
+            "Nothing was measured of the parts: the rig is taken as its file says.",
+          ),
+        ]),
+    make("h2", {}, "Trials"),
+    table(
+      "trials",
+      ["trial", "use", "road", "speed", "tyre pressure", "recording"],
+      found.trials.map((one) => [
+        String(one.number),
+        tr(String(one.use ?? "hold-out")),
+        String(one.road ?? tr("measured support")),
+        String(one.speed ?? "–"),
+        String(one.tyre_pressure ?? "–"),
+        one.file
+          ? link(String(one.file), "recording", one as Partial<Bench>)
+          : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`),
+      ]),
+    ),
+    make("h2", {}, "Updates"),
+    found.updates.length
+      ? table(
+          "updates",
+          ["name", "free", "trials", "method"],
+          found.updates.map((one) => [
+            String(one.name),
+            Object.entries(one.free as Record<string, unknown>)
+              .map(
+                ([name, bounds]) =>
+                  `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`,
+              )
+              .join(", "),
+            JSON.stringify(one.trials ?? "fit").replaceAll('"', ""),
+            String(one.method ?? "least-squares"),
+          ]),
+        )
+      : make(
+          "p",
+          { class: "empty" },
+          "Nothing is updated: the campaign compares the characterised model with the trials.",
+        ),
     own.element,
-    make("h2", {}, "Measurements"), make("div", { class: "form" }, field("Folder they go to", where)),
-    dropZone(() => where.value, "Drop measured files here, or choose them (up to 250 MB each).", () => {
-      const before = reader.firstChild;
-      return (paths) => {
-        come.append(...paths.map((one) => link(one, "recording")));
-        come.hidden = false;
-        if (reader.firstChild === before) open(paths[0]!, "recording"); // else another file was opened meanwhile, and is being entered
-      };
-    }), come, reader);
+    make("h2", {}, "Measurements"),
+    make("div", { class: "form" }, field("Folder they go to", where)),
+    dropZone(
+      () => where.value,
+      "Drop measured files here, or choose them (up to 250 MB each).",
+      () => {
+        const before = reader.firstChild;
+        return (paths) => {
+          come.append(...paths.map((one) => link(one, "recording")));
+          come.hidden = false;
+          if (reader.firstChild === before) open(paths[0]!, "recording"); // else another file was opened meanwhile, and is being entered
+        };
+      },
+    ),
+    come,
+    reader,
+  );
   if (read) open(read, "recording");
 }
 
 /** The text of a file where it is another than the saved one, which may be changed by all that is entered elsewhere. */
-interface Edited { text: string | null }
+interface Edited {
+  text: string | null;
+}
 
 /** The text of a campaign, for all that has no form: to take trials out, turn a sensor, free other parameters. Whatever it says can be written, and taken back. */
-function textOf(path: string, file: api.Text, place: HTMLElement): { element: HTMLDetailsElement; state: () => Edited; restore: (was: Edited) => void; isTyped: () => boolean; used: () => void } {
-  const area = make("textarea", { spellcheck: "false", "aria-label": tr("text of #", path), rows: "24" }), save = make("button", { type: "button", disabled: true }, "Save"), away = make("button", { type: "button", disabled: true }, "Discard"), told = make("div", { "aria-live": "polite" });
+function textOf(
+  path: string,
+  file: api.Text,
+  place: HTMLElement,
+): {
+  element: HTMLDetailsElement;
+  state: () => Edited;
+  restore: (was: Edited) => void;
+  isTyped: () => boolean;
+  used: () => void;
+} {
+  const area = make("textarea", {
+      spellcheck: "false",
+      "aria-label": tr("text of #", path),
+      rows: "24",
+    }),
+    save = make("button", { type: "button", disabled: true }, "Save"),
+    away = make("button", { type: "button", disabled: true }, "Discard"),
+    told = make("div", { "aria-live": "polite" });
   area.value = file.text;
   let before = area.value;
-  const isTyped = () => area.value !== before, offer = () => { save.disabled = away.disabled = !isTyped(); };
+  const isTyped = () => area.value !== before,
+    offer = () => {
+      save.disabled = away.disabled = !isTyped();
+    };
   area.addEventListener("input", offer);
-  const element = make("details", {}, make("summary", {}, "The campaign's file"), make("p", { class: "muted" }, "Trials that are not to count, a sensor that is upside down (orientation = -1), other free parameters: what is saved here is read at once, and can be taken back."), area, make("div", { class: "bar" }, save, away), told);
+  const element = make(
+    "details",
+    {},
+    make("summary", {}, "The campaign's file"),
+    make(
+      "p",
+      { class: "muted" },
+      "Trials that are not to count, a sensor that is upside down (orientation = -1), other free parameters: what is saved here is read at once, and can be taken back.",
+    ),
+    area,
+    make("div", { class: "bar" }, save, away),
+    told,
+  );
   const own = {
-    element, isTyped, state: (): Edited => ({ text: isTyped() ? area.value : null }), used: () => {},
-    restore: ({ text }: Edited) => { if (typeof text === "string") { area.value = text; element.open = true; offer(); } },
+    element,
+    isTyped,
+    state: (): Edited => ({ text: isTyped() ? area.value : null }),
+    used: () => {},
+    restore: ({ text }: Edited) => {
+      if (typeof text === "string") {
+        area.value = text;
+        element.open = true;
+        offer();
+      }
+    },
   };
-  away.addEventListener("click", () => { area.value = before; offer(); told.replaceChildren(); });
+  away.addEventListener("click", () => {
+    area.value = before;
+    offer();
+    told.replaceChildren();
+  });
   save.addEventListener("click", () => {
     const now = area.value;
-    once(save, api.save(path, now, file.digest)).then(({ digest }) => { written_ = { path, before: file.text, digest, said: "Saved." }; if (area.value === now) { before = now; own.used(); } goTo(place, "campaign", { file: path, saved: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
+    once(save, api.save(path, now, file.digest)).then(
+      ({ digest }) => {
+        written_ = { path, before: file.text, digest, said: "Saved." };
+        if (area.value === now) {
+          before = now;
+          own.used();
+        }
+        goTo(place, "campaign", { file: path, saved: String(Date.now()) });
+      },
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
   return own;
 }
 
-function table(name: string, header: string[], rows: (Node | string)[][], numbers: number[] = []): HTMLElement {
-  const kind = (k: number): Record<string, string> => (numbers.includes(k) ? { class: "right" } : {});
-  return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": name }, make("table", {}, make("thead", {}, make("tr", {}, ...header.map((one, k) => make("th", { scope: "col", ...kind(k) }, tr(one))))),
-    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((one, k) => (k ? make("td", kind(k), one) : make("th", { scope: "row" }, one))))))));
+function table(
+  name: string,
+  header: string[],
+  rows: (Node | string)[][],
+  numbers: number[] = [],
+): HTMLElement {
+  const kind = (k: number): Record<string, string> =>
+    numbers.includes(k) ? { class: "right" } : {};
+  return make(
+    "div",
+    { class: "table", tabindex: "0", role: "region", "aria-label": name },
+    make(
+      "table",
+      {},
+      make(
+        "thead",
+        {},
+        make(
+          "tr",
+          {},
+          ...header.map((one, k) => make("th", { scope: "col", ...kind(k) }, tr(one))),
+        ),
+      ),
+      make(
+        "tbody",
+        {},
+        ...rows.map((row) =>
+          make(
+            "tr",
+            {},
+            ...row.map((one, k) =>
+              k ? make("td", kind(k), one) : make("th", { scope: "row" }, one),
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 /** A value and its interval, as cells. */
-function estimated(value: number, interval: [number, number] | null | undefined, factor: number, digits = 4): [string, string] {
-  return interval ? withInterval(value * factor, [interval[0] * factor, interval[1] * factor], digits) : [written(value * factor, digits), "–"];
+function estimated(
+  value: number,
+  interval: [number, number] | null | undefined,
+  factor: number,
+  digits = 4,
+): [string, string] {
+  return interval
+    ? withInterval(value * factor, [interval[0] * factor, interval[1] * factor], digits)
+    : [written(value * factor, digits), "–"];
 }
 
-type Link = (file: string, form: "recording" | "force-deflection", given?: Partial<Bench>) => HTMLElement;
+type Link = (
+  file: string,
+  form: "recording" | "force-deflection",
+  given?: Partial<Bench>,
+) => HTMLElement;
 
 /** One measured part: its files, and what they amount to, asked at once. */
-function part(one: Bench, whole_: Overview, link: Link): { name: string; element: HTMLElement; controls: Record<string, HTMLInputElement | HTMLSelectElement> } {
-  const decays = one.name === "decay", form = decays ? "recording" : "force-deflection";
+function part(
+  one: Bench,
+  whole_: Overview,
+  link: Link,
+): {
+  name: string;
+  element: HTMLElement;
+  controls: Record<string, HTMLInputElement | HTMLSelectElement>;
+} {
+  const decays = one.name === "decay",
+    form = decays ? "recording" : "force-deflection";
   const text = (value: string) => make("input", { type: "text", value });
-  const discard = text(one.discard_below ?? ""), law = make("select", {}, ...["linear", "polynomial", "power", "monotone-spline"].map((word) => make("option", word === one.law ? { value: word, selected: true } : { value: word }, word)));
-  const intercept = make("select", {}, ...["drop", "shift", "keep"].map((word) => make("option", word === one.intercept ? { value: word, selected: true } : { value: word }, word)));
-  const mass = text(whole_.mass), from = text(one.from ?? ""), to = text(one.to ?? "");
-  const common = { files: one.found, columns: one.columns ?? {}, variable: one.variable ?? "", stroke_positive: one.stroke_positive ?? "" };
-  const question = new Question(decays ? "Separate damping and friction" : "Fit the stiffness", () => (decays
-    ? { kind: "decay", ...common, channel: one.channel ?? "sprung.z", mass: mass.value, begin: from.value, end: to.value, sample_time: one.sample_time ?? "" }
-    : { kind: "stiffness", ...common, force_positive: one.force_positive ?? "", law: law.value, discard_below: discard.value, intercept: intercept.value, branch: one.branch ?? "loading" }),
-  (told) => [estimates(told.result as Record<string, unknown>), report(told.report, decays ? "Decay and its bend by friction" : "Fit, with the discarded zone"), ways(told)]);
-  const element = make("section", { class: "job" }, make("h3", {}, heard(tr(one.name))), one.found.length ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one))) : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
-    make("div", { class: "form" }, ...(decays ? [field("Oscillating mass", mass), field("From", from), field("To", to)] : [field("Law", law), field("Ignore smaller deflections", discard), field("Force at zero", intercept)]), question.button), question.place);
-  return { name: one.name, element, controls: decays ? { mass, from, to } : { law, discard, intercept } };
+  const discard = text(one.discard_below ?? ""),
+    law = make(
+      "select",
+      {},
+      ...["linear", "polynomial", "power", "monotone-spline"].map((word) =>
+        make("option", word === one.law ? { value: word, selected: true } : { value: word }, word),
+      ),
+    );
+  const intercept = make(
+    "select",
+    {},
+    ...["drop", "shift", "keep"].map((word) =>
+      make(
+        "option",
+        word === one.intercept ? { value: word, selected: true } : { value: word },
+        word,
+      ),
+    ),
+  );
+  const mass = text(whole_.mass),
+    from = text(one.from ?? ""),
+    to = text(one.to ?? "");
+  const common = {
+    files: one.found,
+    columns: one.columns ?? {},
+    variable: one.variable ?? "",
+    stroke_positive: one.stroke_positive ?? "",
+  };
+  const question = new Question(
+    decays ? "Separate damping and friction" : "Fit the stiffness",
+    () =>
+      decays
+        ? {
+            kind: "decay",
+            ...common,
+            channel: one.channel ?? "sprung.z",
+            mass: mass.value,
+            begin: from.value,
+            end: to.value,
+            sample_time: one.sample_time ?? "",
+          }
+        : {
+            kind: "stiffness",
+            ...common,
+            force_positive: one.force_positive ?? "",
+            law: law.value,
+            discard_below: discard.value,
+            intercept: intercept.value,
+            branch: one.branch ?? "loading",
+          },
+    (told) => [
+      estimates(told.result as Record<string, unknown>),
+      report(
+        told.report,
+        decays ? "Decay and its bend by friction" : "Fit, with the discarded zone",
+      ),
+      ways(told),
+    ],
+  );
+  const element = make(
+    "section",
+    { class: "job" },
+    make("h3", {}, heard(tr(one.name))),
+    one.found.length
+      ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one)))
+      : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
+    make(
+      "div",
+      { class: "form" },
+      ...(decays
+        ? [field("Oscillating mass", mass), field("From", from), field("To", to)]
+        : [
+            field("Law", law),
+            field("Ignore smaller deflections", discard),
+            field("Force at zero", intercept),
+          ]),
+      question.button,
+    ),
+    question.place,
+  );
+  return {
+    name: one.name,
+    element,
+    controls: decays ? { mass, from, to } : { law, discard, intercept },
+  };
 }
 
 /** Estimates in the words and units of their report: key, words, unit, and what makes it of SI. */
 const ESTIMATES: Record<string, [words: string, unit: string, factor: number]> = {
-  stiffness: ["stiffness", "N/mm", 1e-3], intercept: ["intercept", "N", 1], damping_ratio: ["damping ratio", "1", 1], damping_coefficient: ["damping coefficient", "N·s/m", 1], coulomb_force: ["dry friction force", "N", 1],
-  quadratic_drag: ["quadratic drag", "N·s²/m²", 1], natural_frequency_hz: ["natural frequency", "Hz", 1], equilibrium: ["equilibrium", "mm", 1e3],
+  stiffness: ["stiffness", "N/mm", 1e-3],
+  intercept: ["intercept", "N", 1],
+  damping_ratio: ["damping ratio", "1", 1],
+  damping_coefficient: ["damping coefficient", "N·s/m", 1],
+  coulomb_force: ["dry friction force", "N", 1],
+  quadratic_drag: ["quadratic drag", "N·s²/m²", 1],
+  natural_frequency_hz: ["natural frequency", "Hz", 1],
+  equilibrium: ["equilibrium", "mm", 1e3],
 };
 
 /** Estimates with their 95 % intervals, and what the reader must know. */
@@ -188,140 +631,626 @@ function estimates(found: Record<string, unknown>): HTMLElement {
   const rows = Object.entries(found).flatMap(([name, value]) => {
     const one = value as { value?: number; interval?: [number, number] } | null;
     const [words, unit, factor] = ESTIMATES[name] ?? [];
-    return words && unit && factor && one && typeof one === "object" && typeof one.value === "number" ? [[tr(words), ...estimated(one.value, one.interval, factor), unit]] : [];
+    return words &&
+      unit &&
+      factor &&
+      one &&
+      typeof one === "object" &&
+      typeof one.value === "number"
+      ? [[tr(words), ...estimated(one.value, one.interval, factor), unit]]
+      : [];
   });
   const findings = (found.findings ?? []) as { severity: string; message: string }[];
-  return make("div", {}, table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]), ...advised(findings, "p"));
+  return make(
+    "div",
+    {},
+    table("estimates", ["quantity", "value", "95 % interval", "unit"], rows, [1, 2]),
+    ...advised(findings, "p"),
+  );
 }
 
 /** What was entered of a measured file. */
-interface Typed { file: string; form: "recording" | "force-deflection"; fields: Fields; controls: Record<string, string> }
-interface Opened { element: HTMLElement; state: () => Typed | null; restore: (was: Typed) => void }
+interface Typed {
+  file: string;
+  form: "recording" | "force-deflection";
+  fields: Fields;
+  controls: Record<string, string>;
+}
+interface Opened {
+  element: HTMLElement;
+  state: () => Typed | null;
+  restore: (was: Typed) => void;
+}
 
 /** A measured file: how it is read, and how it goes into the campaign, which is not run meanwhile. */
-function entry(path: string, file: string, form: "recording" | "force-deflection", given: Partial<Bench>, whole_: Overview, run: HTMLButtonElement, used: (was: Typed) => void): Opened {
-  const place = make("div", {}), told = make("div", { "aria-live": "polite" });
-  const like = whole_.trials.filter((one) => one.file && Object.keys((one.columns as object | undefined) ?? {}).length).reverse().map((one) => ({ file: String(one.file), fields: one as Partial<Fields> }));
+function entry(
+  path: string,
+  file: string,
+  form: "recording" | "force-deflection",
+  given: Partial<Bench>,
+  whole_: Overview,
+  run: HTMLButtonElement,
+  used: (was: Typed) => void,
+): Opened {
+  const place = make("div", {}),
+    told = make("div", { "aria-live": "polite" });
+  const like = whole_.trials
+    .filter((one) => one.file && Object.keys((one.columns as object | undefined) ?? {}).length)
+    .reverse()
+    .map((one) => ({ file: String(one.file), fields: one as Partial<Fields> }));
   let reading = new Reading(file, form, given as object, form === "recording" ? like : []);
-  const kinds: [string, string][] = [["trial", "a trial"], ["decay", "a free decay"], ["spring", "the spring"], ["tyre", "a tyre at a pressure"]];
-  const use = make("select", {}, ...kinds.map(([value, words]) => make("option", (form === "force-deflection") === (value === "spring") && (value === "trial" || value === "spring") ? { value, selected: true } : { value }, words)));
-  const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint });
-  const speed = text("2 m/s"), pressure = text("", "0.31 MPa"), road = make("select", {}, ...whole_.roads.map((one) => make("option", { value: one }, one)), make("option", { value: "" }, "none: the support is measured"));
-  const support = text("", "its file, with road.z"), datum = make("select", {}, make("option", { value: "undeformed" }, "undeformed springs and tyre"), make("option", { value: "rest" }, "the wheel at rest on it"));
-  const goes = make("select", {}, make("option", { value: "hold-out" }, "judges only (hold-out)"), make("option", { value: "fit" }, "is fitted"));
-  const replace = make("input", { type: "checkbox" }), discard = text("", "2 mm"), fields = make("span", { class: "sizes" });
+  const kinds: [string, string][] = [
+    ["trial", "a trial"],
+    ["decay", "a free decay"],
+    ["spring", "the spring"],
+    ["tyre", "a tyre at a pressure"],
+  ];
+  const use = make(
+    "select",
+    {},
+    ...kinds.map(([value, words]) =>
+      make(
+        "option",
+        (form === "force-deflection") === (value === "spring") &&
+          (value === "trial" || value === "spring")
+          ? { value, selected: true }
+          : { value },
+        words,
+      ),
+    ),
+  );
+  const text = (value: string, hint = "") =>
+    make("input", { type: "text", value, placeholder: hint });
+  const speed = text("2 m/s"),
+    pressure = text("", "0.31 MPa"),
+    road = make(
+      "select",
+      {},
+      ...whole_.roads.map((one) => make("option", { value: one }, one)),
+      make("option", { value: "" }, "none: the support is measured"),
+    );
+  const support = text("", "its file, with road.z"),
+    datum = make(
+      "select",
+      {},
+      make("option", { value: "undeformed" }, "undeformed springs and tyre"),
+      make("option", { value: "rest" }, "the wheel at rest on it"),
+    );
+  const goes = make(
+    "select",
+    {},
+    make("option", { value: "hold-out" }, "judges only (hold-out)"),
+    make("option", { value: "fit" }, "is fitted"),
+  );
+  const replace = make("input", { type: "checkbox" }),
+    discard = text("", "2 mm"),
+    fields = make("span", { class: "sizes" });
   const offer = () => {
-    const wanted = use.value === "spring" || use.value === "tyre" ? "force-deflection" : "recording";
-    if (wanted !== reading.form) { reading = new Reading(file, wanted, reading.fields); place.replaceChildren(reading.element); void reading.ask(); }
-    fields.replaceChildren(...(use.value === "trial" ? [field("Road", road), ...(road.value ? [field("Speed", speed)] : [field("File of the support", support), field("Its height counts from", datum)]), field("Tyre pressure", pressure), field("Use", goes)]
-      : use.value === "decay" ? [field("In place of the files there", replace)] : [field("In place of the files there", replace), ...(use.value === "tyre" ? [field("Pressure", pressure)] : []), field("Ignore smaller deflections", discard)]));
+    const wanted =
+      use.value === "spring" || use.value === "tyre" ? "force-deflection" : "recording";
+    if (wanted !== reading.form) {
+      reading = new Reading(file, wanted, reading.fields);
+      place.replaceChildren(reading.element);
+      void reading.ask();
+    }
+    fields.replaceChildren(
+      ...(use.value === "trial"
+        ? [
+            field("Road", road),
+            ...(road.value
+              ? [field("Speed", speed)]
+              : [field("File of the support", support), field("Its height counts from", datum)]),
+            field("Tyre pressure", pressure),
+            field("Use", goes),
+          ]
+        : use.value === "decay"
+          ? [field("In place of the files there", replace)]
+          : [
+              field("In place of the files there", replace),
+              ...(use.value === "tyre" ? [field("Pressure", pressure)] : []),
+              field("Ignore smaller deflections", discard),
+            ]),
+    );
   };
   use.addEventListener("change", offer);
   road.addEventListener("change", offer);
   const go = make("button", { type: "button", class: "main" }, "Enter it into the campaign");
   go.addEventListener("click", () => {
     const { columns, variable, sample_time, stroke_positive, force_positive } = reading.fields;
-    const how = { columns, variable, stroke_positive, ...(use.value === "decay" ? {} : { force_positive }), ...(reading.form === "recording" ? { sample_time } : {}) };
-    const what = use.value === "trial" ? { recording: file, ...(road.value ? { road: road.value, speed: speed.value } : { excitation: { file: support.value, datum: datum.value } }), tyre_pressure: pressure.value, use: goes.value, ...how }
-      : { files: [file], replace: replace.checked, ...(use.value === "tyre" ? { pressure: pressure.value } : {}), ...(use.value === "decay" ? {} : { discard_below: discard.value }), ...how };
+    const how = {
+      columns,
+      variable,
+      stroke_positive,
+      ...(use.value === "decay" ? {} : { force_positive }),
+      ...(reading.form === "recording" ? { sample_time } : {}),
+    };
+    const what =
+      use.value === "trial"
+        ? {
+            recording: file,
+            ...(road.value
+              ? { road: road.value, speed: speed.value }
+              : { excitation: { file: support.value, datum: datum.value } }),
+            tyre_pressure: pressure.value,
+            use: goes.value,
+            ...how,
+          }
+        : {
+            files: [file],
+            replace: replace.checked,
+            ...(use.value === "tyre" ? { pressure: pressure.value } : {}),
+            ...(use.value === "decay" ? {} : { discard_below: discard.value }),
+            ...how,
+          };
     const was = typed();
-    once(run, once(go, api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }))).then(async (answer) => { written_ = await answer.json() as Written; used(was); goTo(told, "campaign", { file: path, entered: String(Date.now()) }); }, (error) => told.replaceChildren(problem(error)));
+    once(
+      run,
+      once(
+        go,
+        api.asked("POST", "/api/campaign", { campaign: path, use: use.value, fields: what }),
+      ),
+    ).then(
+      async (answer) => {
+        written_ = (await answer.json()) as Written;
+        used(was);
+        goTo(told, "campaign", { file: path, entered: String(Date.now()) });
+      },
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
   place.append(reading.element);
   offer();
   void reading.ask();
   const controls = { use, road, speed, pressure, support, datum, goes, replace, discard };
-  const typed = (): Typed => ({ file, form: reading.form, fields: reading.fields, controls: entered(controls) });
-  const element = make("section", { class: "job" }, make("h3", {}, file), place, make("div", { class: "form" }, field("It is a measurement of", use), fields, go), told);
+  const typed = (): Typed => ({
+    file,
+    form: reading.form,
+    fields: reading.fields,
+    controls: entered(controls),
+  });
+  const element = make(
+    "section",
+    { class: "job" },
+    make("h3", {}, file),
+    place,
+    make("div", { class: "form" }, field("It is a measurement of", use), fields, go),
+    told,
+  );
   let first = JSON.stringify(typed());
-  return { element, state: () => { const now = typed(); return JSON.stringify(now) === first ? null : now; }, restore: (was) => { first = ""; enter(controls, was.controls); } };
+  return {
+    element,
+    state: () => {
+      const now = typed();
+      return JSON.stringify(now) === first ? null : now;
+    },
+    restore: (was) => {
+      first = "";
+      enter(controls, was.controls);
+    },
+  };
 }
 
-interface Estimated { initial: number; value: number; standard_error: number | null; interval: [number, number] | null; lower: number; upper: number; at_bound: boolean }
-interface Compared { channels: Record<string, { nrmse: number | null; r2: number | null }>; verdict?: string }
+interface Estimated {
+  initial: number;
+  value: number;
+  standard_error: number | null;
+  interval: [number, number] | null;
+  lower: number;
+  upper: number;
+  at_bound: boolean;
+}
+interface Compared {
+  channels: Record<string, { nrmse: number | null; r2: number | null }>;
+  verdict?: string;
+}
 interface Results {
-  synthetic: string; findings: { place: string; severity: string; message: string }[];
-  characterisation: { replaced: { path: string; described: number; measured: number; standard_error: number | null; source: string }[] };
-  updates: { name: string; objective_before: number; objective_after: number; reduction_percent: number; evaluations: number; parameters: Record<string, Estimated>; identifiability: { parameters: string[]; sensitivity: number[]; rank: number; condition: number | null; correlation: number[][]; findings: { message: string; place: string }[] }; trials: number[]; comparisons: { number: number; is_fitted: boolean; before: Compared | null; after: Compared | null }[]; discrepancy: { objective: number; parameters: Record<string, { value: number; interval: [number, number]; component: { value: number }; effective: { value: number }; why: string }> } | null }[];
-  trials: { number: number; use: string; speed: number | null; verdict: string; channels: Record<string, { nrmse: number | null; r2: number | null; iso18571: number | null }>; before: Compared | null }[];
+  synthetic: string;
+  findings: { place: string; severity: string; message: string }[];
+  characterisation: {
+    replaced: {
+      path: string;
+      described: number;
+      measured: number;
+      standard_error: number | null;
+      source: string;
+    }[];
+  };
+  updates: {
+    name: string;
+    objective_before: number;
+    objective_after: number;
+    reduction_percent: number;
+    evaluations: number;
+    parameters: Record<string, Estimated>;
+    identifiability: {
+      parameters: string[];
+      sensitivity: number[];
+      rank: number;
+      condition: number | null;
+      correlation: number[][];
+      findings: { message: string; place: string }[];
+    };
+    trials: number[];
+    comparisons: {
+      number: number;
+      is_fitted: boolean;
+      before: Compared | null;
+      after: Compared | null;
+    }[];
+    discrepancy: {
+      objective: number;
+      parameters: Record<
+        string,
+        {
+          value: number;
+          interval: [number, number];
+          component: { value: number };
+          effective: { value: number };
+          why: string;
+        }
+      >;
+    } | null;
+  }[];
+  trials: {
+    number: number;
+    use: string;
+    speed: number | null;
+    verdict: string;
+    channels: Record<string, { nrmse: number | null; r2: number | null; iso18571: number | null }>;
+    before: Compared | null;
+  }[];
 }
 const RANK = ["problem", "warning", "note"]; // what may make a verdict wrong comes first
 const TONE: Record<string, string> = { holds: "good", "holds partly": "fair" };
 const tone = (verdict: string) => TONE[verdict] ?? (/not|fail/.test(verdict) ? "bad" : "fair");
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {
-  const first = await whole<Results>(id), units = await unitsOf(String(first.asked.campaign)), results = make("div", {}), live = make("div", {});
+  const first = await whole<Results>(id),
+    units = await unitsOf(String(first.asked.campaign)),
+    results = make("div", {}),
+    live = make("div", {});
   const card = new JobCard(first);
-  place.replaceChildren(make("h1", {}, first.title), make("p", { class: "muted" }, make("a", { href: address("campaign") }, "All campaigns"), " · ", make("a", { href: address("campaign", { file: String(first.asked.campaign) }) }, String(first.asked.campaign))), card.element, live, results);
-  await accompany(place, first, (job) => {
-    card.show(job);
-    if (card.job.steps?.length) live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
-  }, (end) => {
-    if (end.result) results.replaceChildren(...answer(end.result, units), updated(end.out), ...(end.has_page ? [report(end.report, "Report")] : []));
-  });
+  place.replaceChildren(
+    make("h1", {}, first.title),
+    make(
+      "p",
+      { class: "muted" },
+      make("a", { href: address("campaign") }, "All campaigns"),
+      " · ",
+      make(
+        "a",
+        { href: address("campaign", { file: String(first.asked.campaign) }) },
+        String(first.asked.campaign),
+      ),
+    ),
+    card.element,
+    live,
+    results,
+  );
+  await accompany(
+    place,
+    first,
+    (job) => {
+      card.show(job);
+      if (card.job.steps?.length)
+        live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
+    },
+    (end) => {
+      if (end.result)
+        results.replaceChildren(
+          ...answer(end.result, units),
+          updated(end.out),
+          ...(end.has_page ? [report(end.report, "Report")] : []),
+        );
+    },
+  );
 }
 
 /** A search while it goes on: its objective step by step, and every parameter between its bounds. */
 function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
-  const last = steps[steps.length - 1]!, logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
-  const low = Math.min(...logs), high = Math.max(...logs, low + 1e-9), w = 460, h = 150;
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg"), line = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  const last = steps[steps.length - 1]!,
+    logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
+  const low = Math.min(...logs),
+    high = Math.max(...logs, low + 1e-9),
+    w = 460,
+    h = 150;
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg"),
+    line = document.createElementNS("http://www.w3.org/2000/svg", "path");
   svg.setAttribute("viewBox", `0 0 ${w} ${h}`);
   svg.setAttribute("class", "xy");
   svg.setAttribute("role", "img");
-  svg.setAttribute("aria-label", heard(`objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`));
-  line.setAttribute("d", logs.map((value, k) => `${k ? "L" : "M"}${(8 + (w - 16) * k / Math.max(1, logs.length - 1)).toFixed(1)} ${(8 + (h - 16) * (high - value) / (high - low)).toFixed(1)}`).join(""));
+  svg.setAttribute(
+    "aria-label",
+    heard(
+      `objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`,
+    ),
+  );
+  line.setAttribute(
+    "d",
+    logs
+      .map(
+        (value, k) =>
+          `${k ? "L" : "M"}${(8 + ((w - 16) * k) / Math.max(1, logs.length - 1)).toFixed(1)} ${(8 + ((h - 16) * (high - value)) / (high - low)).toFixed(1)}`,
+      )
+      .join(""),
+  );
   line.setAttribute("class", "search");
   svg.append(line);
   const figure = make("figure", {});
-  figure.append(svg, make("figcaption", { class: "muted" }, `objective, logarithmic: ${written(steps[0]!.objective, 4)} at first, ${written(last.objective, 4)} after ${last.evaluation} evaluations`));
+  figure.append(
+    svg,
+    make(
+      "figcaption",
+      { class: "muted" },
+      `objective, logarithmic: ${written(steps[0]!.objective, 4)} at first, ${written(last.objective, 4)} after ${last.evaluation} evaluations`,
+    ),
+  );
   const rows = Object.entries(last.parameters).map(([path, one]) => {
     const share = (one.value - one.lower) / (one.upper - one.lower || 1);
     const { unit, factor } = units(path);
-    return make("tr", {}, make("th", { scope: "row" }, path), make("td", {}, unit), make("td", { class: "right" }, written(one.lower * factor)), make("td", {}, make("meter", { min: "0", max: "1", value: String(Math.min(1, Math.max(0, share))), "aria-label": `${path} between its bounds` })), make("td", { class: "right" }, written(one.upper * factor)), make("td", { class: "right" }, written(one.initial * factor)), make("td", { class: "right" }, written(one.value * factor, 5)), make("td", {}, share < 0.001 || share > 0.999 ? make("span", { class: "mark fair" }, "at its bound") : ""));
+    return make(
+      "tr",
+      {},
+      make("th", { scope: "row" }, path),
+      make("td", {}, unit),
+      make("td", { class: "right" }, written(one.lower * factor)),
+      make(
+        "td",
+        {},
+        make("meter", {
+          min: "0",
+          max: "1",
+          value: String(Math.min(1, Math.max(0, share))),
+          "aria-label": `${path} between its bounds`,
+        }),
+      ),
+      make("td", { class: "right" }, written(one.upper * factor)),
+      make("td", { class: "right" }, written(one.initial * factor)),
+      make("td", { class: "right" }, written(one.value * factor, 5)),
+      make(
+        "td",
+        {},
+        share < 0.001 || share > 0.999 ? make("span", { class: "mark fair" }, "at its bound") : "",
+      ),
+    );
   });
-  return make("section", { class: "job" }, make("h3", {}, runs ? "The search goes on" : "The last search"), figure, make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "parameters" }, make("table", {}, make("thead", {}, make("tr", {}, ...["parameter", "unit", "lower bound", "", "upper bound", "at first", "now", ""].map((one, k) => make("th", { scope: "col", ...([2, 4, 5, 6].includes(k) ? { class: "right" } : {}) }, one)))), make("tbody", {}, ...rows))));
+  return make(
+    "section",
+    { class: "job" },
+    make("h3", {}, runs ? "The search goes on" : "The last search"),
+    figure,
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "parameters" },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            ...["parameter", "unit", "lower bound", "", "upper bound", "at first", "now", ""].map(
+              (one, k) =>
+                make(
+                  "th",
+                  { scope: "col", ...([2, 4, 5, 6].includes(k) ? { class: "right" } : {}) },
+                  one,
+                ),
+            ),
+          ),
+        ),
+        make("tbody", {}, ...rows),
+      ),
+    ),
+  );
 }
 
 /** The rigs that a campaign wrote, to go on with. */
 function updated(folder: string): HTMLElement {
-  const section = make("section", { hidden: true }), list = make("ul", {});
+  const section = make("section", { hidden: true }),
+    list = make("ul", {});
   section.append(make("h2", {}, "Updated rigs"), list);
-  void api.project().then(({ entries }) => {
-    const rigs = entries.filter((one) => one.kind === "rig" && one.path.startsWith(`${folder}/`));
-    list.append(...rigs.map(({ path }) => make("li", {}, make("a", { href: address("rig", { name: path }) }, path), " · ", make("a", { href: address("trial", { rig: path }), "aria-label": `${tr("drive it")}: ${path}` }, tr("drive it")))));
-    section.hidden = !rigs.length;
-  }, () => {}); // the results stand all the same
+  void api.project().then(
+    ({ entries }) => {
+      const rigs = entries.filter((one) => one.kind === "rig" && one.path.startsWith(`${folder}/`));
+      list.append(
+        ...rigs.map(({ path }) =>
+          make(
+            "li",
+            {},
+            make("a", { href: address("rig", { name: path }) }, path),
+            " · ",
+            make(
+              "a",
+              { href: address("trial", { rig: path }), "aria-label": `${tr("drive it")}: ${path}` },
+              tr("drive it"),
+            ),
+          ),
+        ),
+      );
+      section.hidden = !rigs.length;
+    },
+    () => {},
+  ); // the results stand all the same
   return section;
 }
 
 function answer(found: Results, units: Units): HTMLElement[] {
-  const mean = (one: Compared | null) => { const all = Object.values(one?.channels ?? {}).map((channel) => channel.nrmse).filter((value): value is number => value !== null); return all.length ? all.reduce((a, b) => a + b) / all.length : null; };
+  const mean = (one: Compared | null) => {
+    const all = Object.values(one?.channels ?? {})
+      .map((channel) => channel.nrmse)
+      .filter((value): value is number => value !== null);
+    return all.length ? all.reduce((a, b) => a + b) / all.length : null;
+  };
   const shown: HTMLElement[] = [];
   if (found.synthetic) shown.push(make("p", { class: "mark fair" }, found.synthetic));
-  shown.push(make("h2", {}, "Verdicts"), table("verdicts", ["trial", "use", "speed [m/s]", "error of the channels (NRMSE)", "verdict"], found.trials.map((one) => [String(one.number), tr(one.use), written(one.speed), Object.entries(one.channels).map(([name, channel]) => `${name} ${written(channel.nrmse, 3)}`).join(", "), make("span", { class: `mark ${tone(one.verdict)}` }, one.verdict)])));
-  if (found.characterisation.replaced.length) shown.push(make("h2", {}, "Characterised"), table("characterised", ["number", "unit", "in the rig's file", "measured", "standard error", "from"], found.characterisation.replaced.map((one) => { const { unit, factor } = units(one.path); return [one.path, unit, written(one.described * factor), written(one.measured * factor), one.standard_error === null ? "–" : written(one.standard_error * factor, 2), one.source]; }), [2, 3, 4]));
+  shown.push(
+    make("h2", {}, "Verdicts"),
+    table(
+      "verdicts",
+      ["trial", "use", "speed [m/s]", "error of the channels (NRMSE)", "verdict"],
+      found.trials.map((one) => [
+        String(one.number),
+        tr(one.use),
+        written(one.speed),
+        Object.entries(one.channels)
+          .map(([name, channel]) => `${name} ${written(channel.nrmse, 3)}`)
+          .join(", "),
+        make("span", { class: `mark ${tone(one.verdict)}` }, one.verdict),
+      ]),
+    ),
+  );
+  if (found.characterisation.replaced.length)
+    shown.push(
+      make("h2", {}, "Characterised"),
+      table(
+        "characterised",
+        ["number", "unit", "in the rig's file", "measured", "standard error", "from"],
+        found.characterisation.replaced.map((one) => {
+          const { unit, factor } = units(one.path);
+          return [
+            one.path,
+            unit,
+            written(one.described * factor),
+            written(one.measured * factor),
+            one.standard_error === null ? "–" : written(one.standard_error * factor, 2),
+            one.source,
+          ];
+        }),
+        [2, 3, 4],
+      ),
+    );
   for (const one of found.updates) {
-    shown.push(make("h2", {}, `Update: ${one.name}`), make("p", {}, `The objective fell by ${written(one.reduction_percent, 3)} %, from ${written(one.objective_before)} to ${written(one.objective_after)}, in ${one.evaluations} evaluations on trial ${one.trials.join(", ")}.`),
-      table("parameters", ["parameter", "unit", "at first", "value", ...(one.discrepancy ? ["part / model", "95 % interval, model error counted"] : ["95 % interval, noise only"]), "bounds", "known"], Object.entries(one.parameters).map(([path, p]) => {
-        const law = one.discrepancy?.parameters[path];
-        const { unit, factor } = units(path);
-        const told = law ? [law.component, law.effective].map((reading) => written(reading.value * factor)).join(" / ") : "–";
-        const [value, interval] = estimated(law?.value ?? p.value, law?.interval ?? p.interval, factor, 5);
-        return [path, unit, written(p.initial * factor), value!, ...(one.discrepancy ? [told] : []), interval!, `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
-          p.at_bound ? make("span", { class: "mark fair" }, "at its bound") : law?.why ? make("span", { class: "mark bad" }, `not identified: ${law.why}`) : law ? make("span", { class: "mark good" }, "identified") : "–"];
-      }), one.discrepancy ? [2, 3, 4, 5, 6] : [2, 3, 4, 5]),
-      ...(one.discrepancy ? [make("p", { class: "muted" }, `With everything fitted that was doubted, ${written(100 * one.discrepancy.objective, 2)} % of the residual's energy is left.`)] : []),
-      make("h3", {}, "What the data can tell"), make("p", { class: "muted" }, `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}.`),
-      table("identifiability", ["unknown", "sensitivity", "most alike"], one.identifiability.parameters.map((name, k) => {
-        const row = one.identifiability.correlation[k] ?? [], best = row.reduce((at, value, i) => (i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at), -1);
-        return [name, written(one.identifiability.sensitivity[k], 3), best >= 0 ? `${one.identifiability.parameters[best]} (${written(row[best], 2)})` : "–"];
-      }), [1]), ...advised(one.identifiability.findings, "p"));
+    shown.push(
+      make("h2", {}, `Update: ${one.name}`),
+      make(
+        "p",
+        {},
+        `The objective fell by ${written(one.reduction_percent, 3)} %, from ${written(one.objective_before)} to ${written(one.objective_after)}, in ${one.evaluations} evaluations on trial ${one.trials.join(", ")}.`,
+      ),
+      table(
+        "parameters",
+        [
+          "parameter",
+          "unit",
+          "at first",
+          "value",
+          ...(one.discrepancy
+            ? ["part / model", "95 % interval, model error counted"]
+            : ["95 % interval, noise only"]),
+          "bounds",
+          "known",
+        ],
+        Object.entries(one.parameters).map(([path, p]) => {
+          const law = one.discrepancy?.parameters[path];
+          const { unit, factor } = units(path);
+          const told = law
+            ? [law.component, law.effective]
+                .map((reading) => written(reading.value * factor))
+                .join(" / ")
+            : "–";
+          const [value, interval] = estimated(
+            law?.value ?? p.value,
+            law?.interval ?? p.interval,
+            factor,
+            5,
+          );
+          return [
+            path,
+            unit,
+            written(p.initial * factor),
+            value!,
+            ...(one.discrepancy ? [told] : []),
+            interval!,
+            `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
+            p.at_bound
+              ? make("span", { class: "mark fair" }, "at its bound")
+              : law?.why
+                ? make("span", { class: "mark bad" }, `not identified: ${law.why}`)
+                : law
+                  ? make("span", { class: "mark good" }, "identified")
+                  : "–",
+          ];
+        }),
+        one.discrepancy ? [2, 3, 4, 5, 6] : [2, 3, 4, 5],
+      ),
+      ...(one.discrepancy
+        ? [
+            make(
+              "p",
+              { class: "muted" },
+              `With everything fitted that was doubted, ${written(100 * one.discrepancy.objective, 2)} % of the residual's energy is left.`,
+            ),
+          ]
+        : []),
+      make("h3", {}, "What the data can tell"),
+      make(
+        "p",
+        { class: "muted" },
+        `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}.`,
+      ),
+      table(
+        "identifiability",
+        ["unknown", "sensitivity", "most alike"],
+        one.identifiability.parameters.map((name, k) => {
+          const row = one.identifiability.correlation[k] ?? [],
+            best = row.reduce(
+              (at, value, i) =>
+                i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at,
+              -1,
+            );
+          return [
+            name,
+            written(one.identifiability.sensitivity[k], 3),
+            best >= 0 ? `${one.identifiability.parameters[best]} (${written(row[best], 2)})` : "–",
+          ];
+        }),
+        [1],
+      ),
+      ...advised(one.identifiability.findings, "p"),
+    );
   }
-  const numbers = [...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number)))];
-  if (numbers.length) shown.push(make("h2", {}, "Every update on every trial"), make("p", { class: "muted" }, "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked."),
-    table("every update on every trial", ["update", ...numbers.map((one) => `trial ${one}`)], found.updates.map((one) => [one.name, ...numbers.map((number) => { const two = one.comparisons.find((three) => three.number === number); return two ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? tr(", fitted") : ""}${two.after?.verdict ? `: ${tr(two.after.verdict)}` : ""}` : "–"; })])));
-  if (found.findings.length) shown.push(make("h2", {}, "What to be careful about"), make("ul", {}, ...advised([...found.findings].sort((one, other) => RANK.indexOf(one.severity) - RANK.indexOf(other.severity)), "li")));
+  const numbers = [
+    ...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number))),
+  ];
+  if (numbers.length)
+    shown.push(
+      make("h2", {}, "Every update on every trial"),
+      make(
+        "p",
+        { class: "muted" },
+        "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked.",
+      ),
+      table(
+        "every update on every trial",
+        ["update", ...numbers.map((one) => `trial ${one}`)],
+        found.updates.map((one) => [
+          one.name,
+          ...numbers.map((number) => {
+            const two = one.comparisons.find((three) => three.number === number);
+            return two
+              ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? tr(", fitted") : ""}${two.after?.verdict ? `: ${tr(two.after.verdict)}` : ""}`
+              : "–";
+          }),
+        ]),
+      ),
+    );
+  if (found.findings.length)
+    shown.push(
+      make("h2", {}, "What to be careful about"),
+      make(
+        "ul",
+        {},
+        ...advised(
+          [...found.findings].sort(
+            (one, other) => RANK.indexOf(one.severity) - RANK.indexOf(other.severity),
+          ),
+          "li",
+        ),
+      ),
+    );
   return shown;
 }
 
@@ -330,8 +1259,12 @@ type Units = (path: string) => { unit: string; factor: number };
 async function unitsOf(path: string): Promise<Units> {
   const known = new Map<string, { unit: string; factor: number }>();
   try {
-    const { rig } = await api.get<Overview>(`/api/campaign?${api.query({ path })}`), folder = path.includes("/") ? `${path.slice(0, path.lastIndexOf("/"))}/` : "";
-    for (const one of (await api.rig(rig.endsWith(".toml") ? folder + rig : rig)).numbers) known.set(one.path, { unit: one.unit || "–", factor: one.factor });
-  } catch { /* the campaign was moved since */ }
+    const { rig } = await api.get<Overview>(`/api/campaign?${api.query({ path })}`),
+      folder = path.includes("/") ? `${path.slice(0, path.lastIndexOf("/"))}/` : "";
+    for (const one of (await api.rig(rig.endsWith(".toml") ? folder + rig : rig)).numbers)
+      known.set(one.path, { unit: one.unit || "–", factor: one.factor });
+  } catch {
+    /* the campaign was moved since */
+  }
   return (number) => known.get(number) ?? { unit: "SI", factor: 1 };
 }

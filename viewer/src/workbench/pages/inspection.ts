@@ -14,61 +14,247 @@ export const inspection: Page = { label: "Inspection", show };
 
 type Used = Record<string, string>;
 type Controls = Record<string, HTMLInputElement | HTMLSelectElement>;
-export interface Choices { testers: string[]; methods: string[]; controls: string[]; roads: string[] }
-interface Wheel { wheel: string; axle?: string; static_load: number | null; verdict: string; grade: Record<string, string>; reasons: string[]; uncertainty: Record<string, number>; findings: { severity: string; message: string }[]; [quantity: string]: unknown }
-interface Graded { wheels: Wheel[]; axle?: { axle: string; verdict: string; reasons: string[] }; verdict: string; deciding: string[]; limits: { label: string; source: string }; vehicle: { verdict: string; reasons: string[] }; reasons?: string[]; findings?: { severity: string; message: string }[]; error?: { message: string }; store: { location: string; records: number[] } | null }
+export interface Choices {
+  testers: string[];
+  methods: string[];
+  controls: string[];
+  roads: string[];
+}
+interface Wheel {
+  wheel: string;
+  axle?: string;
+  static_load: number | null;
+  verdict: string;
+  grade: Record<string, string>;
+  reasons: string[];
+  uncertainty: Record<string, number>;
+  findings: { severity: string; message: string }[];
+  [quantity: string]: unknown;
+}
+interface Graded {
+  wheels: Wheel[];
+  axle?: { axle: string; verdict: string; reasons: string[] };
+  verdict: string;
+  deciding: string[];
+  limits: { label: string; source: string };
+  vehicle: { verdict: string; reasons: string[] };
+  reasons?: string[];
+  findings?: { severity: string; message: string }[];
+  error?: { message: string };
+  store: { location: string; records: number[] } | null;
+}
 const QUANTITIES: [string, string, string, number][] = [
-  ["static_load", "static load", "N", 1], ["adhesion", "adhesion (EUSAMA)", "%", 100], ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1], ["phase_frequency_hz", "frequency of that angle", "Hz", 1], ["relative_force_amplitude", "relative force amplitude", "%", 100],
-  ["tyre_rigidity", "tyre rigidity", "N/mm", 1e-3], ["theta_rig", "damping ratio on the tester (THETA)", "1", 1], ["theta_road", "damping ratio on the road (THETA)", "1", 1], ["boge_amplitude", "BOGE amplitude", "mm", 1e3],
+  ["static_load", "static load", "N", 1],
+  ["adhesion", "adhesion (EUSAMA)", "%", 100],
+  ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1],
+  ["phase_frequency_hz", "frequency of that angle", "Hz", 1],
+  ["relative_force_amplitude", "relative force amplitude", "%", 100],
+  ["tyre_rigidity", "tyre rigidity", "N/mm", 1e-3],
+  ["theta_rig", "damping ratio on the tester (THETA)", "1", 1],
+  ["theta_road", "damping ratio on the road (THETA)", "1", 1],
+  ["boge_amplitude", "BOGE amplitude", "mm", 1e3],
 ];
-const TONES: Record<string, string> = { pass: "good", advise: "fair", fail: "bad", "not graded": "bad" };
-const mark = (verdict: string) => make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
+const TONES: Record<string, string> = {
+  pass: "good",
+  advise: "fair",
+  fail: "bad",
+  "not graded": "bad",
+};
+const mark = (verdict: string) =>
+  make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
-  const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
-  const records = entries.filter((one) => one.kind === "record").map((one) => one.path), stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
-  const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
-  const store = select(stores), search_ = search(store, choices), noStore = make("p", { class: "empty" }, "No store lies here yet: name one where a record is evaluated (lane.sqlite), and it is kept there.");
-  const offered = () => { search_.hidden = !store.options.length; noStore.hidden = !search_.hidden; };
-  const stored = (name: string) => { if (name) offer(store, [name]); offered(); }; // what is typed into the search stays
-  const { element, here, controls } = evaluation(records, rigs, choices, stores, values.get("record") ?? "", stored, (was) => drafts.done({ evaluate: was }));
+  const [{ entries }, choices, library] = await Promise.all([
+    api.project(),
+    api.get<Choices>("/api/choices"),
+    api.library(),
+  ]);
+  const records = entries.filter((one) => one.kind === "record").map((one) => one.path),
+    stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
+  const rigs = [
+    ...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path),
+    ...library.map((one) => one.name),
+  ];
+  const store = select(stores),
+    search_ = search(store, choices),
+    noStore = make(
+      "p",
+      { class: "empty" },
+      "No store lies here yet: name one where a record is evaluated (lane.sqlite), and it is kept there.",
+    );
+  const offered = () => {
+    search_.hidden = !store.options.length;
+    noStore.hidden = !search_.hidden;
+  };
+  const stored = (name: string) => {
+    if (name) offer(store, [name]);
+    offered();
+  }; // what is typed into the search stays
+  const { element, here, controls } = evaluation(
+    records,
+    rigs,
+    choices,
+    stores,
+    values.get("record") ?? "",
+    stored,
+    (was) => drafts.done({ evaluate: was }),
+  );
   const test = simulated(rigs, choices, (was) => drafts.done({ simulate: was }));
   const state = () => ({ evaluate: entered(controls), simulate: entered(test.controls) });
-  const drafts = new Drafts(await api.folder(), address("inspection"), state(), state, (was) => { enter(controls, was.evaluate); enter(test.controls, was.simulate); });
+  const drafts = new Drafts(await api.folder(), address("inspection"), state(), state, (was) => {
+    enter(controls, was.evaluate);
+    enter(test.controls, was.simulate);
+  });
   for (const one of [element, test.element]) drafts.hear(one);
   offered();
-  place.replaceChildren(make("h1", {}, "Inspection"),
-    make("p", { class: "muted" }, "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store."),
-    drafts.element, make("h2", {}, "Evaluate a record"), element,
-    make("h2", {}, "New records"), dropZone(() => "records", "Drop records of a tester here, or choose them; they go to the folder records.", here),
+  place.replaceChildren(
+    make("h1", {}, "Inspection"),
+    make(
+      "p",
+      { class: "muted" },
+      "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store.",
+    ),
+    drafts.element,
+    make("h2", {}, "Evaluate a record"),
+    element,
+    make("h2", {}, "New records"),
+    dropZone(
+      () => "records",
+      "Drop records of a tester here, or choose them; they go to the folder records.",
+      here,
+    ),
     make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), test.element),
-    make("h2", {}, "Store"), noStore, search_);
+    make("h2", {}, "Store"),
+    noStore,
+    search_,
+  );
 }
 
-const select = (names: string[], chosen = "", first?: string) => make("select", {}, ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]), ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, tr(name))));
+const select = (names: string[], chosen = "", first?: string) =>
+  make(
+    "select",
+    {},
+    ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]),
+    ...names.map((name) =>
+      make("option", name === chosen ? { value: name, selected: true } : { value: name }, tr(name)),
+    ),
+  );
 
 /** Puts names into a choice that has them not. */
 function offer(choice: HTMLSelectElement, names: string[]): void {
   const known = new Set([...choice.options].map((one) => one.value));
-  choice.append(...names.filter((name) => !known.has(name)).map((name) => make("option", { value: name }, name)));
+  choice.append(
+    ...names
+      .filter((name) => !known.has(name))
+      .map((name) => make("option", { value: name }, name)),
+  );
 }
 
 /** What evaluates a record, and what is called when records come: the first of them is chosen, unless another one was meanwhile. */
-function evaluation(records: string[], rigs: string[], choices: Choices, stores: string[], chosen: string, stored: (store: string) => void, used: (was: Used) => void): { element: HTMLElement; here: () => (paths: string[]) => void; controls: Controls } {
-  const record = select(records, chosen), other = select(records, "", "none"), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea"))), vehicle = select(rigs, "", "not known");
-  const method = select(choices.methods, "", "that of the tester"), text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const store = text(stores[0] ?? "", "lane.sqlite"), plate = text("", "B-AB 123"), date = text(today()), by = text(""), language = make("select", {}, ...[["en", "English"], ["de", "Deutsch"]].map(([value, words]) => make("option", { value: value!, lang: value!, ...(isGerman && value === "de" ? { selected: true } : {}) }, words!)));
-  const look = make("button", { type: "button" }, "Look at the record"), looked = make("div", {});
-  look.addEventListener("click", () => { const reading = new Reading(record.value, "recording"); looked.replaceChildren(reading.element); void reading.ask(); });
+function evaluation(
+  records: string[],
+  rigs: string[],
+  choices: Choices,
+  stores: string[],
+  chosen: string,
+  stored: (store: string) => void,
+  used: (was: Used) => void,
+): { element: HTMLElement; here: () => (paths: string[]) => void; controls: Controls } {
+  const record = select(records, chosen),
+    other = select(records, "", "none"),
+    tester = select(
+      choices.testers,
+      choices.testers.find((one) => one.includes("egea")),
+    ),
+    vehicle = select(rigs, "", "not known");
+  const method = select(choices.methods, "", "that of the tester"),
+    text = (value: string, hint = "") =>
+      make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
+  const store = text(stores[0] ?? "", "lane.sqlite"),
+    plate = text("", "B-AB 123"),
+    date = text(today()),
+    by = text(""),
+    language = make(
+      "select",
+      {},
+      ...[
+        ["en", "English"],
+        ["de", "Deutsch"],
+      ].map(([value, words]) =>
+        make(
+          "option",
+          {
+            value: value!,
+            lang: value!,
+            ...(isGerman && value === "de" ? { selected: true } : {}),
+          },
+          words!,
+        ),
+      ),
+    );
+  const look = make("button", { type: "button" }, "Look at the record"),
+    looked = make("div", {});
+  look.addEventListener("click", () => {
+    const reading = new Reading(record.value, "recording");
+    looked.replaceChildren(reading.element);
+    void reading.ask();
+  });
   const controls = { record, other, tester, vehicle, method, plate, date, by, language, store };
   let was: Used = {};
-  const question = new Question("Evaluate and grade", () => (was = entered(controls), {
-    kind: "evaluate", records: [record.value, ...(other.value ? [other.value] : [])], tester: tester.value, vehicle: vehicle.value, methods: method.value ? [method.value] : [],
-    store: store.value, plate: plate.value, date: date.value, inspector: by.value, language: language.value,
-  }), (told: Told<Graded>, asked) => { used(was); if (told.result.store) stored(asked.store); return [...graded(told.result), report(told.report, "Protocol", asked.language), ways(told)]; });
-  const none = make("p", { class: "empty", hidden: !!records.length }, "No record lies here yet: drop one below, or simulate a test.");
-  const whole = make("section", { hidden: !records.length }, make("div", { class: "form" }, field("Record of one axle", record), field("Record of the other axle", other), field("Tester", tester), field("Method that decides", method), field("Vehicle", vehicle)),
-    make("div", { class: "form" }, field("Number plate", plate), field("Date", date), field("Inspector", by), field("Language of the protocol", language), field("Keep it in the store", store), look, question.button), looked, question.place);
+  const question = new Question(
+    "Evaluate and grade",
+    () => (
+      (was = entered(controls)),
+      {
+        kind: "evaluate",
+        records: [record.value, ...(other.value ? [other.value] : [])],
+        tester: tester.value,
+        vehicle: vehicle.value,
+        methods: method.value ? [method.value] : [],
+        store: store.value,
+        plate: plate.value,
+        date: date.value,
+        inspector: by.value,
+        language: language.value,
+      }
+    ),
+    (told: Told<Graded>, asked) => {
+      used(was);
+      if (told.result.store) stored(asked.store);
+      return [...graded(told.result), report(told.report, "Protocol", asked.language), ways(told)];
+    },
+  );
+  const none = make(
+    "p",
+    { class: "empty", hidden: !!records.length },
+    "No record lies here yet: drop one below, or simulate a test.",
+  );
+  const whole = make(
+    "section",
+    { hidden: !records.length },
+    make(
+      "div",
+      { class: "form" },
+      field("Record of one axle", record),
+      field("Record of the other axle", other),
+      field("Tester", tester),
+      field("Method that decides", method),
+      field("Vehicle", vehicle),
+    ),
+    make(
+      "div",
+      { class: "form" },
+      field("Number plate", plate),
+      field("Date", date),
+      field("Inspector", by),
+      field("Language of the protocol", language),
+      field("Keep it in the store", store),
+      look,
+      question.button,
+    ),
+    looked,
+    question.place,
+  );
   const here = () => {
     const before = record.value;
     return (paths: string[]) => {
@@ -83,13 +269,42 @@ function evaluation(records: string[], rigs: string[], choices: Choices, stores:
 
 /** Verdicts first, then what was measured of every wheel, and why it is graded so. */
 function graded(found: Graded): HTMLElement[] {
-  const { wheels } = found, shown: HTMLElement[] = [];
+  const { wheels } = found,
+    shown: HTMLElement[] = [];
   if (found.error) shown.push(make("p", { class: "problem", role: "alert" }, found.error.message));
-  shown.push(make("p", { class: "bar" }, "verdict: ", mark(found.verdict), make("span", { class: "muted" }, `${found.deciding.join(", ")} decides; limits: ${found.limits.label}`), ...(found.store ? [make("span", { class: "good" }, `kept in the store as record ${found.store.records.join(", ")}`)] : [])));
-  const quantities = QUANTITIES.filter(([name]) => wheels.some((one) => typeof one[name] === "number"));
-  const name = (one: Wheel) => [one.axle, one.wheel].filter(Boolean).map((word) => tr(word!)).join(" ");
+  shown.push(
+    make(
+      "p",
+      { class: "bar" },
+      "verdict: ",
+      mark(found.verdict),
+      make(
+        "span",
+        { class: "muted" },
+        `${found.deciding.join(", ")} decides; limits: ${found.limits.label}`,
+      ),
+      ...(found.store
+        ? [
+            make(
+              "span",
+              { class: "good" },
+              `kept in the store as record ${found.store.records.join(", ")}`,
+            ),
+          ]
+        : []),
+    ),
+  );
+  const quantities = QUANTITIES.filter(([name]) =>
+    wheels.some((one) => typeof one[name] === "number"),
+  );
+  const name = (one: Wheel) =>
+    [one.axle, one.wheel]
+      .filter(Boolean)
+      .map((word) => tr(word!))
+      .join(" ");
   const cell = (one: Wheel, key: string, factor: number) => {
-    const value = one[key], doubt = one.uncertainty?.[key];
+    const value = one[key],
+      doubt = one.uncertainty?.[key];
     if (typeof value !== "number") return "–";
     if (!doubt || !value) return written(value * factor);
     const place = (x: number) => Math.floor(Math.log10(Math.abs(x * factor)));
@@ -98,58 +313,321 @@ function graded(found: Graded): HTMLElement[] {
     return `${localised((value * factor).toFixed(decimals))} ± ${localised(up.toFixed(decimals))}`;
   };
   const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
-  shown.push(make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" }, make("table", {},
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "wheel"), ...wheels.map((one) => make("th", { scope: "col", class: "right" }, name(one))), make("th", { scope: "col" }, "unit"))),
-    make("tbody", {}, make("tr", {}, make("th", { scope: "row" }, tr("verdict")), ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))), make("td", {})),
-      ...quantities.map(([key, words, unit, factor]) => make("tr", {}, make("th", { scope: "row" }, tr(words)), ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))), make("td", {}, unit))),
-      ...methods.map((method) => make("tr", {}, make("th", { scope: "row" }, tr("grade #", method.toUpperCase())), ...wheels.map((one) => make("td", { class: "right" }, one.grade[method] ? asSaid(one.grade[method]) : "–")), make("td", {})))))));
-  const reasons = [...wheels.flatMap((one) => one.reasons.map((text) => make("li", {}, `${name(one)}: `, asSaid(text)))), ...(found.axle?.reasons ?? []).map((text) => make("li", {}, asSaid(text))),
-    ...wheels.flatMap((one) => advised(one.findings.map((finding) => ({ ...finding, place: name(one) })), "li")), ...advised(found.findings ?? [], "li")];
-  shown.push(make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons)));
+  shown.push(
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            make("th", { scope: "col" }, "wheel"),
+            ...wheels.map((one) => make("th", { scope: "col", class: "right" }, name(one))),
+            make("th", { scope: "col" }, "unit"),
+          ),
+        ),
+        make(
+          "tbody",
+          {},
+          make(
+            "tr",
+            {},
+            make("th", { scope: "row" }, tr("verdict")),
+            ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))),
+            make("td", {}),
+          ),
+          ...quantities.map(([key, words, unit, factor]) =>
+            make(
+              "tr",
+              {},
+              make("th", { scope: "row" }, tr(words)),
+              ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))),
+              make("td", {}, unit),
+            ),
+          ),
+          ...methods.map((method) =>
+            make(
+              "tr",
+              {},
+              make("th", { scope: "row" }, tr("grade #", method.toUpperCase())),
+              ...wheels.map((one) =>
+                make("td", { class: "right" }, one.grade[method] ? asSaid(one.grade[method]) : "–"),
+              ),
+              make("td", {}),
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
+  const reasons = [
+    ...wheels.flatMap((one) =>
+      one.reasons.map((text) => make("li", {}, `${name(one)}: `, asSaid(text))),
+    ),
+    ...(found.axle?.reasons ?? []).map((text) => make("li", {}, asSaid(text))),
+    ...wheels.flatMap((one) =>
+      advised(
+        one.findings.map((finding) => ({ ...finding, place: name(one) })),
+        "li",
+      ),
+    ),
+    ...advised(found.findings ?? [], "li"),
+  ];
+  shown.push(
+    make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons)),
+  );
   return shown;
 }
 
 /** The day where the page is, which is another one than in Greenwich for some hours. */
 function today(): string {
-  const now = new Date(), two = (part: number) => String(part).padStart(2, "0");
+  const now = new Date(),
+    two = (part: number) => String(part).padStart(2, "0");
   return `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
 }
 
-function simulated(rigs: string[], choices: Choices, used: (was: Used) => void): { element: HTMLElement; controls: Controls } {
-  const rig = select(rigs, rigs.find((one) => one === "audi-a6-half-car-4dof")), tester = select(choices.testers, choices.testers.find((one) => one.includes("egea")));
-  const wear = make("input", { type: "text", value: "", placeholder: "0.4" }), wheel = select(["both", "left", "right"], "both"), out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
+function simulated(
+  rigs: string[],
+  choices: Choices,
+  used: (was: Used) => void,
+): { element: HTMLElement; controls: Controls } {
+  const rig = select(
+      rigs,
+      rigs.find((one) => one === "audi-a6-half-car-4dof"),
+    ),
+    tester = select(
+      choices.testers,
+      choices.testers.find((one) => one.includes("egea")),
+    );
+  const wear = make("input", { type: "text", value: "", placeholder: "0.4" }),
+    wheel = select(["both", "left", "right"], "both"),
+    out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
   const controls = { rig, tester, wear, wheel, out };
   let was: Used = {};
-  const question = new Question("Simulate the test", () => (was = entered(controls), { kind: "test", vehicle: rig.value, tester: tester.value, wear: wear.value, wheel: wheel.value, out: out.value }),
-    (told, asked) => (used(was), [make("p", { class: "good" }, `${asked.out} was written. `, make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it")), ways(told)]));
-  return { controls, element: make("section", {}, make("div", { class: "form" }, field("Rig or vehicle", rig), field("Tester", tester), field("Loss of damping", wear), field("Wheel", wheel), field("Record", out), question.button), question.place) };
+  const question = new Question(
+    "Simulate the test",
+    () => (
+      (was = entered(controls)),
+      {
+        kind: "test",
+        vehicle: rig.value,
+        tester: tester.value,
+        wear: wear.value,
+        wheel: wheel.value,
+        out: out.value,
+      }
+    ),
+    (told, asked) => (
+      used(was),
+      [
+        make(
+          "p",
+          { class: "good" },
+          `${asked.out} was written. `,
+          make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it"),
+        ),
+        ways(told),
+      ]
+    ),
+  );
+  return {
+    controls,
+    element: make(
+      "section",
+      {},
+      make(
+        "div",
+        { class: "form" },
+        field("Rig or vehicle", rig),
+        field("Tester", tester),
+        field("Loss of damping", wear),
+        field("Wheel", wheel),
+        field("Record", out),
+        question.button,
+      ),
+      question.place,
+    ),
+  };
 }
 
-interface Stored { number: number; date: string; plate: string; vehicle: string; axle: string; tester: string; name: string; verdict: string | null }
+interface Stored {
+  number: number;
+  date: string;
+  plate: string;
+  vehicle: string;
+  axle: string;
+  tester: string;
+  name: string;
+  verdict: string | null;
+}
 
 function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
-  const text = (hint: string) => make("input", { type: "text", placeholder: hint, spellcheck: "false" });
-  const plate = text("B-AB*"), verdict = select(["pass", "advise", "fail", "not graded"], "", "any"), tester = select(choices.testers, "", "any"), since = text("2026-01-31"), until = text("2026-12-31");
+  const text = (hint: string) =>
+    make("input", { type: "text", placeholder: hint, spellcheck: "false" });
+  const plate = text("B-AB*"),
+    verdict = select(["pass", "advise", "fail", "not graded"], "", "any"),
+    tester = select(choices.testers, "", "any"),
+    since = text("2026-01-31"),
+    until = text("2026-12-31");
   const history = make("div", { "aria-live": "polite" });
-  const question = new Question("Search", () => ({ kind: "search", store: store.value, plate: plate.value, verdict: verdict.value, tester: tester.value, since: since.value, until: until.value }), (told: Told<{ records: Stored[] }>, asked) => {
-    const { records } = told.result;
-    if (!records.length) return [make("p", { class: "empty" }, "No record fits."), ways(told)];
-    const rows = records.map((one) => {
-      const button = make("button", { type: "button", "aria-label": `history of ${one.plate}` }, tr("history"));
-      button.addEventListener("click", () => {
-        const past = new Question<{ plate: string; vehicle: string; trends: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[] }>("Again", () => ({ kind: "history", store: asked.store, plate: one.plate }), (found) => [make("h3", {}, `History of ${found.result.plate}`), ...trends(found.result.trends), report(found.report, "Every visit"), ways(found)]);
-        history.replaceChildren(past.place);
-        void past.ask();
+  const question = new Question(
+    "Search",
+    () => ({
+      kind: "search",
+      store: store.value,
+      plate: plate.value,
+      verdict: verdict.value,
+      tester: tester.value,
+      since: since.value,
+      until: until.value,
+    }),
+    (told: Told<{ records: Stored[] }>, asked) => {
+      const { records } = told.result;
+      if (!records.length) return [make("p", { class: "empty" }, "No record fits."), ways(told)];
+      const rows = records.map((one) => {
+        const button = make(
+          "button",
+          { type: "button", "aria-label": `history of ${one.plate}` },
+          tr("history"),
+        );
+        button.addEventListener("click", () => {
+          const past = new Question<{
+            plate: string;
+            vehicle: string;
+            trends: {
+              axle: string;
+              wheel: string;
+              quantity: string;
+              change_per_year: number;
+              visits: number;
+            }[];
+          }>(
+            "Again",
+            () => ({ kind: "history", store: asked.store, plate: one.plate }),
+            (found) => [
+              make("h3", {}, `History of ${found.result.plate}`),
+              ...trends(found.result.trends),
+              report(found.report, "Every visit"),
+              ways(found),
+            ],
+          );
+          history.replaceChildren(past.place);
+          void past.ask();
+        });
+        return make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, String(one.number)),
+          ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map((cell) =>
+            make("td", {}, cell || "–"),
+          ),
+          make("td", {}, one.verdict ? mark(one.verdict) : "–"),
+          make("td", {}, ...(one.plate ? [button] : [])),
+        );
       });
-      return make("tr", {}, make("th", { scope: "row" }, String(one.number)), ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map((cell) => make("td", {}, cell || "–")), make("td", {}, one.verdict ? mark(one.verdict) : "–"), make("td", {}, ...(one.plate ? [button] : [])));
-    });
-    return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "records" }, make("table", {}, make("caption", {}, `${records.length} record${records.length === 1 ? "" : "s"}`), make("thead", {}, make("tr", {}, ...["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", ""].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))))), make("tbody", {}, ...rows))), ways(told)];
-  });
-  return make("section", {}, make("div", { class: "form" }, field("Store", store), field("Number plate, or a pattern", plate), field("Verdict", verdict), field("Tester", tester), field("First day", since), field("Last day", until), question.button), question.place, history);
+      return [
+        make(
+          "div",
+          { class: "table", tabindex: "0", role: "region", "aria-label": "records" },
+          make(
+            "table",
+            {},
+            make("caption", {}, `${records.length} record${records.length === 1 ? "" : "s"}`),
+            make(
+              "thead",
+              {},
+              make(
+                "tr",
+                {},
+                ...[
+                  "record",
+                  "date",
+                  "plate",
+                  "vehicle",
+                  "axle",
+                  "tester",
+                  "file",
+                  "verdict",
+                  "",
+                ].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))),
+              ),
+            ),
+            make("tbody", {}, ...rows),
+          ),
+        ),
+        ways(told),
+      ];
+    },
+  );
+  return make(
+    "section",
+    {},
+    make(
+      "div",
+      { class: "form" },
+      field("Store", store),
+      field("Number plate, or a pattern", plate),
+      field("Verdict", verdict),
+      field("Tester", tester),
+      field("First day", since),
+      field("Last day", until),
+      question.button,
+    ),
+    question.place,
+    history,
+  );
 }
 
-function trends(found: { axle: string; wheel: string; quantity: string; change_per_year: number; visits: number }[]): HTMLElement[] {
+function trends(
+  found: {
+    axle: string;
+    wheel: string;
+    quantity: string;
+    change_per_year: number;
+    visits: number;
+  }[],
+): HTMLElement[] {
   if (!found.length) return [make("p", { class: "muted" }, "One visit tells no trend.")];
-  return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "change per year" }, make("table", {}, make("caption", {}, "Change per year"), make("thead", {}, make("tr", {}, ...["axle", "wheel", "value", "change per year", "visits"].map((one) => make("th", { scope: "col" }, one)))),
-    make("tbody", {}, ...found.map((one) => make("tr", {}, make("th", { scope: "row" }, one.axle || "–"), make("td", {}, one.wheel), make("td", {}, one.quantity), make("td", { class: "right" }, written(one.change_per_year, 3)), make("td", { class: "right" }, String(one.visits)))))))];
+  return [
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "change per year" },
+      make(
+        "table",
+        {},
+        make("caption", {}, "Change per year"),
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            ...["axle", "wheel", "value", "change per year", "visits"].map((one) =>
+              make("th", { scope: "col" }, one),
+            ),
+          ),
+        ),
+        make(
+          "tbody",
+          {},
+          ...found.map((one) =>
+            make(
+              "tr",
+              {},
+              make("th", { scope: "row" }, one.axle || "–"),
+              make("td", {}, one.wheel),
+              make("td", {}, one.quantity),
+              make("td", { class: "right" }, written(one.change_per_year, 3)),
+              make("td", { class: "right" }, String(one.visits)),
+            ),
+          ),
+        ),
+      ),
+    ),
+  ];
 }

@@ -6,7 +6,14 @@ import { address, type Page } from "../shell";
 
 export const jobs: Page = { label: "Jobs", show };
 
-export const PAGES_OF: Record<string, string> = { sweep: "studies", campaign: "campaign", compare: "ride", pareto: "ride", design: "kinematics", evaluate: "inspection" };
+export const PAGES_OF: Record<string, string> = {
+  sweep: "studies",
+  campaign: "campaign",
+  compare: "ride",
+  pareto: "ride",
+  design: "kinematics",
+  evaluate: "inspection",
+};
 
 /** The page on which the results of a job are shown. */
 export function results(job: Job): void {
@@ -16,7 +23,17 @@ export function results(job: Job): void {
 }
 
 async function show(place: HTMLElement): Promise<void> {
-  place.replaceChildren(make("h1", {}, "Jobs"),
-    make("p", { class: "muted" }, "Long work goes on when this page is closed, and when the server is ended: it is found again here."),
-    jobList(null, results, "No long work was begun here yet. Studies, campaigns, rides and designs begin it."));
+  place.replaceChildren(
+    make("h1", {}, "Jobs"),
+    make(
+      "p",
+      { class: "muted" },
+      "Long work goes on when this page is closed, and when the server is ended: it is found again here.",
+    ),
+    jobList(
+      null,
+      results,
+      "No long work was begun here yet. Studies, campaigns, rides and designs begin it.",
+    ),
+  );
 }

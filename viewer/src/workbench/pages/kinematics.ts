@@ -18,9 +18,18 @@ export const kinematics: Page = { label: "Kinematics", show };
 
 type Over = "travel" | "rack" | "roll";
 /** What is not in the file yet when its page is made anew, because it was written: targets, and what was moved meanwhile. */
-interface Kept { rig: string; said: string; targets: Target[]; changes: Record<string, number> }
+interface Kept {
+  rig: string;
+  said: string;
+  targets: Target[];
+  changes: Record<string, number>;
+}
 let kept: Kept | null = null;
-interface Extra { centres: Centres | null; targets: Band[]; notes: string[] }
+interface Extra {
+  centres: Centres | null;
+  targets: Band[];
+  notes: string[];
+}
 
 /** One of travel, rack and roll: a range where it is swept, and a slider of the pose. */
 class Drive {
@@ -28,23 +37,56 @@ class Drive {
   readonly number = make("input", { type: "number", step: "any", value: "0" });
   readonly range = make("input", { type: "text", spellcheck: "false" });
   readonly element: HTMLElement;
-  constructor(readonly name: Over, readonly words: string, readonly unit: string, reach: number, step: number, changed: (isRange: boolean) => void) {
+  constructor(
+    readonly name: Over,
+    readonly words: string,
+    readonly unit: string,
+    reach: number,
+    step: number,
+    changed: (isRange: boolean) => void,
+  ) {
     this.range.value = `${-reach} ${unit}:${reach} ${unit}:${step} ${unit}`;
-    this.slider.min = String(-reach); this.slider.max = String(reach); this.slider.value = "0";
+    this.slider.min = String(-reach);
+    this.slider.max = String(reach);
+    this.slider.value = "0";
     this.slider.setAttribute("aria-label", `${words} [${unit}]`);
     this.number.setAttribute("aria-label", `${words} [${unit}], ${tr("typed")}`);
     this.range.setAttribute("aria-label", `${words}: ${tr("first:last:step")}`);
-    this.slider.addEventListener("input", () => { this.number.value = String(Number(Number(this.slider.value).toPrecision(4))); changed(false); });
-    this.number.addEventListener("input", () => { if (this.number.value !== "") { this.slider.value = this.number.value; changed(false); } });
+    this.slider.addEventListener("input", () => {
+      this.number.value = String(Number(Number(this.slider.value).toPrecision(4)));
+      changed(false);
+    });
+    this.number.addEventListener("input", () => {
+      if (this.number.value !== "") {
+        this.slider.value = this.number.value;
+        changed(false);
+      }
+    });
     this.range.addEventListener("change", () => {
       const [first, last] = this.range.value.split(":").map((one) => parseFloat(one));
-      if (Number.isFinite(first) && Number.isFinite(last)) { this.slider.min = String(first); this.slider.max = String(last); }
+      if (Number.isFinite(first) && Number.isFinite(last)) {
+        this.slider.min = String(first);
+        this.slider.max = String(last);
+      }
       changed(true);
     });
-    this.element = make("div", { class: "slider drive" }, make("span", { class: "name" }, words), this.slider, this.number, make("span", { class: "unit" }, unit.replace("deg", "°")), this.range);
+    this.element = make(
+      "div",
+      { class: "slider drive" },
+      make("span", { class: "name" }, words),
+      this.slider,
+      this.number,
+      make("span", { class: "unit" }, unit.replace("deg", "°")),
+      this.range,
+    );
   }
-  get value(): number { return Number(this.number.value) || 0; }
-  set value(to: number) { this.slider.value = String(to); this.number.value = String(Number(to.toPrecision(4))); }
+  get value(): number {
+    return Number(this.number.value) || 0;
+  }
+  set value(to: number) {
+    this.slider.value = String(to);
+    this.number.value = String(Number(to.toPrecision(4)));
+  }
   swept(isSwept: boolean, isUsed: boolean): void {
     this.range.hidden = !isSwept;
     this.slider.disabled = this.number.disabled = !isUsed;
@@ -54,25 +96,85 @@ class Drive {
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
-  if (!name) { await choose(place, "kinematics", tr("Kinematics"), "rig", true); return; }
-  const [rig, { entries }, shipped] = await Promise.all([api.rig(name), api.project(), api.library()]), isOwn = name.endsWith(".toml");
-  const [earlier, digest, folder] = await Promise.all([isOwn ? api.versions(name) : [], isOwn ? api.file(name).then((file) => file.digest) : "", api.folder()]);
+  if (!name) {
+    await choose(place, "kinematics", tr("Kinematics"), "rig", true);
+    return;
+  }
+  const [rig, { entries }, shipped] = await Promise.all([
+      api.rig(name),
+      api.project(),
+      api.library(),
+    ]),
+    isOwn = name.endsWith(".toml");
+  const [earlier, digest, folder] = await Promise.all([
+    isOwn ? api.versions(name) : [],
+    isOwn ? api.file(name).then((file) => file.digest) : "",
+    api.folder(),
+  ]);
   if (!place.isConnected) return;
   const before = kept?.rig === name ? kept : null;
   kept = null;
-  if (!rig.spatial) { place.replaceChildren(make("h1", {}, name), make("p", { class: "empty" }, tr("This rig has no hardpoints, and so no kinematics: "), make("a", { href: address("kinematics") }, tr("choose another one")), ".")); return; }
+  if (!rig.spatial) {
+    place.replaceChildren(
+      make("h1", {}, name),
+      make(
+        "p",
+        { class: "empty" },
+        tr("This rig has no hardpoints, and so no kinematics: "),
+        make("a", { href: address("kinematics") }, tr("choose another one")),
+        ".",
+      ),
+    );
+    return;
+  }
   const isSmall = rig.numbers.some((one) => one.path === "wheel.radius" && one.value < 0.18);
-  const hasRack = rig.numbers.some((one) => /^hardpoints\.(tie_rod|link_5)_inner\[0\]$/.test(one.path));
-  const reach = isSmall ? 20 : 50, newest = new Newest(), times: number[] = [];
+  const hasRack = rig.numbers.some((one) =>
+    /^hardpoints\.(tie_rod|link_5)_inner\[0\]$/.test(one.path),
+  );
+  const reach = isSmall ? 20 : 50,
+    newest = new Newest(),
+    times: number[] = [];
   setLive({ times });
 
-  const state = make("p", { class: "state", role: "status" }), notes = make("div", {}), same = new Ways(), outdated = new Outdated(rig);
-  const over = make("select", {}, ...([["travel", tr("wheel travel")], ...(hasRack ? [["rack", tr("rack travel")]] : []), ["roll", tr("roll of the body")]] as [Over, string][]).map(([value, words]) => make("option", { value }, words)));
-  const changed = (isRange: boolean, which: Over) => { if (which === over.value && !isRange) pose(); else void ask(); };
+  const state = make("p", { class: "state", role: "status" }),
+    notes = make("div", {}),
+    same = new Ways(),
+    outdated = new Outdated(rig);
+  const over = make(
+    "select",
+    {},
+    ...(
+      [
+        ["travel", tr("wheel travel")],
+        ...(hasRack ? [["rack", tr("rack travel")]] : []),
+        ["roll", tr("roll of the body")],
+      ] as [Over, string][]
+    ).map(([value, words]) => make("option", { value }, words)),
+  );
+  const changed = (isRange: boolean, which: Over) => {
+    if (which === over.value && !isRange) pose();
+    else void ask();
+  };
   const drives: Record<Over, Drive> = {
-    travel: new Drive("travel", tr("Wheel travel, bump positive"), "mm", reach, reach / 10, (isRange) => changed(isRange, "travel")),
-    rack: new Drive("rack", tr("Rack travel, to the left positive"), "mm", isSmall ? 10 : 20, isSmall ? 1 : 2, (isRange) => changed(isRange, "rack")),
-    roll: new Drive("roll", tr("Roll, left side up positive"), "deg", 4, 0.5, (isRange) => changed(isRange, "roll")),
+    travel: new Drive(
+      "travel",
+      tr("Wheel travel, bump positive"),
+      "mm",
+      reach,
+      reach / 10,
+      (isRange) => changed(isRange, "travel"),
+    ),
+    rack: new Drive(
+      "rack",
+      tr("Rack travel, to the left positive"),
+      "mm",
+      isSmall ? 10 : 20,
+      isSmall ? 1 : 2,
+      (isRange) => changed(isRange, "rack"),
+    ),
+    roll: new Drive("roll", tr("Roll, left side up positive"), "deg", 4, 0.5, (isRange) =>
+      changed(isRange, "roll"),
+    ),
   };
   const arrange = () => {
     const now = over.value as Over;
@@ -80,37 +182,127 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     drives.rack.swept(now === "rack", hasRack);
     drives.roll.swept(now === "roll", now === "roll");
   };
-  over.addEventListener("change", () => { arrange(); void ask(); });
-  const rigs = entries.filter((entry) => entry.has_hardpoints && entry.path !== name).map((entry) => entry.path);
-  const against = make("select", {}, make("option", { value: "" }, tr("nothing else")),
-    ...(earlier.length ? [make("optgroup", { label: tr("earlier versions") }, ...earlier.map((one) => make("option", { value: one.name }, `${tr("replaced")} ${moment(one.replaced * 1000)}`)))] : []),
-    ...(rigs.length ? [make("optgroup", { label: tr("this project") }, ...rigs.map((one) => make("option", { value: one }, one)))] : []),
-    make("optgroup", { label: tr("shipped") }, ...shipped.filter((one) => one.has_hardpoints).map((one) => make("option", { value: one.name }, one.name))));
+  over.addEventListener("change", () => {
+    arrange();
+    void ask();
+  });
+  const rigs = entries
+    .filter((entry) => entry.has_hardpoints && entry.path !== name)
+    .map((entry) => entry.path);
+  const against = make(
+    "select",
+    {},
+    make("option", { value: "" }, tr("nothing else")),
+    ...(earlier.length
+      ? [
+          make(
+            "optgroup",
+            { label: tr("earlier versions") },
+            ...earlier.map((one) =>
+              make(
+                "option",
+                { value: one.name },
+                `${tr("replaced")} ${moment(one.replaced * 1000)}`,
+              ),
+            ),
+          ),
+        ]
+      : []),
+    ...(rigs.length
+      ? [
+          make(
+            "optgroup",
+            { label: tr("this project") },
+            ...rigs.map((one) => make("option", { value: one }, one)),
+          ),
+        ]
+      : []),
+    make(
+      "optgroup",
+      { label: tr("shipped") },
+      ...shipped
+        .filter((one) => one.has_hardpoints)
+        .map((one) => make("option", { value: one.name }, one.name)),
+    ),
+  );
   against.addEventListener("change", () => void ask());
 
-  const view = new MechanismView(true), stage = make("div", { class: "player bare" }, view.element);
-  let swept: Over = "travel", centres: Centres | null = null, isTurned = true, factor = 1, last: { low: number; high: number } = { low: 0, high: 0 };
-  const centred = toggle(tr("centres"), true, (on) => { isTurned = on; view.showCentres(on ? centres : null); }, tr("instant centres in front and side view, and the roll centre"));
+  const view = new MechanismView(true),
+    stage = make("div", { class: "player bare" }, view.element);
+  let swept: Over = "travel",
+    centres: Centres | null = null,
+    isTurned = true,
+    factor = 1,
+    last: { low: number; high: number } = { low: 0, high: 0 };
+  const centred = toggle(
+    tr("centres"),
+    true,
+    (on) => {
+      isTurned = on;
+      view.showCentres(on ? centres : null);
+    },
+    tr("instant centres in front and side view, and the roll centre"),
+  );
   view.element.querySelector(".bar")!.append(make("div", { class: "group" }, centred));
-  const multiples = new Multiples((x) => { if (swept === over.value) { drives[swept].value = x; pose(); } });
+  const multiples = new Multiples((x) => {
+    if (swept === over.value) {
+      drives[swept].value = x;
+      pose();
+    }
+  });
   /** Puts the mechanism into a pose of the sweep that is there, which is not always the one that is wanted. */
   const pose = () => {
     const drive = drives[swept];
     const x = Math.min(Math.max(drive.value, last.low), last.high);
-    view.set({ body: 0, travel: x * factor, ground: ground(x * factor), load: 1, time: 0, roll: swept === "roll" ? x * Math.PI / 180 : 0 });
+    view.set({
+      body: 0,
+      travel: x * factor,
+      ground: ground(x * factor),
+      load: 1,
+      time: 0,
+      roll: swept === "roll" ? (x * Math.PI) / 180 : 0,
+    });
     multiples.mark(x);
   };
   let ground = (_: number) => 0;
-  const points = rig.numbers.map((one) => one.path).filter((path) => /ball_joint\[2\]|tie_rod_(inner|outer)\[2\]/.test(path)).slice(0, 4);
-  const sliders = new Sliders(rig, points, () => { dragged.set(moved()); void ask(); }, before?.changes);
-  const moved = () => rig.numbers.map(({ path, value }) => ({ path, value: sliders.changes[path] ?? value }));
-  const dragged = new Points(view, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); void ask(); });
+  const points = rig.numbers
+    .map((one) => one.path)
+    .filter((path) => /ball_joint\[2\]|tie_rod_(inner|outer)\[2\]/.test(path))
+    .slice(0, 4);
+  const sliders = new Sliders(
+    rig,
+    points,
+    () => {
+      dragged.set(moved());
+      void ask();
+    },
+    before?.changes,
+  );
+  const moved = () =>
+    rig.numbers.map(({ path, value }) => ({ path, value: sliders.changes[path] ?? value }));
+  const dragged = new Points(view, (changes) => {
+    for (const [path, value] of Object.entries(changes)) sliders.set(path, value);
+    void ask();
+  });
   dragged.set(moved());
 
-  const targets: Target[] = before?.targets ?? [], chosen = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((entry) => entry.kind === "design").map((entry) => make("option", { value: entry.path }, entry.path)));
+  const targets: Target[] = before?.targets ?? [],
+    chosen = make(
+      "select",
+      {},
+      make("option", { value: "" }, tr("none")),
+      ...entries
+        .filter((entry) => entry.kind === "design")
+        .map((entry) => make("option", { value: entry.path }, entry.path)),
+    );
   chosen.addEventListener("change", () => void ask());
   let quantities: { name: string; unit: string }[] = [];
-  const wanted = new Targets(targets, () => quantities, () => over.value as Over, () => void ask());
+  const wanted = new Targets(
+    targets,
+    () => quantities,
+    () => over.value as Over,
+    () => void ask(),
+  );
 
   const entered = () => ({ changes: sliders.changes, targets });
   const put = (was: ReturnType<typeof entered>) => {
@@ -121,82 +313,214 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     wanted.list();
     return ask();
   };
-  const drafts = new Drafts(folder, address("kinematics", { rig: name }), { changes: {}, targets: [] }, entered, put, () => digest), steps = new Steps(entered, put, place);
-  const ask = () => { drafts.changed(); steps.changed(); return asked(); };
-  const asked = () => newest.ask(async () => {
-    if (!place.isConnected) return;
-    const began = performance.now(), now = over.value as Over, text = (one: Drive) => (one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "");
-    const waiting = setTimeout(() => { state.textContent = tr("computing; the first time a model is compiled once, which takes some seconds"); }, 500);
-    try {
-      const store = inWords(Store.of(await api.curves("kinematics", {
-        rig: name, changes: sliders.changes, over: now, against: against.value, targets, study: chosen.value,
-        travel: now === "roll" ? "" : text(drives.travel), rack: hasRack ? text(drives.rack) : "", roll: now === "roll" ? text(drives.roll) : "",
-      })));
+  const drafts = new Drafts(
+      folder,
+      address("kinematics", { rig: name }),
+      { changes: {}, targets: [] },
+      entered,
+      put,
+      () => digest,
+    ),
+    steps = new Steps(entered, put, place);
+  const ask = () => {
+    drafts.changed();
+    steps.changed();
+    return asked();
+  };
+  const asked = () =>
+    newest.ask(async () => {
       if (!place.isConnected) return;
-      const extra = store.content as unknown as Extra & api.Answer & api.OfRig, model = store.content.viewers[0]!, scene = model.scenes[0]!, x = store.get(scene.x);
-      centres = extra.centres;
-      swept = now;
-      last = { low: x[0] as number, high: x[x.length - 1] as number };
-      if (scene.motion) {
-        const mechanism = store.content.mechanisms[scene.motion.mechanism]!, along = mechanism.travel;
-        factor = Math.abs(last.high) > 0 ? along[along.length - 1]! / last.high : last.low !== 0 ? along[0]! / last.low : 1;
-        ground = (travel) => mechanism.contact[nearest(along, travel)]?.[2] ?? 0;
-        view.show(mechanism, scene.motion);
-        view.showCentres(isTurned ? centres : null);
+      const began = performance.now(),
+        now = over.value as Over,
+        text = (one: Drive) =>
+          one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "";
+      const waiting = setTimeout(() => {
+        state.textContent = tr(
+          "computing; the first time a model is compiled once, which takes some seconds",
+        );
+      }, 500);
+      try {
+        const store = inWords(
+          Store.of(
+            await api.curves("kinematics", {
+              rig: name,
+              changes: sliders.changes,
+              over: now,
+              against: against.value,
+              targets,
+              study: chosen.value,
+              travel: now === "roll" ? "" : text(drives.travel),
+              rack: hasRack ? text(drives.rack) : "",
+              roll: now === "roll" ? text(drives.roll) : "",
+            }),
+          ),
+        );
+        if (!place.isConnected) return;
+        const extra = store.content as unknown as Extra & api.Answer & api.OfRig,
+          model = store.content.viewers[0]!,
+          scene = model.scenes[0]!,
+          x = store.get(scene.x);
+        centres = extra.centres;
+        swept = now;
+        last = { low: x[0] as number, high: x[x.length - 1] as number };
+        if (scene.motion) {
+          const mechanism = store.content.mechanisms[scene.motion.mechanism]!,
+            along = mechanism.travel;
+          factor =
+            Math.abs(last.high) > 0
+              ? along[along.length - 1]! / last.high
+              : last.low !== 0
+                ? along[0]! / last.low
+                : 1;
+          ground = (travel) => mechanism.contact[nearest(along, travel)]?.[2] ?? 0;
+          view.show(mechanism, scene.motion);
+          view.showCentres(isTurned ? centres : null);
+        }
+        quantities = scene.panes
+          .filter((pane) => !pane.name.startsWith("Δ"))
+          .map(({ name: one, unit }) => ({ name: one, unit }));
+        wanted.offer();
+        multiples.show(model, store, extra.targets);
+        pose();
+        notes.replaceChildren(
+          ...extra.notes.map((one) => make("p", { class: "muted" }, asSaid(one))),
+        );
+        legend.replaceChildren(
+          ...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) =>
+            make(
+              "li",
+              {},
+              make("i", { class: `swatch ${role}` }),
+              label,
+              k ? ` (${tr("dashed")})` : "",
+            ),
+          ),
+        );
+        same.show(extra);
+        outdated.show(extra);
+        view.draw();
+        times.push(performance.now() - began);
+        state.textContent =
+          tr("# curves computed and drawn", String(quantities.length)) +
+          ` ${tr("in")} ${written(times[times.length - 1]!, 2)} ms`;
+        state.classList.remove("problem");
+      } catch (error) {
+        state.textContent = error instanceof Error ? error.message : String(error);
+        state.classList.add("problem");
+      } finally {
+        clearTimeout(waiting);
       }
-      quantities = scene.panes.filter((pane) => !pane.name.startsWith("Δ")).map(({ name: one, unit }) => ({ name: one, unit }));
-      wanted.offer();
-      multiples.show(model, store, extra.targets);
-      pose();
-      notes.replaceChildren(...extra.notes.map((one) => make("p", { class: "muted" }, asSaid(one))));
-      legend.replaceChildren(...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) => make("li", {}, make("i", { class: `swatch ${role}` }), label, k ? ` (${tr("dashed")})` : "")));
-      same.show(extra);
-      outdated.show(extra);
-      view.draw();
-      times.push(performance.now() - began);
-      state.textContent = tr("# curves computed and drawn", String(quantities.length)) + ` ${tr("in")} ${written(times[times.length - 1]!, 2)} ms`;
-      state.classList.remove("problem");
-    } catch (error) {
-      state.textContent = error instanceof Error ? error.message : String(error);
-      state.classList.add("problem");
-    } finally { clearTimeout(waiting); }
-  });
-  const legend = make("ul", { class: "legend" }), filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
+    });
+  const legend = make("ul", { class: "legend" }),
+    filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
   filter.addEventListener("input", () => multiples.filter(filter.value));
-  const write = make("button", { type: "button" }, tr("Write these changes into the file")), written_ = make("span", { "aria-live": "polite" });
+  const write = make("button", { type: "button" }, tr("Write these changes into the file")),
+    written_ = make("span", { "aria-live": "polite" });
   write.addEventListener("click", () => {
     const changes = { ...sliders.changes };
-    if (!Object.keys(changes).length) { written_.textContent = tr("Nothing is changed."); return; }
-    void once(write, (async () => {
-      try {
-        const file = await api.file(name), found = await api.form(name, file.text, [], changes);
-        if (found.problems.length) throw new Error(found.problems[0]!.text);
-        await api.save(name, found.text, file.digest);
-        if (!place.isConnected) return;
-        const inFile = new Map(rig.numbers.map(({ path, value }) => [path, changes[path] ?? value])), later = moved().filter(({ path, value }) => value !== inFile.get(path));
-        kept = { rig: name, said: tr("The changes stand in the file; what it was before is an earlier version."), targets, changes: Object.fromEntries(later.map(({ path, value }) => [path, value])) };
-        drafts.drop(); // the page that comes has it all
-        dispatchEvent(new HashChangeEvent("hashchange"));
-      } catch (error) { written_.replaceChildren(problem(error)); }
-    })());
+    if (!Object.keys(changes).length) {
+      written_.textContent = tr("Nothing is changed.");
+      return;
+    }
+    void once(
+      write,
+      (async () => {
+        try {
+          const file = await api.file(name),
+            found = await api.form(name, file.text, [], changes);
+          if (found.problems.length) throw new Error(found.problems[0]!.text);
+          await api.save(name, found.text, file.digest);
+          if (!place.isConnected) return;
+          const inFile = new Map(
+              rig.numbers.map(({ path, value }) => [path, changes[path] ?? value]),
+            ),
+            later = moved().filter(({ path, value }) => value !== inFile.get(path));
+          kept = {
+            rig: name,
+            said: tr("The changes stand in the file; what it was before is an earlier version."),
+            targets,
+            changes: Object.fromEntries(later.map(({ path, value }) => [path, value])),
+          };
+          drafts.drop(); // the page that comes has it all
+          dispatchEvent(new HashChangeEvent("hashchange"));
+        } catch (error) {
+          written_.replaceChildren(problem(error));
+        }
+      })(),
+    );
   });
-  const design = isOwn ? designing(name, rig, targets, sliders, (changes) => { for (const [path, value] of Object.entries(changes)) sliders.set(path, value); dragged.set(moved()); void ask(); }) : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
+  const design = isOwn
+    ? designing(name, rig, targets, sliders, (changes) => {
+        for (const [path, value] of Object.entries(changes)) sliders.set(path, value);
+        dragged.set(moved());
+        void ask();
+      })
+    : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
   whenColoursChange(() => view.repaint());
   arrange();
-  place.replaceChildren(make("h1", {}, tr("Kinematics of #", name)), ...(isOwn ? [make("p", { class: "bar" }, make("a", { href: address("rig", { name }) }, tr("To its file")))] : []), drafts.element,
-    make("div", { class: "form" }, field(tr("Curves over"), over), field(tr("Compare with"), against), field(tr("Targets of a study"), chosen), field(tr("Show curves with"), filter)),
-    make("div", { class: "sliders drives" }, ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map((one) => drives[one].element)),
-    outdated.element, state, notes,
-    make("div", { class: "beside" }, make("div", { class: "stuck" }, stage, dragged.element, steps.element), make("div", {}, legend, make("div", { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") }, multiples.element))),
-    make("h2", {}, tr("Numbers")), sliders.element, ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
-    make("h2", {}, tr("Targets")), wanted.element, make("h2", {}, tr("Design from targets")), design, same.element);
+  place.replaceChildren(
+    make("h1", {}, tr("Kinematics of #", name)),
+    ...(isOwn
+      ? [
+          make(
+            "p",
+            { class: "bar" },
+            make("a", { href: address("rig", { name }) }, tr("To its file")),
+          ),
+        ]
+      : []),
+    drafts.element,
+    make(
+      "div",
+      { class: "form" },
+      field(tr("Curves over"), over),
+      field(tr("Compare with"), against),
+      field(tr("Targets of a study"), chosen),
+      field(tr("Show curves with"), filter),
+    ),
+    make(
+      "div",
+      { class: "sliders drives" },
+      ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map(
+        (one) => drives[one].element,
+      ),
+    ),
+    outdated.element,
+    state,
+    notes,
+    make(
+      "div",
+      { class: "beside" },
+      make("div", { class: "stuck" }, stage, dragged.element, steps.element),
+      make(
+        "div",
+        {},
+        legend,
+        make(
+          "div",
+          { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") },
+          multiples.element,
+        ),
+      ),
+    ),
+    make("h2", {}, tr("Numbers")),
+    sliders.element,
+    ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
+    make("h2", {}, tr("Targets")),
+    wanted.element,
+    make("h2", {}, tr("Design from targets")),
+    design,
+    same.element,
+  );
   written_.textContent = before?.said ?? "";
   await ask();
 }
 
 function nearest(grid: number[], value: number): number {
   let best = 0;
-  grid.forEach((one, i) => { if (Math.abs(one - value) < Math.abs(grid[best]! - value)) best = i; });
+  grid.forEach((one, i) => {
+    if (Math.abs(one - value) < Math.abs(grid[best]! - value)) best = i;
+  });
   return best;
 }
 
@@ -207,15 +531,60 @@ class Targets {
   private readonly rows = make("tbody", {});
   private readonly adds = make("button", { type: "submit", disabled: true }, tr("Add the target")); // until there is a quantity
   private known = "";
-  constructor(private readonly targets: Target[], private readonly quantities: () => { name: string; unit: string }[], along: () => Over, private readonly changed: () => void) {
-    const how = make("select", {}, ...([["value", "="], ["at_least", "≥"], ["at_most", "≤"]] as const).map(([value, words]) => make("option", { value, title: tr(value.replace("_", " ")) }, words)));
-    const value = make("input", { type: "text", value: "0 deg" }), tolerance = make("input", { type: "text", value: "0.1 deg" }), where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
-    const unit = () => { const found = this.quantities().find((one) => one.name === this.quantity.value); if (found) { const text = found.unit.replace("°", "deg"); value.value = `0 ${text}`.trim(); tolerance.value = `0.1 ${text}`.trim(); } };
+  constructor(
+    private readonly targets: Target[],
+    private readonly quantities: () => { name: string; unit: string }[],
+    along: () => Over,
+    private readonly changed: () => void,
+  ) {
+    const how = make(
+      "select",
+      {},
+      ...(
+        [
+          ["value", "="],
+          ["at_least", "≥"],
+          ["at_most", "≤"],
+        ] as const
+      ).map(([value, words]) =>
+        make("option", { value, title: tr(value.replace("_", " ")) }, words),
+      ),
+    );
+    const value = make("input", { type: "text", value: "0 deg" }),
+      tolerance = make("input", { type: "text", value: "0.1 deg" }),
+      where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
+    const unit = () => {
+      const found = this.quantities().find((one) => one.name === this.quantity.value);
+      if (found) {
+        const text = found.unit.replace("°", "deg");
+        value.value = `0 ${text}`.trim();
+        tolerance.value = `0.1 ${text}`.trim();
+      }
+    };
     this.quantity.addEventListener("change", unit);
-    const add = make("form", { class: "form" }, field(tr("Quantity"), this.quantity), field(tr("is wanted"), how), field(tr("Value"), value), field(tr("Tolerance"), tolerance), field(tr("At, or over first:last:step"), where), this.adds);
+    const add = make(
+      "form",
+      { class: "form" },
+      field(tr("Quantity"), this.quantity),
+      field(tr("is wanted"), how),
+      field(tr("Value"), value),
+      field(tr("Tolerance"), tolerance),
+      field(tr("At, or over first:last:step"), where),
+      this.adds,
+    );
     add.addEventListener("submit", (event) => {
       event.preventDefault();
-      targets.push({ quantity: this.quantity.value, [how.value]: value.value, tolerance: tolerance.value, ...(where.value.includes(":") ? { over: where.value } : where.value ? { at: where.value } : {}), ...(where.value && along() === "rack" ? { along: "rack" } : {}) });
+      targets.push({
+        quantity: this.quantity.value,
+        [how.value]: value.value,
+        tolerance: tolerance.value,
+        ...(where.value.includes(":")
+          ? { over: where.value }
+          : where.value
+            ? { at: where.value }
+            : {}),
+        ...(where.value && along() === "rack" ? { along: "rack" } : {}),
+      });
       this.list();
       changed();
     });
@@ -228,14 +597,64 @@ class Targets {
     if (names.join() === this.known) return;
     this.known = names.join();
     const before = this.quantity.value;
-    this.quantity.replaceChildren(...names.map((one) => make("option", { value: one }, quantity(one))));
+    this.quantity.replaceChildren(
+      ...names.map((one) => make("option", { value: one }, quantity(one))),
+    );
     if (names.includes(before)) this.quantity.value = before;
     this.adds.disabled = !names.length;
   }
   list(): void {
-    this.rows.replaceChildren(...(this.targets.length ? this.targets.map((one, i) => make("tr", {}, make("th", { scope: "row" }, quantity(one.quantity)),
-      make("td", {}, one.value !== undefined ? `= ${one.value} ± ${one.tolerance}` : one.at_least !== undefined ? `≥ ${one.at_least} − ${one.tolerance}` : `≤ ${one.at_most} + ${one.tolerance}`), make("td", {}, `${one.over ?? one.at ?? tr("at design")}${one.along ? ` (${tr("rack travel")})` : ""}`),
-      make("td", {}, make("button", { type: "button", "aria-label": tr("Take # away", one.quantity), click: () => { this.targets.splice(i, 1); this.list(); this.changed(); } }, "×"))))
-      : [make("tr", {}, make("td", { class: "muted" }, tr("None yet: add one below, and its band stands in its curve.")))]));
+    this.rows.replaceChildren(
+      ...(this.targets.length
+        ? this.targets.map((one, i) =>
+            make(
+              "tr",
+              {},
+              make("th", { scope: "row" }, quantity(one.quantity)),
+              make(
+                "td",
+                {},
+                one.value !== undefined
+                  ? `= ${one.value} ± ${one.tolerance}`
+                  : one.at_least !== undefined
+                    ? `≥ ${one.at_least} − ${one.tolerance}`
+                    : `≤ ${one.at_most} + ${one.tolerance}`,
+              ),
+              make(
+                "td",
+                {},
+                `${one.over ?? one.at ?? tr("at design")}${one.along ? ` (${tr("rack travel")})` : ""}`,
+              ),
+              make(
+                "td",
+                {},
+                make(
+                  "button",
+                  {
+                    type: "button",
+                    "aria-label": tr("Take # away", one.quantity),
+                    click: () => {
+                      this.targets.splice(i, 1);
+                      this.list();
+                      this.changed();
+                    },
+                  },
+                  "×",
+                ),
+              ),
+            ),
+          )
+        : [
+            make(
+              "tr",
+              {},
+              make(
+                "td",
+                { class: "muted" },
+                tr("None yet: add one below, and its band stands in its curve."),
+              ),
+            ),
+          ]),
+    );
   }
 }

@@ -12,18 +12,48 @@ import { inWords } from "../quantities";
 
 export const project: Page = { label: "Project", show };
 
-interface Kept { path: string; rig: string; changes: Record<string, number | string>; trial: { road: Record<string, string>; speed: string; duration: string }; seed: number | null; version: string; rig_digest: string; trial_digest: string; when: number }
+interface Kept {
+  path: string;
+  rig: string;
+  changes: Record<string, number | string>;
+  trial: { road: Record<string, string>; speed: string; duration: string };
+  seed: number | null;
+  version: string;
+  rig_digest: string;
+  trial_digest: string;
+  when: number;
+}
 
 /** A job, as far as it says what it was begun with. */
-interface Begun { asked: Record<string, unknown> | null }
+interface Begun {
+  asked: Record<string, unknown> | null;
+}
 
 /** What pages are called on which something is entered. */
-const LABELS: Record<string, string> = { rig: "Rig", kinematics: "Kinematics", campaign: "Campaign", ride: "Ride and control", inspection: "Inspection", studies: "Studies" };
+const LABELS: Record<string, string> = {
+  rig: "Rig",
+  kinematics: "Kinematics",
+  campaign: "Campaign",
+  ride: "Ride and control",
+  inspection: "Inspection",
+  studies: "Studies",
+};
 /** Where a file of a kind opens, and in which words. */
 const OPENS: Record<string, [page: string, key: string, words: string][]> = {
-  rig: [["rig", "name", "edit"], ["trial", "rig", "drive it"], ["kinematics", "rig", "kinematics"]],
-  vehicle: [["rig", "name", "edit"], ["trial", "rig", "drive it"]],
-  record: [["record", "path", "look at it"], ["trial", "record", "beside a run"], ["inspection", "record", "inspect"]],
+  rig: [
+    ["rig", "name", "edit"],
+    ["trial", "rig", "drive it"],
+    ["kinematics", "rig", "kinematics"],
+  ],
+  vehicle: [
+    ["rig", "name", "edit"],
+    ["trial", "rig", "drive it"],
+  ],
+  record: [
+    ["record", "path", "look at it"],
+    ["trial", "record", "beside a run"],
+    ["inspection", "record", "inspect"],
+  ],
   campaign: [["campaign", "file", "open"]],
   sweep: [["studies", "study", "begin"]],
   swept: [["studies", "folder", "results"]],
@@ -31,84 +61,353 @@ const OPENS: Record<string, [page: string, key: string, words: string][]> = {
 };
 
 async function show(place: HTMLElement): Promise<void> {
-  const [{ name, folder, entries }, library, kept, jobs] = await Promise.all([api.project(), api.library(), api.get<Kept[]>("/api/history"), api.get<Begun[]>("/api/jobs")]);
+  const [{ name, folder, entries }, library, kept, jobs] = await Promise.all([
+    api.project(),
+    api.library(),
+    api.get<Kept[]>("/api/history"),
+    api.get<Begun[]>("/api/jobs"),
+  ]);
   document.getElementById("project")!.textContent = name;
   const rows = entries.map((entry) => {
-    const opens = OPENS[entry.kind] ?? [], [first] = opens;
+    const opens = OPENS[entry.kind] ?? [],
+      [first] = opens;
     const page = entry.kind === "page" && entry.path.endsWith(".html") ? entry.address : null;
-    return make("tr", {},
-      make("th", { scope: "row" }, first ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path) : page ? make("a", { href: page, target: "_blank" }, entry.path) : entry.path),
-      make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)), make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`), make("td", {}, moment(1000 * entry.modified)),
-      make("td", { class: "links" }, ...opens.slice(1).filter(([to]) => to !== "kinematics" || entry.has_hardpoints).flatMap(([to, key, words]) => [make("a", { href: address(to, { [key]: entry.path }) }, tr(words)), " "])));
+    return make(
+      "tr",
+      {},
+      make(
+        "th",
+        { scope: "row" },
+        first
+          ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path)
+          : page
+            ? make("a", { href: page, target: "_blank" }, entry.path)
+            : entry.path,
+      ),
+      make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)),
+      make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`),
+      make("td", {}, moment(1000 * entry.modified)),
+      make(
+        "td",
+        { class: "links" },
+        ...opens
+          .slice(1)
+          .filter(([to]) => to !== "kinematics" || entry.has_hardpoints)
+          .flatMap(([to, key, words]) => [
+            make("a", { href: address(to, { [key]: entry.path }) }, tr(words)),
+            " ",
+          ]),
+      ),
+    );
   });
-  const choice = make("select", {}, ...library.map((one) => make("option", { value: one.name }, one.name)));
-  const target = make("input", { type: "text", value: `${library[0]?.name ?? "rig"}.toml`, spellcheck: "false" });
-  choice.addEventListener("change", () => { target.value = `${choice.value}.toml`; });
+  const choice = make(
+    "select",
+    {},
+    ...library.map((one) => make("option", { value: one.name }, one.name)),
+  );
+  const target = make("input", {
+    type: "text",
+    value: `${library[0]?.name ?? "rig"}.toml`,
+    spellcheck: "false",
+  });
+  choice.addEventListener("change", () => {
+    target.value = `${choice.value}.toml`;
+  });
   const told = make("div", { "aria-live": "polite" });
   const copy = make("button", { type: "submit", class: "main" }, tr("Copy it here"));
-  const form = make("form", { class: "form" }, field(tr("Shipped rig"), choice), field(tr("Name of your file"), target), copy);
+  const form = make(
+    "form",
+    { class: "form" },
+    field(tr("Shipped rig"), choice),
+    field(tr("Name of your file"), target),
+    copy,
+  );
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    once(copy, api.start(choice.value, target.value)).then((made) => goTo(place, "rig", { name: made.path }), (error) => told.replaceChildren(problem(error)));
+    once(copy, api.start(choice.value, target.value)).then(
+      (made) => goTo(place, "rig", { name: made.path }),
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
   place.replaceChildren(
-    make("h1", {}, name), make("p", { class: "muted" }, folder), unsaved(draftsOf(folder)), next(entries, kept, jobs),
+    make("h1", {}, name),
+    make("p", { class: "muted" }, folder),
+    unsaved(draftsOf(folder)),
+    next(entries, kept, jobs),
     entries.length
-      ? make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") }, make("table", {}, make("thead", {}, make("tr", {}, ...[tr("file"), tr("what it is"), tr("size"), tr("written"), tr("to do")].map((text, k) => make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text)))), make("tbody", {}, ...rows)))
-      : make("p", { class: "empty" }, tr("No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.")),
-    make("h2", {}, tr("Start from an example")), form, told, ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []));
+      ? make(
+          "div",
+          { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") },
+          make(
+            "table",
+            {},
+            make(
+              "thead",
+              {},
+              make(
+                "tr",
+                {},
+                ...[tr("file"), tr("what it is"), tr("size"), tr("written"), tr("to do")].map(
+                  (text, k) =>
+                    make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text),
+                ),
+              ),
+            ),
+            make("tbody", {}, ...rows),
+          ),
+        )
+      : make(
+          "p",
+          { class: "empty" },
+          tr(
+            "No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.",
+          ),
+        ),
+    make("h2", {}, tr("Start from an example")),
+    form,
+    told,
+    ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []),
+  );
 }
 
 /** A sweep, and how far it is: what is not finished can go on. */
-const how = ({ finished, count }: api.Entry): string => count === null ? tr("sweep's results") : `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written(100 * (finished ?? 0) / (count || 1), 3)} %`)}`;
+const how = ({ finished, count }: api.Entry): string =>
+  count === null
+    ? tr("sweep's results")
+    : `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written((100 * (finished ?? 0)) / (count || 1), 3)} %`)}`;
 
 /** What was entered on other pages and not saved. */
 function unsaved(drafts: Lying[]): HTMLElement {
-  const section = make("section", { class: "drafts", hidden: !drafts.length, tabindex: "-1", "aria-label": tr("Unsaved changes") });
-  section.append(make("h2", {}, tr("Unsaved changes")), make("ul", {}, ...drafts.map(({ key, page, at }) => {
-    const [name = "", values] = page.replace(/^#\//, "").split("?"), file = [...new URLSearchParams(values).values()][0] ?? "", words = [tr(LABELS[name] ?? name), file].filter(Boolean).join(": ");
-    const away = make("button", { type: "button", "aria-label": `${tr("Discard")}: ${words}` }, tr("Discard")), row = make("li", {}, make("a", { href: page }, words), `, ${moment(at)} `, away);
-    away.addEventListener("click", () => { discard(key); row.remove(); section.focus(); section.hidden = !section.querySelector("li"); });
-    return row;
-  })));
+  const section = make("section", {
+    class: "drafts",
+    hidden: !drafts.length,
+    tabindex: "-1",
+    "aria-label": tr("Unsaved changes"),
+  });
+  section.append(
+    make("h2", {}, tr("Unsaved changes")),
+    make(
+      "ul",
+      {},
+      ...drafts.map(({ key, page, at }) => {
+        const [name = "", values] = page.replace(/^#\//, "").split("?"),
+          file = [...new URLSearchParams(values).values()][0] ?? "",
+          words = [tr(LABELS[name] ?? name), file].filter(Boolean).join(": ");
+        const away = make(
+            "button",
+            { type: "button", "aria-label": `${tr("Discard")}: ${words}` },
+            tr("Discard"),
+          ),
+          row = make("li", {}, make("a", { href: page }, words), `, ${moment(at)} `, away);
+        away.addEventListener("click", () => {
+          discard(key);
+          row.remove();
+          section.focus();
+          section.hidden = !section.querySelector("li");
+        });
+        return row;
+      }),
+    ),
+  );
   return section;
 }
 
 /** What there is to do with what lies here. */
 function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
-  const of = (kind: string) => entries.filter((one) => one.kind === kind), [rig] = of("rig"), record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
+  const of = (kind: string) => entries.filter((one) => one.kind === kind),
+    [rig] = of("rig"),
+    record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
   const steps: HTMLElement[] = [];
   for (const { path } of of("campaign")) {
-    const isRun = jobs.some((job) => job.asked?.campaign === path) || of("results").some((one) => one.path.startsWith(path.replace(/[^/]*$/, "results")));
-    if (!isRun) steps.push(make("li", {}, make("a", { href: address("campaign", { file: path }) }, tr("Run #", path)), tr(": parts characterised, the model updated, every trial compared.")));
+    const isRun =
+      jobs.some((job) => job.asked?.campaign === path) ||
+      of("results").some((one) => one.path.startsWith(path.replace(/[^/]*$/, "results")));
+    if (!isRun)
+      steps.push(
+        make(
+          "li",
+          {},
+          make("a", { href: address("campaign", { file: path }) }, tr("Run #", path)),
+          tr(": parts characterised, the model updated, every trial compared."),
+        ),
+      );
   }
-  if (!rig) steps.push(make("li", {}, tr("Start from a shipped rig, below.")), make("li", {}, make("a", { href: address("campaign") }, tr("Start from a campaign that runs as it is")), "."));
+  if (!rig)
+    steps.push(
+      make("li", {}, tr("Start from a shipped rig, below.")),
+      make(
+        "li",
+        {},
+        make("a", { href: address("campaign") }, tr("Start from a campaign that runs as it is")),
+        ".",
+      ),
+    );
   else {
-    if (!kept.length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Drive # over an obstacle", rig.path)), tr(", and keep the run.")));
-    if (kept.length === 1) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path }) }, tr("Change # and keep another run", rig.path)), tr(", to compare the two.")));
-    if (record && !of("campaign").length) steps.push(make("li", {}, make("a", { href: address("trial", { rig: rig.path, record: record.path }) }, tr("Look at # beside a run", record.path)), "."));
-    if (!of("sweep").length && !of("swept").length) steps.push(make("li", {}, make("a", { href: address("studies") }, tr("Vary its numbers in a study")), "."));
+    if (!kept.length)
+      steps.push(
+        make(
+          "li",
+          {},
+          make(
+            "a",
+            { href: address("trial", { rig: rig.path }) },
+            tr("Drive # over an obstacle", rig.path),
+          ),
+          tr(", and keep the run."),
+        ),
+      );
+    if (kept.length === 1)
+      steps.push(
+        make(
+          "li",
+          {},
+          make(
+            "a",
+            { href: address("trial", { rig: rig.path }) },
+            tr("Change # and keep another run", rig.path),
+          ),
+          tr(", to compare the two."),
+        ),
+      );
+    if (record && !of("campaign").length)
+      steps.push(
+        make(
+          "li",
+          {},
+          make(
+            "a",
+            { href: address("trial", { rig: rig.path, record: record.path }) },
+            tr("Look at # beside a run", record.path),
+          ),
+          ".",
+        ),
+      );
+    if (!of("sweep").length && !of("swept").length)
+      steps.push(
+        make(
+          "li",
+          {},
+          make("a", { href: address("studies") }, tr("Vary its numbers in a study")),
+          ".",
+        ),
+      );
   }
-  return steps.length ? make("section", { class: "next", "aria-label": tr("What to do next") }, make("h2", {}, tr("What to do next")), make("ul", {}, ...steps)) : make("section", { hidden: true });
+  return steps.length
+    ? make(
+        "section",
+        { class: "next", "aria-label": tr("What to do next") },
+        make("h2", {}, tr("What to do next")),
+        make("ul", {}, ...steps),
+      )
+    : make("section", { hidden: true });
 }
 
 /** Runs with what they were made of; those that are chosen are drawn over each other. */
 function history(kept: Kept[]): HTMLElement {
-  const boxes = kept.map((one, i) => make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 })), out = make("div", {});
+  const boxes = kept.map((one, i) =>
+      make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 }),
+    ),
+    out = make("div", {});
   const compare = make("button", { type: "button" }, tr("Compare those that are chosen"));
   const short = (digest: string) => make("code", { title: digest }, digest.slice(0, 8));
   compare.addEventListener("click", () => {
-    const paths = kept.filter((_, i) => boxes[i]!.checked).map((one) => one.path).slice(0, 6);
-    if (!paths.length) { out.replaceChildren(make("p", { class: "muted" }, tr("Choose one or more of them."))); return; }
-    once(compare, api.binary("/api/compare", { paths })).then((answer) => {
-      const store = inWords(Store.of(answer));
-      out.replaceChildren(new Player(store.content.viewers[0]!, store).element, make("div", { class: "ways" }, ...ways(store.content as unknown as api.Answer)));
-    }, (error) => out.replaceChildren(problem(error)));
+    const paths = kept
+      .filter((_, i) => boxes[i]!.checked)
+      .map((one) => one.path)
+      .slice(0, 6);
+    if (!paths.length) {
+      out.replaceChildren(make("p", { class: "muted" }, tr("Choose one or more of them.")));
+      return;
+    }
+    once(compare, api.binary("/api/compare", { paths })).then(
+      (answer) => {
+        const store = inWords(Store.of(answer));
+        out.replaceChildren(
+          new Player(store.content.viewers[0]!, store).element,
+          make("div", { class: "ways" }, ...ways(store.content as unknown as api.Answer)),
+        );
+      },
+      (error) => out.replaceChildren(problem(error)),
+    );
   });
-  const road = ({ trial }: Kept) => `${tr(String(trial.road.kind ?? "").replace("-", " "))} ${Object.entries(trial.road).filter(([key]) => !["kind", "start"].includes(key)).map(([, value]) => value).join(" × ")}, ${trial.speed}`;
-  return make("section", {}, make("div", { class: "table", tabindex: "0", role: "region", "aria-label": tr("Runs that were kept") }, make("table", {},
-    make("thead", {}, make("tr", {}, ...["", tr("run"), tr("rig"), tr("changes"), tr("trial"), tr("inputs"), tr("seed"), tr("version"), tr("kept")].map((text) => make("th", { scope: "col" }, text || make("span", { class: "hidden" }, tr("compare")))))),
-    make("tbody", {}, ...kept.map((one, i) => make("tr", {}, make("td", {}, boxes[i]!), make("th", { scope: "row" }, make("a", { href: address("record", { path: one.path }) }, one.path.replace(/^runs\//, ""))), make("td", {}, one.rig),
-      make("td", {}, Object.entries(one.changes).map(([path, value]) => `${path} = ${typeof value === "number" ? written(value, 5) : value}`).join(", ") || "–"), make("td", {}, road(one)), make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)), make("td", {}, one.seed === null ? "–" : String(one.seed)), make("td", {}, one.version), make("td", {}, moment(1000 * one.when)))))),
-  ), make("p", { class: "bar" }, compare), out);
+  const road = ({ trial }: Kept) =>
+    `${tr(String(trial.road.kind ?? "").replace("-", " "))} ${Object.entries(trial.road)
+      .filter(([key]) => !["kind", "start"].includes(key))
+      .map(([, value]) => value)
+      .join(" × ")}, ${trial.speed}`;
+  return make(
+    "section",
+    {},
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": tr("Runs that were kept") },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            ...[
+              "",
+              tr("run"),
+              tr("rig"),
+              tr("changes"),
+              tr("trial"),
+              tr("inputs"),
+              tr("seed"),
+              tr("version"),
+              tr("kept"),
+            ].map((text) =>
+              make(
+                "th",
+                { scope: "col" },
+                text || make("span", { class: "hidden" }, tr("compare")),
+              ),
+            ),
+          ),
+        ),
+        make(
+          "tbody",
+          {},
+          ...kept.map((one, i) =>
+            make(
+              "tr",
+              {},
+              make("td", {}, boxes[i]!),
+              make(
+                "th",
+                { scope: "row" },
+                make(
+                  "a",
+                  { href: address("record", { path: one.path }) },
+                  one.path.replace(/^runs\//, ""),
+                ),
+              ),
+              make("td", {}, one.rig),
+              make(
+                "td",
+                {},
+                Object.entries(one.changes)
+                  .map(
+                    ([path, value]) =>
+                      `${path} = ${typeof value === "number" ? written(value, 5) : value}`,
+                  )
+                  .join(", ") || "–",
+              ),
+              make("td", {}, road(one)),
+              make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)),
+              make("td", {}, one.seed === null ? "–" : String(one.seed)),
+              make("td", {}, one.version),
+              make("td", {}, moment(1000 * one.when)),
+            ),
+          ),
+        ),
+      ),
+    ),
+    make("p", { class: "bar" }, compare),
+    out,
+  );
 }

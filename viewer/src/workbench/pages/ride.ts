@@ -6,7 +6,19 @@ import { Player } from "../../player";
 import { tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
-import { accompany, begin, follow, JobCard, jobList, Question, report, titled, undone, ways, whole } from "../jobs";
+import {
+  accompany,
+  begin,
+  follow,
+  JobCard,
+  jobList,
+  Question,
+  report,
+  titled,
+  undone,
+  ways,
+  whole,
+} from "../jobs";
 import { field, once, problem } from "../parts";
 import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
 import type { Choices } from "./inspection";
@@ -15,90 +27,320 @@ import { advised, asSaid, raised } from "../refusals";
 
 export const ride: Page = { label: "Ride and control", show };
 
-interface Run { control: string; merits: Record<string, number>; comfort: Record<string, string>; findings: { severity: string; message: string; place: string }[] }
-interface Compared { vehicle: string; road: string; speed: number; duration: number; runs: Run[]; failed: Record<string, string> }
+interface Run {
+  control: string;
+  merits: Record<string, number>;
+  comfort: Record<string, string>;
+  findings: { severity: string; message: string; place: string }[];
+}
+interface Compared {
+  vehicle: string;
+  road: string;
+  speed: number;
+  duration: number;
+  runs: Run[];
+  failed: Record<string, string>;
+}
 interface Front {
-  metrics: Record<"comfort" | "holding" | "travel", string>; units: Record<string, string>; comfort: number[]; holding: number[]; travel: number[]; numbers: Record<string, number[]>; number_units: Record<string, string>;
-  marks: { name: string; kind: string; values: Record<string, number>; comfort: number; holding: number; travel: number }[]; converged: boolean; driven: string; findings: { severity: string; message: string }[];
+  metrics: Record<"comfort" | "holding" | "travel", string>;
+  units: Record<string, string>;
+  comfort: number[];
+  holding: number[];
+  travel: number[];
+  numbers: Record<string, number[]>;
+  number_units: Record<string, string>;
+  marks: {
+    name: string;
+    kind: string;
+    values: Record<string, number>;
+    comfort: number;
+    holding: number;
+    travel: number;
+  }[];
+  converged: boolean;
+  driven: string;
+  findings: { severity: string; message: string }[];
 }
 const MERITS: [string, string, string, number][] = [
-  ["comfort", "body, weighted r.m.s. (Wk)", "m/s²", 1], ["body_acceleration", "body r.m.s.", "m/s²", 1], ["travel", "strut travel r.m.s., worst corner", "mm", 1e3], ["travel_range", "strut travel, whole range, worst corner", "mm", 1e3],
-  ["load_coefficient", "dynamic wheel load coefficient, worst corner", "%", 100], ["lift_off", "time lifted off, worst corner", "%", 100],
+  ["comfort", "body, weighted r.m.s. (Wk)", "m/s²", 1],
+  ["body_acceleration", "body r.m.s.", "m/s²", 1],
+  ["travel", "strut travel r.m.s., worst corner", "mm", 1e3],
+  ["travel_range", "strut travel, whole range, worst corner", "mm", 1e3],
+  ["load_coefficient", "dynamic wheel load coefficient, worst corner", "%", 100],
+  ["lift_off", "time lifted off, worst corner", "%", 100],
 ];
 
 /** Units in which SI values are shown. */
-const SHOWN: Record<string, [string, number]> = { "m": ["mm", 1e3], "m/s^2": ["m/s²", 1], "N/m": ["N/mm", 1e-3], "N*s/m": ["N·s/m", 1], "1": ["–", 1], "kg*m^2": ["kg·m²", 1] };
-const told = (text: string | null): Record<string, number | string> => { try { return (JSON.parse(text ?? "{}") ?? {}) as Record<string, number>; } catch { return {}; } };
-const select = (names: string[], chosen = "") => make("select", {}, ...names.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
+const SHOWN: Record<string, [string, number]> = {
+  m: ["mm", 1e3],
+  "m/s^2": ["m/s²", 1],
+  "N/m": ["N/mm", 1e-3],
+  "N*s/m": ["N·s/m", 1],
+  "1": ["–", 1],
+  "kg*m^2": ["kg·m²", 1],
+};
+const told = (text: string | null): Record<string, number | string> => {
+  try {
+    return (JSON.parse(text ?? "{}") ?? {}) as Record<string, number>;
+  } catch {
+    return {};
+  }
+};
+const select = (names: string[], chosen = "") =>
+  make(
+    "select",
+    {},
+    ...names.map((name) =>
+      make("option", name === chosen ? { value: name, selected: true } : { value: name }, name),
+    ),
+  );
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
-  if (id) { await showRun(place, id); return; }
-  const [{ entries }, choices, library] = await Promise.all([api.project(), api.get<Choices>("/api/choices"), api.library()]);
-  const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...library.map((one) => one.name)];
-  const roads = [..."ABCDEFGH".split("").map((one) => `iso:${one}`), ...choices.roads, ...entries.filter((one) => one.kind === "road").map((one) => one.path)];
-  const vehicle = select(rigs, values.get("vehicle") ?? "audi-a6-quarter-car"), road = select(roads, values.get("road") ?? "iso:C"), changes = told(values.get("set"));
-  const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const speed = text(values.get("speed") ?? "20 m/s"), duration = text(values.get("duration") ?? "20 s"), seed = make("input", { type: "number", min: "0", value: "0" });
-  const controls = make("fieldset", { class: "free" }, make("legend", {}, "Controllers"), ...choices.controls.map((name) => make("label", {}, make("input", name === "passive" || name === "skyhook" ? { type: "checkbox", value: name, checked: true } : { type: "checkbox", value: name }), ` ${name}`)));
-  const said = make("div", { "aria-live": "polite" }), go = make("button", { type: "submit", class: "main" }, "Drive"), form = make("form", {});
+  if (id) {
+    await showRun(place, id);
+    return;
+  }
+  const [{ entries }, choices, library] = await Promise.all([
+    api.project(),
+    api.get<Choices>("/api/choices"),
+    api.library(),
+  ]);
+  const rigs = [
+    ...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path),
+    ...library.map((one) => one.name),
+  ];
+  const roads = [
+    ..."ABCDEFGH".split("").map((one) => `iso:${one}`),
+    ...choices.roads,
+    ...entries.filter((one) => one.kind === "road").map((one) => one.path),
+  ];
+  const vehicle = select(rigs, values.get("vehicle") ?? "audi-a6-quarter-car"),
+    road = select(roads, values.get("road") ?? "iso:C"),
+    changes = told(values.get("set"));
+  const text = (value: string, hint = "") =>
+    make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
+  const speed = text(values.get("speed") ?? "20 m/s"),
+    duration = text(values.get("duration") ?? "20 s"),
+    seed = make("input", { type: "number", min: "0", value: "0" });
+  const controls = make(
+    "fieldset",
+    { class: "free" },
+    make("legend", {}, "Controllers"),
+    ...choices.controls.map((name) =>
+      make(
+        "label",
+        {},
+        make(
+          "input",
+          name === "passive" || name === "skyhook"
+            ? { type: "checkbox", value: name, checked: true }
+            : { type: "checkbox", value: name },
+        ),
+        ` ${name}`,
+      ),
+    ),
+  );
+  const said = make("div", { "aria-live": "polite" }),
+    go = make("button", { type: "submit", class: "main" }, "Drive"),
+    form = make("form", {});
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    const chosen = [...controls.querySelectorAll<HTMLInputElement>("input:checked")].map((one) => one.value);
+    const chosen = [...controls.querySelectorAll<HTMLInputElement>("input:checked")].map(
+      (one) => one.value,
+    );
     const was = driven();
-    once(go, begin({ kind: "compare", vehicle: vehicle.value, road: road.value, speed: speed.value, duration: duration.value, seed: Number(seed.value), control: chosen.length ? chosen : ["passive"], changes }))
-      .then((job) => { drafts?.done({ drive: was }); goTo(place, "ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
+    once(
+      go,
+      begin({
+        kind: "compare",
+        vehicle: vehicle.value,
+        road: road.value,
+        speed: speed.value,
+        duration: duration.value,
+        seed: Number(seed.value),
+        control: chosen.length ? chosen : ["passive"],
+        changes,
+      }),
+    ).then(
+      (job) => {
+        drafts?.done({ drive: was });
+        goTo(place, "ride", { job: job.id });
+      },
+      (error) => said.replaceChildren(problem(error)),
+    );
   });
   vehicle.addEventListener("change", () => carry(vehicle.value));
   const changed = Object.entries(changes);
-  form.append(make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Duration", duration), field("Seed", seed)),
-    ...(changed.length ? [make("p", { class: "muted" }, `changed (SI): ${changed.map(([path, value]) => `${path} = ${written(Number(value), 5)}`).join(", ")} `, make("a", { href: address("ride", { vehicle: vehicle.value }) }, "as it is"))] : []), controls, make("div", { class: "bar" }, go), said);
-  const boxes = [...controls.querySelectorAll("input")], driving = { vehicle, road, speed, duration, seed, ...Object.fromEntries(boxes.map((one) => [`control ${one.value}`, one])) };
-  const driven = () => entered(driving), search = pareto(rigs, roads, (was) => drafts?.done({ search: was })), offers = make("div", {});
+  form.append(
+    make(
+      "div",
+      { class: "form" },
+      field("Vehicle or rig", vehicle),
+      field("Road", road),
+      field("Speed", speed),
+      field("Duration", duration),
+      field("Seed", seed),
+    ),
+    ...(changed.length
+      ? [
+          make(
+            "p",
+            { class: "muted" },
+            `changed (SI): ${changed.map(([path, value]) => `${path} = ${written(Number(value), 5)}`).join(", ")} `,
+            make("a", { href: address("ride", { vehicle: vehicle.value }) }, "as it is"),
+          ),
+        ]
+      : []),
+    controls,
+    make("div", { class: "bar" }, go),
+    said,
+  );
+  const boxes = [...controls.querySelectorAll("input")],
+    driving = {
+      vehicle,
+      road,
+      speed,
+      duration,
+      seed,
+      ...Object.fromEntries(boxes.map((one) => [`control ${one.value}`, one])),
+    };
+  const driven = () => entered(driving),
+    search = pareto(rigs, roads, (was) => drafts?.done({ search: was })),
+    offers = make("div", {});
   let drafts: Drafts<{ drive: Record<string, string>; search: Searched }> | null = null;
-  place.replaceChildren(make("h1", {}, "Ride and control"),
-    make("p", { class: "muted" }, "A vehicle over a rough road, passive and with controllers: comfort beside travel and road holding, in numbers, over time and as spectra."), offers, form,
-    make("h2", {}, "Best designs"), search.element,
-    make("h2", {}, "Rides and fronts"), jobList(["compare", "pareto"], (one) => { location.hash = address("ride", { job: one.id }); }, "Nothing was driven here yet."),
-    make("h2", {}, "Rides over each other"), overlay());
-  const [folder] = await Promise.all([api.folder(), search.loaded]), state = () => ({ drive: driven(), search: search.state() });
+  place.replaceChildren(
+    make("h1", {}, "Ride and control"),
+    make(
+      "p",
+      { class: "muted" },
+      "A vehicle over a rough road, passive and with controllers: comfort beside travel and road holding, in numbers, over time and as spectra.",
+    ),
+    offers,
+    form,
+    make("h2", {}, "Best designs"),
+    search.element,
+    make("h2", {}, "Rides and fronts"),
+    jobList(
+      ["compare", "pareto"],
+      (one) => {
+        location.hash = address("ride", { job: one.id });
+      },
+      "Nothing was driven here yet.",
+    ),
+    make("h2", {}, "Rides over each other"),
+    overlay(),
+  );
+  const [folder] = await Promise.all([api.folder(), search.loaded]),
+    state = () => ({ drive: driven(), search: search.state() });
   if (!place.isConnected) return;
-  drafts = new Drafts(folder, address("ride", values.has("set") ? Object.fromEntries(values) : {}), state(), state, async (was) => { enter(driving, was.drive); await search.restore(was.search); });
+  drafts = new Drafts(
+    folder,
+    address("ride", values.has("set") ? Object.fromEntries(values) : {}),
+    state(),
+    state,
+    async (was) => {
+      enter(driving, was.drive);
+      await search.restore(was.search);
+    },
+  );
   for (const one of [form, search.element]) drafts.hear(one);
   offers.replaceChildren(drafts.element);
 }
 
 /** Rides of any jobs that are done, up to six of any vehicles, over each other: over time, and as spectra. */
 function overlay(): HTMLElement {
-  interface One { vehicle: string; road: string; speed: string; duration: string; seed: number; changes: Record<string, unknown>; control: string }
-  interface Drawn { content: object; notes: string[]; failed: Record<string, string> }
-  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Rides that are done")), chosen = new Map<string, One>(), offered = new Set<string>();
-  const none = make("p", { class: "empty" }, "Drive first: every ride that is done can be chosen here."), over = make("select", {}, make("option", { value: "0" }, tr("time")), make("option", { value: "1" }, "frequency (spectra)"));
+  interface One {
+    vehicle: string;
+    road: string;
+    speed: string;
+    duration: string;
+    seed: number;
+    changes: Record<string, unknown>;
+    control: string;
+  }
+  interface Drawn {
+    content: object;
+    notes: string[];
+    failed: Record<string, string>;
+  }
+  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Rides that are done")),
+    chosen = new Map<string, One>(),
+    offered = new Set<string>();
+  const none = make(
+      "p",
+      { class: "empty" },
+      "Drive first: every ride that is done can be chosen here.",
+    ),
+    over = make(
+      "select",
+      {},
+      make("option", { value: "0" }, tr("time")),
+      make("option", { value: "1" }, "frequency (spectra)"),
+    );
   let draw = (): void => {};
   over.addEventListener("change", () => draw());
-  const question = new Question<Drawn>("Draw them", () => ({ kind: "overlay", rides: [...chosen.values()] }), ({ result, ...told }) => {
-    const holder = make("div", {});
-    void Store.open(JSON.stringify(result.content)).then(inWords).then((store) => {
-      if (!holder.isConnected) return; // others were drawn meanwhile
-      draw = () => { const model = store.content.viewers[Number(over.value)]; if (model) holder.replaceChildren(new Player(model, store).element); };
-      draw();
-    });
-    return [...Object.entries(result.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason))), ...result.notes.map((text) => make("p", { class: "muted" }, text)), holder, ways(told)];
-  });
-  const asking = make("div", { class: "form" }, field("Curves over", over), question.button), section = make("section", {}, none, boxes, asking, question.place);
+  const question = new Question<Drawn>(
+    "Draw them",
+    () => ({ kind: "overlay", rides: [...chosen.values()] }),
+    ({ result, ...told }) => {
+      const holder = make("div", {});
+      void Store.open(JSON.stringify(result.content))
+        .then(inWords)
+        .then((store) => {
+          if (!holder.isConnected) return; // others were drawn meanwhile
+          draw = () => {
+            const model = store.content.viewers[Number(over.value)];
+            if (model) holder.replaceChildren(new Player(model, store).element);
+          };
+          draw();
+        });
+      return [
+        ...Object.entries(result.failed).map(([name, reason]) =>
+          make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason)),
+        ),
+        ...result.notes.map((text) => make("p", { class: "muted" }, text)),
+        holder,
+        ways(told),
+      ];
+    },
+  );
+  const asking = make("div", { class: "form" }, field("Curves over", over), question.button),
+    section = make("section", {}, none, boxes, asking, question.place);
   boxes.hidden = asking.hidden = true;
   follow(section, (jobs) => {
-    for (const job of jobs.filter((one) => one.kind === "compare" && one.state === "done").reverse()) {
-      const { control, ...drive } = job.asked as unknown as Omit<One, "control"> & { control: string[] };
+    for (const job of jobs
+      .filter((one) => one.kind === "compare" && one.state === "done")
+      .reverse()) {
+      const { control, ...drive } = job.asked as unknown as Omit<One, "control"> & {
+        control: string[];
+      };
       for (const name of control) {
-        const one = { ...drive, control: name }, key = JSON.stringify(one);
+        const one = { ...drive, control: name },
+          key = JSON.stringify(one);
         delete (one as { kind?: string }).kind;
         if (offered.has(key)) continue; // the same was driven before
         offered.add(key);
         const box = make("input", { type: "checkbox" });
-        box.addEventListener("change", () => { if (box.checked) chosen.set(key, one); else chosen.delete(key); question.button.disabled = !chosen.size; });
-        const changed = Object.entries(one.changes).map(([path, value]) => `, ${path} = ${typeof value === "number" ? written(value, 4) : String(value)}`).join("");
-        boxes.append(make("label", {}, box, ` ${titled(job.title)}${one.seed ? `, ${one.seed}` : ""}, ${name}${changed}`));
+        box.addEventListener("change", () => {
+          if (box.checked) chosen.set(key, one);
+          else chosen.delete(key);
+          question.button.disabled = !chosen.size;
+        });
+        const changed = Object.entries(one.changes)
+          .map(
+            ([path, value]) =>
+              `, ${path} = ${typeof value === "number" ? written(value, 4) : String(value)}`,
+          )
+          .join("");
+        boxes.append(
+          make(
+            "label",
+            {},
+            box,
+            ` ${titled(job.title)}${one.seed ? `, ${one.seed}` : ""}, ${name}${changed}`,
+          ),
+        );
       }
     }
     none.hidden = offered.size > 0;
@@ -108,18 +350,55 @@ function overlay(): HTMLElement {
   return section;
 }
 
-interface Searched { form: Record<string, string>; rows: string[][] }
+interface Searched {
+  form: Record<string, string>;
+  rows: string[][];
+}
 
-function pareto(rigs: string[], roads: string[], begun: (was: Searched) => void): { element: HTMLElement; loaded: Promise<void>; state: () => Searched; restore: (was: Searched) => Promise<void> } {
-  const text = (value: string, hint = "") => make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const vehicle = select(rigs, "audi-a6-quarter-car"), road = select(roads.filter((one) => one.startsWith("iso:")), "iso:C"), speed = text("20 m/s"), points = make("input", { type: "number", min: "2", max: "200", value: "12" });
-  const rows = make("div", {}), paths = make("datalist", { id: "paths-that-are-free" }), said = make("div", { "aria-live": "polite" });
+function pareto(
+  rigs: string[],
+  roads: string[],
+  begun: (was: Searched) => void,
+): {
+  element: HTMLElement;
+  loaded: Promise<void>;
+  state: () => Searched;
+  restore: (was: Searched) => Promise<void>;
+} {
+  const text = (value: string, hint = "") =>
+    make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
+  const vehicle = select(rigs, "audi-a6-quarter-car"),
+    road = select(
+      roads.filter((one) => one.startsWith("iso:")),
+      "iso:C",
+    ),
+    speed = text("20 m/s"),
+    points = make("input", { type: "number", min: "2", max: "200", value: "12" });
+  const rows = make("div", {}),
+    paths = make("datalist", { id: "paths-that-are-free" }),
+    said = make("div", { "aria-live": "polite" });
   const limit = text("", "20 mm");
-  const more = make("button", { type: "button" }, "Another number"), go = make("button", { type: "button", class: "main" }, "Search");
+  const more = make("button", { type: "button" }, "Another number"),
+    go = make("button", { type: "button", class: "main" }, "Search");
   let numbers: api.RigNumber[] = [];
   const add = (path = "") => {
-    const own = numbers.find((one) => one.path === path), bounds = own ? `${Number((0.3 * own.value * own.factor).toPrecision(3))}..${Number((3 * own.value * own.factor).toPrecision(3))} ${own.unit}` : "";
-    const which = make("input", { type: "text", value: path, list: "paths-that-are-free", "aria-label": "number that is free", size: "30" }), within = make("input", { type: "text", value: bounds, placeholder: "low..high unit, or ±30 %", "aria-label": "its bounds" });
+    const own = numbers.find((one) => one.path === path),
+      bounds = own
+        ? `${Number((0.3 * own.value * own.factor).toPrecision(3))}..${Number((3 * own.value * own.factor).toPrecision(3))} ${own.unit}`
+        : "";
+    const which = make("input", {
+        type: "text",
+        value: path,
+        list: "paths-that-are-free",
+        "aria-label": "number that is free",
+        size: "30",
+      }),
+      within = make("input", {
+        type: "text",
+        value: bounds,
+        placeholder: "low..high unit, or ±30 %",
+        "aria-label": "its bounds",
+      });
     rows.append(make("div", { class: "bar pair" }, which, within));
   };
   const load = async () => {
@@ -134,79 +413,401 @@ function pareto(rigs: string[], roads: string[], begun: (was: Searched) => void)
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
       add(numbers.find((one) => /damper\.coefficient$/.test(one.path))?.path ?? numbers[0]?.path);
       more.disabled = go.disabled = false;
-    } catch (error) { if (vehicle.value === name) said.replaceChildren(problem(error)); }
+    } catch (error) {
+      if (vehicle.value === name) said.replaceChildren(problem(error));
+    }
   };
   let loaded = load();
-  vehicle.addEventListener("change", () => { loaded = load(); });
+  vehicle.addEventListener("change", () => {
+    loaded = load();
+  });
   more.addEventListener("click", () => add());
   go.addEventListener("click", () => {
-    const free = Object.fromEntries([...rows.children].map((row) => [...row.querySelectorAll("input")].map((one) => one.value.trim()) as [string, string]).filter(([path]) => path));
+    const free = Object.fromEntries(
+      [...rows.children]
+        .map(
+          (row) =>
+            [...row.querySelectorAll("input")].map((one) => one.value.trim()) as [string, string],
+        )
+        .filter(([path]) => path),
+    );
     const was = state();
-    once(go, begin({ kind: "pareto", vehicle: vehicle.value, road: road.value, speed: speed.value, free, points: Number(points.value), limit: limit.value ? { "strut.deflection": limit.value } : {} }))
-      .then((job) => { begun(was); goTo(said, "ride", { job: job.id }); }, (error) => said.replaceChildren(problem(error)));
+    once(
+      go,
+      begin({
+        kind: "pareto",
+        vehicle: vehicle.value,
+        road: road.value,
+        speed: speed.value,
+        free,
+        points: Number(points.value),
+        limit: limit.value ? { "strut.deflection": limit.value } : {},
+      }),
+    ).then(
+      (job) => {
+        begun(was);
+        goTo(said, "ride", { job: job.id });
+      },
+      (error) => said.replaceChildren(problem(error)),
+    );
   });
-  const controls = { vehicle, road, speed, points, limit }, state = () => ({ form: entered(controls), rows: [...rows.children].map((row) => [...row.querySelectorAll("input")].map((one) => one.value)) });
+  const controls = { vehicle, road, speed, points, limit },
+    state = () => ({
+      form: entered(controls),
+      rows: [...rows.children].map((row) =>
+        [...row.querySelectorAll("input")].map((one) => one.value),
+      ),
+    });
   const restore = async (was: Searched) => {
     enter(controls, was.form);
     await loaded;
     rows.replaceChildren();
-    for (const [path, within] of was.rows) { add(path); rows.lastElementChild!.querySelectorAll("input")[1]!.value = within ?? ""; }
+    for (const [path, within] of was.rows) {
+      add(path);
+      rows.lastElementChild!.querySelectorAll("input")[1]!.value = within ?? "";
+    }
   };
-  return { loaded, state, restore, element: make("section", {}, make("p", { class: "muted" }, "From the most comfortable design to the one that holds the road best; each of them opens as a ride."),
-    make("div", { class: "form" }, field("Vehicle or rig", vehicle), field("Road", road), field("Speed", speed), field("Designs", points), field("Most travel r.m.s., if any", limit)), rows, paths, make("div", { class: "bar" }, more, go), said) };
+  return {
+    loaded,
+    state,
+    restore,
+    element: make(
+      "section",
+      {},
+      make(
+        "p",
+        { class: "muted" },
+        "From the most comfortable design to the one that holds the road best; each of them opens as a ride.",
+      ),
+      make(
+        "div",
+        { class: "form" },
+        field("Vehicle or rig", vehicle),
+        field("Road", road),
+        field("Speed", speed),
+        field("Designs", points),
+        field("Most travel r.m.s., if any", limit),
+      ),
+      rows,
+      paths,
+      make("div", { class: "bar" }, more, go),
+      said,
+    ),
+  };
 }
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {
-  const first = await whole<Compared | Front>(id), results = make("div", {}), card = new JobCard(first);
-  place.replaceChildren(make("h1", {}, titled(first.title)), make("p", {}, make("a", { href: address("ride") }, "All rides")), card.element, results);
-  await accompany(place, first, (job) => card.show(job), (end) => {
-    if (!end.result) return;
-    results.replaceChildren(...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)), ...undone("runs" in end.result ? end.result : null), ways(end),
-      ...(end.has_page ? [report(end.report, "runs" in end.result ? "Over time, as spectra, and every metric" : "Report")] : []));
-  });
+  const first = await whole<Compared | Front>(id),
+    results = make("div", {}),
+    card = new JobCard(first);
+  place.replaceChildren(
+    make("h1", {}, titled(first.title)),
+    make("p", {}, make("a", { href: address("ride") }, "All rides")),
+    card.element,
+    results,
+  );
+  await accompany(
+    place,
+    first,
+    (job) => card.show(job),
+    (end) => {
+      if (!end.result) return;
+      results.replaceChildren(
+        ...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)),
+        ...undone("runs" in end.result ? end.result : null),
+        ways(end),
+        ...(end.has_page
+          ? [
+              report(
+                end.report,
+                "runs" in end.result ? "Over time, as spectra, and every metric" : "Report",
+              ),
+            ]
+          : []),
+      );
+    },
+  );
 }
 
 /** Controllers beside each other; the best of each merit is marked. */
 function merits(found: Compared): HTMLElement[] {
-  const shown = MERITS.filter(([name]) => found.runs.some((one) => Number.isFinite(one.merits[name])));
-  const best = Object.fromEntries(shown.map(([name]) => [name, Math.min(...found.runs.map((one) => one.merits[name] ?? Infinity))]));
+  const shown = MERITS.filter(([name]) =>
+    found.runs.some((one) => Number.isFinite(one.merits[name])),
+  );
+  const best = Object.fromEntries(
+    shown.map(([name]) => [
+      name,
+      Math.min(...found.runs.map((one) => one.merits[name] ?? Infinity)),
+    ]),
+  );
   const passive = found.runs.find((one) => one.control === "passive");
-  return [make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "controllers" }, make("table", {}, make("caption", {}, "Smaller is better; in brackets the change from the passive rig"),
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "controller"), ...shown.map(([, words, unit]) => make("th", { scope: "col", class: "right" }, `${tr(words)} [${unit}]`)), make("th", { scope: "col" }, "comfort"))),
-    make("tbody", {}, ...found.runs.map((one) => make("tr", {}, make("th", { scope: "row" }, one.control), ...shown.map(([name, , , factor]) => {
-      const value = one.merits[name], before = passive?.merits[name];
-      const change = value !== undefined && before && one !== passive ? ` (${value >= before ? "+" : ""}${written(100 * (value / before - 1), 2)} %)` : "";
-      return make("td", { class: "right" }, value !== undefined && value === best[name] && found.runs.length > 1 && value > 0 ? make("span", { class: "mark good" }, written(value * factor)) : written(value === undefined ? null : value * factor), change);
-    }), make("td", {}, Object.values(one.comfort).map((text) => text.split(" to ").map((one) => tr(one)).join(tr(" to "))).join("; "))))))),
-  ...Object.entries(found.failed).map(([name, reason]) => make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason))),
-  ...advised(found.runs.flatMap((one) => one.findings), "p")];
+  return [
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "controllers" },
+      make(
+        "table",
+        {},
+        make("caption", {}, "Smaller is better; in brackets the change from the passive rig"),
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            make("th", { scope: "col" }, "controller"),
+            ...shown.map(([, words, unit]) =>
+              make("th", { scope: "col", class: "right" }, `${tr(words)} [${unit}]`),
+            ),
+            make("th", { scope: "col" }, "comfort"),
+          ),
+        ),
+        make(
+          "tbody",
+          {},
+          ...found.runs.map((one) =>
+            make(
+              "tr",
+              {},
+              make("th", { scope: "row" }, one.control),
+              ...shown.map(([name, , , factor]) => {
+                const value = one.merits[name],
+                  before = passive?.merits[name];
+                const change =
+                  value !== undefined && before && one !== passive
+                    ? ` (${value >= before ? "+" : ""}${written(100 * (value / before - 1), 2)} %)`
+                    : "";
+                return make(
+                  "td",
+                  { class: "right" },
+                  value !== undefined && value === best[name] && found.runs.length > 1 && value > 0
+                    ? make("span", { class: "mark good" }, written(value * factor))
+                    : written(value === undefined ? null : value * factor),
+                  change,
+                );
+              }),
+              make(
+                "td",
+                {},
+                Object.values(one.comfort)
+                  .map((text) =>
+                    text
+                      .split(" to ")
+                      .map((one) => tr(one))
+                      .join(tr(" to ")),
+                  )
+                  .join("; "),
+              ),
+            ),
+          ),
+        ),
+      ),
+    ),
+    ...Object.entries(found.failed).map(([name, reason]) =>
+      make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason)),
+    ),
+    ...advised(
+      found.runs.flatMap((one) => one.findings),
+      "p",
+    ),
+  ];
 }
 
 /** The front as dots that open as rides, with the rig as it is and the best dampers beside it. */
 function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
-  interface Point { name: string; comfort: number; holding: number; travel: number; values: Record<string, number>; on: boolean }
-  const points: Point[] = [...found.comfort.map((comfort, k) => ({ name: `design ${k + 1}`, comfort, holding: found.holding[k]!, travel: found.travel[k]!, values: Object.fromEntries(Object.entries(found.numbers).map(([path, values]) => [path, values[k]!])), on: true })), ...found.marks.map((one) => ({ ...one, name: `${one.name} (${one.kind})`, on: false }))];
+  interface Point {
+    name: string;
+    comfort: number;
+    holding: number;
+    travel: number;
+    values: Record<string, number>;
+    on: boolean;
+  }
+  const points: Point[] = [
+    ...found.comfort.map((comfort, k) => ({
+      name: `design ${k + 1}`,
+      comfort,
+      holding: found.holding[k]!,
+      travel: found.travel[k]!,
+      values: Object.fromEntries(
+        Object.entries(found.numbers).map(([path, values]) => [path, values[k]!]),
+      ),
+      on: true,
+    })),
+    ...found.marks.map((one) => ({ ...one, name: `${one.name} (${one.kind})`, on: false })),
+  ];
   const as = (unit: string): [string, number] => SHOWN[unit] ?? [unit, 1];
-  const opened = (one: Point) => address("ride", { vehicle: String(asked.vehicle), road: String(asked.road), speed: String(asked.speed), set: JSON.stringify(one.values) });
-  const ends = (values: number[]) => { const low = Math.min(...values), high = Math.max(...values), room = 0.06 * (high - low || 1); return [low - room, high + room] as const; };
-  const [x0, x1] = ends(points.map((one) => one.comfort)), [y0, y1] = ends(points.map((one) => one.holding)), [w, h, left, foot] = [560, 340, 66, 40];
-  const svg = (name: string, attributes: Record<string, string | number>, content = "") => { const element = document.createElementNS("http://www.w3.org/2000/svg", name); for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value)); element.textContent = content; return element; };
-  const px = (value: number) => left + (w - left - 12) * (value - x0) / (x1 - x0), py = (value: number) => h - foot - (h - foot - 10) * (value - y0) / (y1 - y0);
-  const picture = svg("svg", { viewBox: `0 0 ${w} ${h}`, class: "xy", role: "group", "aria-label": "Pareto front" });
+  const opened = (one: Point) =>
+    address("ride", {
+      vehicle: String(asked.vehicle),
+      road: String(asked.road),
+      speed: String(asked.speed),
+      set: JSON.stringify(one.values),
+    });
+  const ends = (values: number[]) => {
+    const low = Math.min(...values),
+      high = Math.max(...values),
+      room = 0.06 * (high - low || 1);
+    return [low - room, high + room] as const;
+  };
+  const [x0, x1] = ends(points.map((one) => one.comfort)),
+    [y0, y1] = ends(points.map((one) => one.holding)),
+    [w, h, left, foot] = [560, 340, 66, 40];
+  const svg = (name: string, attributes: Record<string, string | number>, content = "") => {
+    const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+    element.textContent = content;
+    return element;
+  };
+  const px = (value: number) => left + ((w - left - 12) * (value - x0)) / (x1 - x0),
+    py = (value: number) => h - foot - ((h - foot - 10) * (value - y0)) / (y1 - y0);
+  const picture = svg("svg", {
+    viewBox: `0 0 ${w} ${h}`,
+    class: "xy",
+    role: "group",
+    "aria-label": "Pareto front",
+  });
   picture.append(svg("path", { class: "axis", d: `M${left} 6V${h - foot}H${w - 8}` }));
-  for (const value of [x0, x1]) picture.append(svg("text", { x: px(value), y: h - foot + 16, "text-anchor": value === x0 ? "start" : "end" }, written(value * as(found.units.comfort!)[1], 3)));
-  for (const value of [y0, y1]) picture.append(svg("text", { x: left - 5, y: py(value) + (value === y0 ? 0 : 10), "text-anchor": "end" }, written(value * as(found.units.holding!)[1], 3)));
-  picture.append(svg("text", { x: (left + w) / 2, y: h - 8, "text-anchor": "middle" }, `${found.metrics.comfort} [${as(found.units.comfort!)[0]}]`), svg("text", { x: 13, y: h / 2, transform: `rotate(-90 13 ${h / 2})`, "text-anchor": "middle" }, `${found.metrics.holding} [${as(found.units.holding!)[0]}]`));
-  picture.append(svg("path", { class: "search", d: points.filter((one) => one.on).sort((a, b) => a.comfort - b.comfort).map((one, k) => `${k ? "L" : "M"}${px(one.comfort).toFixed(1)} ${py(one.holding).toFixed(1)}`).join("") }));
+  for (const value of [x0, x1])
+    picture.append(
+      svg(
+        "text",
+        { x: px(value), y: h - foot + 16, "text-anchor": value === x0 ? "start" : "end" },
+        written(value * as(found.units.comfort!)[1], 3),
+      ),
+    );
+  for (const value of [y0, y1])
+    picture.append(
+      svg(
+        "text",
+        { x: left - 5, y: py(value) + (value === y0 ? 0 : 10), "text-anchor": "end" },
+        written(value * as(found.units.holding!)[1], 3),
+      ),
+    );
+  picture.append(
+    svg(
+      "text",
+      { x: (left + w) / 2, y: h - 8, "text-anchor": "middle" },
+      `${found.metrics.comfort} [${as(found.units.comfort!)[0]}]`,
+    ),
+    svg(
+      "text",
+      { x: 13, y: h / 2, transform: `rotate(-90 13 ${h / 2})`, "text-anchor": "middle" },
+      `${found.metrics.holding} [${as(found.units.holding!)[0]}]`,
+    ),
+  );
+  picture.append(
+    svg("path", {
+      class: "search",
+      d: points
+        .filter((one) => one.on)
+        .sort((a, b) => a.comfort - b.comfort)
+        .map(
+          (one, k) => `${k ? "L" : "M"}${px(one.comfort).toFixed(1)} ${py(one.holding).toFixed(1)}`,
+        )
+        .join(""),
+    }),
+  );
   for (const one of points) {
     const link = svg("a", { href: opened(one), "aria-label": `drive ${one.name}` });
-    link.append(svg("title", {}, `${one.name}: drive it`), one.on ? svg("circle", { cx: px(one.comfort), cy: py(one.holding), r: 6, class: "on" }) : svg("rect", { x: px(one.comfort) - 5, y: py(one.holding) - 5, width: 10, height: 10, class: "off" }));
+    link.append(
+      svg("title", {}, `${one.name}: drive it`),
+      one.on
+        ? svg("circle", { cx: px(one.comfort), cy: py(one.holding), r: 6, class: "on" })
+        : svg("rect", {
+            x: px(one.comfort) - 5,
+            y: py(one.holding) - 5,
+            width: 10,
+            height: 10,
+            class: "off",
+          }),
+    );
     picture.append(link);
   }
-  const figure = make("figure", {}), numbers = Object.keys(found.numbers);
-  figure.append(picture, make("figcaption", { class: "muted" }, `${raised(found.driven)}; round: the front, square: the rig as it is and single best dampers. Each opens as a ride.`));
-  return [...(found.converged ? [] : [make("p", { class: "mark fair" }, "Not every design is surely the best of its kind.")]), figure,
-    make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "designs" }, make("table", {}, make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "design"), ...(["comfort", "holding", "travel"] as const).map((role) => make("th", { scope: "col", class: "right" }, `${found.metrics[role]} [${as(found.units[role]!)[0]}]`)), ...numbers.map((path) => make("th", { scope: "col", class: "right" }, `${path} [${as(found.number_units[path]!)[0]}]`)), make("td", {}))),
-      make("tbody", {}, ...points.map((one) => make("tr", {}, make("th", { scope: "row" }, one.name), ...(["comfort", "holding", "travel"] as const).map((role) => make("td", { class: "right" }, written(one[role] * as(found.units[role]!)[1]))), ...numbers.map((path) => make("td", { class: "right" }, written(one.values[path] === undefined ? null : one.values[path]! * as(found.number_units[path]!)[1]))), make("td", {}, make("a", { href: opened(one), "aria-label": `drive ${one.name}, as a ride` }, "drive it"))))))),
-    ...advised(found.findings.map((one) => ({ ...one, place: "" })), "p")];
+  const figure = make("figure", {}),
+    numbers = Object.keys(found.numbers);
+  figure.append(
+    picture,
+    make(
+      "figcaption",
+      { class: "muted" },
+      `${raised(found.driven)}; round: the front, square: the rig as it is and single best dampers. Each opens as a ride.`,
+    ),
+  );
+  return [
+    ...(found.converged
+      ? []
+      : [make("p", { class: "mark fair" }, "Not every design is surely the best of its kind.")]),
+    figure,
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "designs" },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            make("th", { scope: "col" }, "design"),
+            ...(["comfort", "holding", "travel"] as const).map((role) =>
+              make(
+                "th",
+                { scope: "col", class: "right" },
+                `${found.metrics[role]} [${as(found.units[role]!)[0]}]`,
+              ),
+            ),
+            ...numbers.map((path) =>
+              make(
+                "th",
+                { scope: "col", class: "right" },
+                `${path} [${as(found.number_units[path]!)[0]}]`,
+              ),
+            ),
+            make("td", {}),
+          ),
+        ),
+        make(
+          "tbody",
+          {},
+          ...points.map((one) =>
+            make(
+              "tr",
+              {},
+              make("th", { scope: "row" }, one.name),
+              ...(["comfort", "holding", "travel"] as const).map((role) =>
+                make("td", { class: "right" }, written(one[role] * as(found.units[role]!)[1])),
+              ),
+              ...numbers.map((path) =>
+                make(
+                  "td",
+                  { class: "right" },
+                  written(
+                    one.values[path] === undefined
+                      ? null
+                      : one.values[path]! * as(found.number_units[path]!)[1],
+                  ),
+                ),
+              ),
+              make(
+                "td",
+                {},
+                make(
+                  "a",
+                  { href: opened(one), "aria-label": `drive ${one.name}, as a ride` },
+                  "drive it",
+                ),
+              ),
+            ),
+          ),
+        ),
+      ),
+    ),
+    ...advised(
+      found.findings.map((one) => ({ ...one, place: "" })),
+      "p",
+    ),
+  ];
 }

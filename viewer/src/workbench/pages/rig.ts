@@ -16,38 +16,104 @@ export const rig: Page = { label: "Rig", show };
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("name");
-  if (!name) { await choose(place, "rig", tr("Rig"), "name", false, VEHICLES); return; }
-  const folder = await api.folder(), own = address("rig", { name });
+  if (!name) {
+    await choose(place, "rig", tr("Rig"), "name", false, VEHICLES);
+    return;
+  }
+  const folder = await api.folder(),
+    own = address("rig", { name });
   let saved: api.Text;
-  try { saved = await api.file(name); } catch (error) { // what was typed for a file that is gone can still be had
-    place.replaceChildren(make("h1", {}, name), problem(error), ...draftsOf(folder).filter((one) => one.page === own).map(({ key, at }) => copied(tr("Unsaved changes of #", moment(at)), (stateOf(key) as { text: string }).text)),
-      make("p", {}, make("a", { href: address("project") }, tr("Back to the project"))));
+  try {
+    saved = await api.file(name);
+  } catch (error) {
+    // what was typed for a file that is gone can still be had
+    place.replaceChildren(
+      make("h1", {}, name),
+      problem(error),
+      ...draftsOf(folder)
+        .filter((one) => one.page === own)
+        .map(({ key, at }) =>
+          copied(tr("Unsaved changes of #", moment(at)), (stateOf(key) as { text: string }).text),
+        ),
+      make("p", {}, make("a", { href: address("project") }, tr("Back to the project"))),
+    );
     return;
   }
   if (!place.isConnected) return;
-  let state: api.Form | null = null, isOld = false, said: HTMLElement | null = null;
-  const past: string[] = [], future: string[] = [];
-  const text = make("textarea", { spellcheck: "false", "aria-label": tr("text of #", name), rows: "28" });
+  let state: api.Form | null = null,
+    isOld = false,
+    said: HTMLElement | null = null;
+  const past: string[] = [],
+    future: string[] = [];
+  const text = make("textarea", {
+    spellcheck: "false",
+    "aria-label": tr("text of #", name),
+    rows: "28",
+  });
   const held = (given: string) => given.replace(/\r\n?/g, "\n"); // as a page has it
   text.value = saved.text;
-  let shown = held(saved.text), reviewed: string | null = null, strokes = 0; // what was asked about last, what a save would write, and how often something was typed
-  const told = make("div", { class: "told", "aria-live": "polite" }), unseen = make("div", { "aria-live": "polite" }), difference = make("div", {});
-  const save = make("button", { type: "button", class: "main", disabled: true }, tr("Save")), undo = make("button", { type: "button", disabled: true }, tr("Undo")), redo = make("button", { type: "button", disabled: true }, tr("Redo"));
-  const edits = new InTurn((error) => { said?.remove(); told.prepend(said = problem(error)); }, () => display()), pictures = new Newest();
+  let shown = held(saved.text),
+    reviewed: string | null = null,
+    strokes = 0; // what was asked about last, what a save would write, and how often something was typed
+  const told = make("div", { class: "told", "aria-live": "polite" }),
+    unseen = make("div", { "aria-live": "polite" }),
+    difference = make("div", {});
+  const save = make("button", { type: "button", class: "main", disabled: true }, tr("Save")),
+    undo = make("button", { type: "button", disabled: true }, tr("Undo")),
+    redo = make("button", { type: "button", disabled: true }, tr("Redo"));
+  const edits = new InTurn(
+      (error) => {
+        said?.remove();
+        told.prepend((said = problem(error)));
+      },
+      () => display(),
+    ),
+    pictures = new Newest();
   let drawing = Promise.resolve();
-  const same = new Ways(), form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
-  const view = new MechanismView(true), stage = make("div", { class: "player bare", hidden: true }, view.element);
-  const points = new Points(view, (changes, done) => { if (done) void edit({ changes }); else void draw(changes); });
-  const picture = make("section", { hidden: true, "aria-label": tr("The mechanism") }, make("h2", {}, tr("The mechanism")), make("p", { class: "muted" }, tr("Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.")), points.element, stage);
+  const same = new Ways(),
+    form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
+  const view = new MechanismView(true),
+    stage = make("div", { class: "player bare", hidden: true }, view.element);
+  const points = new Points(view, (changes, done) => {
+    if (done) void edit({ changes });
+    else void draw(changes);
+  });
+  const picture = make(
+    "section",
+    { hidden: true, "aria-label": tr("The mechanism") },
+    make("h2", {}, tr("The mechanism")),
+    make(
+      "p",
+      { class: "muted" },
+      tr(
+        "Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.",
+      ),
+    ),
+    points.element,
+    stage,
+  );
 
-  const moves = make("a", { href: address("kinematics", { rig: name }), hidden: true }, tr("Look at its kinematics"));
-  const drafts = new Drafts(folder, own, { text: held(saved.text) }, () => ({ text: text.value }), ({ text: to }) => inTurn(async () => {
-    step(text.value);
-    text.value = to;
-    buttons();
-    const found = await api.form(name, to, [], {});
-    if (text.value === to) take(found);
-  }), () => saved.digest, () => edits.waiting > 0 || form.isTyped);
+  const moves = make(
+    "a",
+    { href: address("kinematics", { rig: name }), hidden: true },
+    tr("Look at its kinematics"),
+  );
+  const drafts = new Drafts(
+    folder,
+    own,
+    { text: held(saved.text) },
+    () => ({ text: text.value }),
+    ({ text: to }) =>
+      inTurn(async () => {
+        step(text.value);
+        text.value = to;
+        buttons();
+        const found = await api.form(name, to, [], {});
+        if (text.value === to) take(found);
+      }),
+    () => saved.digest,
+    () => edits.waiting > 0 || form.isTyped,
+  );
   const buttons = () => {
     drafts.changed();
     const waits = edits.waiting > 0 || text.value !== shown;
@@ -55,24 +121,50 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     undo.disabled = !past.length && !waits;
     redo.disabled = !future.length;
   };
-  const draw = (changes: Record<string, number> = {}) => pictures.ask(async () => {
-    if (!state?.rig?.spatial || !place.isConnected) return;
-    try {
-      const store = Store.of(await api.curves("kinematics", { rig: name, text: text.value, changes, travel: "-20 mm:20 mm:10 mm", channels: ["camber"] }));
-      const motion = store.content.viewers[0]!.scenes[0]!.motion;
-      if (!motion || !place.isConnected) return;
-      picture.hidden = stage.hidden = false;
-      view.show(store.content.mechanisms[motion.mechanism]!, motion);
-      view.set({ body: 0, travel: 0, ground: store.content.mechanisms[motion.mechanism]!.contact[2]![2]!, load: 1, time: 0 });
-      unseen.replaceChildren();
-    } catch (error) { unseen.replaceChildren(problem(error)); }
-  });
+  const draw = (changes: Record<string, number> = {}) =>
+    pictures.ask(async () => {
+      if (!state?.rig?.spatial || !place.isConnected) return;
+      try {
+        const store = Store.of(
+          await api.curves("kinematics", {
+            rig: name,
+            text: text.value,
+            changes,
+            travel: "-20 mm:20 mm:10 mm",
+            channels: ["camber"],
+          }),
+        );
+        const motion = store.content.viewers[0]!.scenes[0]!.motion;
+        if (!motion || !place.isConnected) return;
+        picture.hidden = stage.hidden = false;
+        view.show(store.content.mechanisms[motion.mechanism]!, motion);
+        view.set({
+          body: 0,
+          travel: 0,
+          ground: store.content.mechanisms[motion.mechanism]!.contact[2]![2]!,
+          load: 1,
+          time: 0,
+        });
+        unseen.replaceChildren();
+      } catch (error) {
+        unseen.replaceChildren(problem(error));
+      }
+    });
   /** Another text is one step, which can be taken back. */
-  const step = (to: string) => { if (to !== shown) { past.push(shown); future.length = 0; shown = to; } };
+  const step = (to: string) => {
+    if (to !== shown) {
+      past.push(shown);
+      future.length = 0;
+      shown = to;
+    }
+  };
   const take = (found: api.Form) => {
     step(found.text);
     if (text.value !== found.text) text.value = found.text;
-    if (found.text !== reviewed) { difference.replaceChildren(); reviewed = null; }
+    if (found.text !== reviewed) {
+      difference.replaceChildren();
+      reviewed = null;
+    }
     state = found;
     if (found.rig) moves.hidden = !found.rig.spatial;
     isOld = true;
@@ -84,22 +176,67 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     isOld = false;
     const found = state;
     if (found.model) {
-      try { form.show(await api.schema(found.model), found.values as { [key: string]: Value }, found.problems); } catch { form.element.replaceChildren(); }
+      try {
+        form.show(
+          await api.schema(found.model),
+          found.values as { [key: string]: Value },
+          found.problems,
+        );
+      } catch {
+        form.element.replaceChildren();
+      }
     }
-    const all = found.problems.map((one) => problem(new Error(`${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`)));
-    told.replaceChildren(...(said ? [said] : []), ...(all.length ? all : [make("p", { class: "good" }, tr("#: nothing is wrong with it.", `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`))]), ...advised(found.rig?.findings ?? [], "p"));
-    if (found.rig) { points.set(found.rig.numbers); drawing = draw(); }
+    const all = found.problems.map((one) =>
+      problem(
+        new Error(
+          `${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`,
+        ),
+      ),
+    );
+    told.replaceChildren(
+      ...(said ? [said] : []),
+      ...(all.length
+        ? all
+        : [
+            make(
+              "p",
+              { class: "good" },
+              tr(
+                "#: nothing is wrong with it.",
+                `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`,
+              ),
+            ),
+          ]),
+      ...advised(found.rig?.findings ?? [], "p"),
+    );
+    if (found.rig) {
+      points.set(found.rig.numbers);
+      drawing = draw();
+    }
     same.element.hidden = !found.rig;
     if (found.rig) same.show({ ...found, files: {} });
     if (found.rig && !found.rig.spatial) picture.hidden = true;
   };
-  const inTurn = (work: () => Promise<void>) => { if (!edits.waiting) said = null; return edits.do(work); };
+  const inTurn = (work: () => Promise<void>) => {
+    if (!edits.waiting) said = null;
+    return edits.do(work);
+  };
   /** What is typed into the text while an answer is under way is not overwritten by it: what was set is set in that text, too. */
-  const edit = ({ sets = [], changes = {} }: { sets?: [Key[], Value][]; changes?: Record<string, number> }) => {
+  const edit = ({
+    sets = [],
+    changes = {},
+  }: {
+    sets?: [Key[], Value][];
+    changes?: Record<string, number>;
+  }) => {
     const done = inTurn(async () => {
       for (;;) {
-        const before = text.value, found = await api.form(name, before, sets, changes);
-        if (text.value === before) { take(found); return; }
+        const before = text.value,
+          found = await api.form(name, before, sets, changes);
+        if (text.value === before) {
+          take(found);
+          return;
+        }
         if (!sets.length && !Object.keys(changes).length) return; // the text itself is asked about again
       }
     });
@@ -107,7 +244,12 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     return done;
   };
   let typing = 0;
-  text.addEventListener("input", () => { strokes++; buttons(); clearTimeout(typing); typing = setTimeout(() => void edit({}), 400); });
+  text.addEventListener("input", () => {
+    strokes++;
+    buttons();
+    clearTimeout(typing);
+    typing = setTimeout(() => void edit({}), 400);
+  });
   /** One step back, or forth again, in turn: what is under way is the step that is taken back. */
   const back = (from: string[], to: string[]) => {
     const at = strokes;
@@ -127,21 +269,72 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   redo.addEventListener("click", () => back(future, past));
   place.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.target === text || form.isTyped) return;
-    if (event.key === "z" && !event.shiftKey) { event.preventDefault(); back(past, future); }
-    if (event.key === "y" || (event.key === "Z" && event.shiftKey)) { event.preventDefault(); back(future, past); }
+    if (event.key === "z" && !event.shiftKey) {
+      event.preventDefault();
+      back(past, future);
+    }
+    if (event.key === "y" || (event.key === "Z" && event.shiftKey)) {
+      event.preventDefault();
+      back(future, past);
+    }
   });
   const review = async () => {
-    const now = text.value, found = await api.form(name, now, [], {});
-    const yes = make("button", { type: "button", class: "main" }, tr("Write it")), no = make("button", { type: "button" }, tr("Back"));
-    no.addEventListener("click", () => { reviewed = null; difference.replaceChildren(); });
-    yes.addEventListener("click", () => { yes.disabled = true; void inTurn(() => write(now)); });
+    const now = text.value,
+      found = await api.form(name, now, [], {});
+    const yes = make("button", { type: "button", class: "main" }, tr("Write it")),
+      no = make("button", { type: "button" }, tr("Back"));
+    no.addEventListener("click", () => {
+      reviewed = null;
+      difference.replaceChildren();
+    });
+    yes.addEventListener("click", () => {
+      yes.disabled = true;
+      void inTurn(() => write(now));
+    });
     reviewed = now;
-    difference.replaceChildren(make("section", { class: "difference", "aria-label": tr("What is changed") }, make("h2", {}, tr("What is changed")), ...(found.problems.length ? [make("p", { class: "problem" }, tr("Something is still wrong with it; it can be saved all the same."))] : []),
-      make("pre", { tabindex: "0", "aria-label": tr("What is changed") }, ...found.changed.map((line) => make("span", { class: line.startsWith("+") ? "added" : line.startsWith("-") ? "removed" : line.startsWith("@@") ? "muted" : "" }, `${line}\n`))), make("div", { class: "bar" }, yes, no)));
+    difference.replaceChildren(
+      make(
+        "section",
+        { class: "difference", "aria-label": tr("What is changed") },
+        make("h2", {}, tr("What is changed")),
+        ...(found.problems.length
+          ? [
+              make(
+                "p",
+                { class: "problem" },
+                tr("Something is still wrong with it; it can be saved all the same."),
+              ),
+            ]
+          : []),
+        make(
+          "pre",
+          { tabindex: "0", "aria-label": tr("What is changed") },
+          ...found.changed.map((line) =>
+            make(
+              "span",
+              {
+                class: line.startsWith("+")
+                  ? "added"
+                  : line.startsWith("-")
+                    ? "removed"
+                    : line.startsWith("@@")
+                      ? "muted"
+                      : "",
+              },
+              `${line}\n`,
+            ),
+          ),
+        ),
+        make("div", { class: "bar" }, yes, no),
+      ),
+    );
     if ([save, document.body].includes(document.activeElement as HTMLElement)) yes.focus(); // whoever types goes on typing
   };
   const write = async (now: string) => {
-    if (text.value !== now) { await review(); return; } // what is written has been seen
+    if (text.value !== now) {
+      await review();
+      return;
+    } // what is written has been seen
     try {
       saved = await api.save(name, now, saved.digest);
       drafts.done({ text: now });
@@ -153,24 +346,52 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       if (found && text.value === now) take(found);
     } catch (error) {
       const again = make("button", { type: "button" }, tr("Load it again"));
-      again.addEventListener("click", () => void inTurn(async () => { // what was typed here is one step back
-        try {
-          const found = await api.file(name), its = await api.form(name, held(found.text), [], {});
-          saved = found;
-          drafts.done({ text: held(found.text) });
-          step(text.value);
-          take(its);
-        } catch (error) { difference.prepend(problem(error)); }
-      }));
+      again.addEventListener(
+        "click",
+        () =>
+          void inTurn(async () => {
+            // what was typed here is one step back
+            try {
+              const found = await api.file(name),
+                its = await api.form(name, held(found.text), [], {});
+              saved = found;
+              drafts.done({ text: held(found.text) });
+              step(text.value);
+              take(its);
+            } catch (error) {
+              difference.prepend(problem(error));
+            }
+          }),
+      );
       difference.replaceChildren(problem(error), make("div", { class: "bar" }, again));
     }
   };
   save.addEventListener("click", () => void inTurn(review));
-  whenColoursChange(() => { view.repaint(); });
-  place.replaceChildren(make("h1", {}, name),
-    make("p", { class: "bar" }, make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")), moves),
-    drafts.element, told, make("div", { class: "bar" }, save, undo, redo), difference, unseen, picture,
-    make("div", { class: "two" }, make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element), make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text)), same.element);
+  whenColoursChange(() => {
+    view.repaint();
+  });
+  place.replaceChildren(
+    make("h1", {}, name),
+    make(
+      "p",
+      { class: "bar" },
+      make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")),
+      moves,
+    ),
+    drafts.element,
+    told,
+    make("div", { class: "bar" }, save, undo, redo),
+    difference,
+    unseen,
+    picture,
+    make(
+      "div",
+      { class: "two" },
+      make("section", { "aria-label": tr("Form") }, make("h2", {}, tr("Form")), form.element),
+      make("section", { "aria-label": tr("File") }, make("h2", {}, tr("File")), text),
+    ),
+    same.element,
+  );
   await edit({});
   await drawing;
 }

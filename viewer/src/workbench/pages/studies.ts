@@ -8,92 +8,279 @@ import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem } from "../parts";
 import { address, type Page, type Values, VEHICLES } from "../shell";
-import { Brushes, type Column, type Influence, matrix, parallel, ranges, tornado } from "../variants";
+import {
+  Brushes,
+  type Column,
+  type Influence,
+  matrix,
+  parallel,
+  ranges,
+  tornado,
+} from "../variants";
 import { advised, asSaid } from "../refusals";
 
 export const studies: Page = { label: "Studies", show };
 
 interface Sweep {
-  count: number; finished: number; columns: Column[]; variants: number[];
-  summary: { ran: number; metrics: { name: string; unit: string; mean: number; standard_deviation: number; least: number; greatest: number; percentiles: Record<string, { value: number }> }[]; influences: Influence[]; failed: Record<string, { variants: number; first: number }>; findings: { severity: string; message: string }[] } | null;
-  run: { rig: string; road: string | Record<string, unknown>; speed: string; duration: string } | null;
+  count: number;
+  finished: number;
+  columns: Column[];
+  variants: number[];
+  summary: {
+    ran: number;
+    metrics: {
+      name: string;
+      unit: string;
+      mean: number;
+      standard_deviation: number;
+      least: number;
+      greatest: number;
+      percentiles: Record<string, { value: number }>;
+    }[];
+    influences: Influence[];
+    failed: Record<string, { variants: number; first: number }>;
+    findings: { severity: string; message: string }[];
+  } | null;
+  run: {
+    rig: string;
+    road: string | Record<string, unknown>;
+    speed: string;
+    duration: string;
+  } | null;
 }
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
-  const job = values.get("job"), folder = values.get("folder");
-  if (job || folder) { await showSweep(place, job, folder); return; }
+  const job = values.get("job"),
+    folder = values.get("folder");
+  if (job || folder) {
+    await showSweep(place, job, folder);
+    return;
+  }
   const { entries } = await api.project();
-  const rigs = [...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path), ...(await api.library()).map((one) => one.name)];
+  const rigs = [
+    ...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path),
+    ...(await api.library()).map((one) => one.name),
+  ];
   const found = entries.filter((one) => one.kind === "sweep");
   const starters = new Map(found.map((one) => [one.path, starter(one.path)]));
-  place.replaceChildren(make("h1", {}, "Studies"),
-    make("p", { class: "muted" }, "Numbers of a rig are spread over ranges or distributions; every variant is simulated, and what its metrics depend on is told."),
-    make("h2", {}, "Sweeps"), jobList(["sweep"], (one) => { location.hash = address("studies", { job: one.id }); }, "No sweep was begun here yet. Write a study below, or begin one that lies in the folder."),
-    ...(found.length ? [make("h2", {}, "Studies that lie here"), make("ul", {}, ...[...starters].map(([path, button]) => make("li", {}, path, " ", button)))] : []),
-    make("h2", {}, "A new study"), await writer(rigs, values.get("rig") ?? ""));
-  starters.get(values.get("study") ?? "")?.querySelector("button")?.focus();
+  place.replaceChildren(
+    make("h1", {}, "Studies"),
+    make(
+      "p",
+      { class: "muted" },
+      "Numbers of a rig are spread over ranges or distributions; every variant is simulated, and what its metrics depend on is told.",
+    ),
+    make("h2", {}, "Sweeps"),
+    jobList(
+      ["sweep"],
+      (one) => {
+        location.hash = address("studies", { job: one.id });
+      },
+      "No sweep was begun here yet. Write a study below, or begin one that lies in the folder.",
+    ),
+    ...(found.length
+      ? [
+          make("h2", {}, "Studies that lie here"),
+          make(
+            "ul",
+            {},
+            ...[...starters].map(([path, button]) => make("li", {}, path, " ", button)),
+          ),
+        ]
+      : []),
+    make("h2", {}, "A new study"),
+    await writer(rigs, values.get("rig") ?? ""),
+  );
+  starters
+    .get(values.get("study") ?? "")
+    ?.querySelector("button")
+    ?.focus();
 }
 
 /** A button that begins the sweep of a study that lies here. */
 function starter(path: string): HTMLElement {
-  const out = path.replace(/\.toml$/, "-swept"), told = make("span", {});
+  const out = path.replace(/\.toml$/, "-swept"),
+    told = make("span", {});
   const button = make("button", { type: "button", "aria-label": `Begin ${path}` }, "Begin");
   button.addEventListener("click", () => {
-    once(button, begin({ kind: "sweep", study: path, out, resume: true })).then(() => told.replaceChildren(), (error) => told.replaceChildren(problem(error)));
+    once(button, begin({ kind: "sweep", study: path, out, resume: true })).then(
+      () => told.replaceChildren(),
+      (error) => told.replaceChildren(problem(error)),
+    );
   });
   return make("span", {}, button, " ", make("small", { class: "muted" }, tr("into #", out)), told);
 }
 
 const DESIGNS: Record<string, [string, boolean]> = {
-  sobol: ["Sobol: even over all numbers", true], "latin-hypercube": ["Latin hypercube", true], "monte-carlo": ["Monte Carlo: random", true],
-  grid: ["Grid: every combination", false], list: ["List: one value of each a variant", false], morris: ["Morris: screening by trajectories", true], saltelli: ["Saltelli: indices of the variance", true],
+  sobol: ["Sobol: even over all numbers", true],
+  "latin-hypercube": ["Latin hypercube", true],
+  "monte-carlo": ["Monte Carlo: random", true],
+  grid: ["Grid: every combination", false],
+  list: ["List: one value of each a variant", false],
+  morris: ["Morris: screening by trajectories", true],
+  saltelli: ["Saltelli: indices of the variance", true],
 };
 const SPREADS: Record<string, [string, string[]]> = {
-  share: ["± share", ["20 %"]], range: ["range", ["from", "to"]], normal: ["normal", ["mean", "sd"]], triangular: ["triangular", ["low", "mode", "high"]], values: ["values", ["one, another, ..."]],
+  share: ["± share", ["20 %"]],
+  range: ["range", ["from", "to"]],
+  normal: ["normal", ["mean", "sd"]],
+  triangular: ["triangular", ["low", "mode", "high"]],
+  values: ["values", ["one, another, ..."]],
 };
 async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   if (!rigs.length) return make("p", { class: "empty" }, "No rig lies here yet.");
-  const rig = make("select", {}, ...rigs.map((name) => make("option", name === chosen ? { value: name, selected: true } : { value: name }, name)));
-  const rows = make("tbody", {}), paths = make("datalist", { id: "paths-of-the-rig" });
-  const design = make("select", {}, ...Object.entries(DESIGNS).map(([kind, [words]]) => make("option", { value: kind }, words)));
-  const count = make("input", { type: "number", min: "1", value: "256" }), seed = make("input", { type: "number", min: "0", value: "0" });
-  const metrics = make("input", { type: "text", size: "34", value: "rms sprung.az, max strut.deflection" });
-  const road = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))), make("option", { value: "iso" }, "random road (ISO 8608)"));
+  const rig = make(
+    "select",
+    {},
+    ...rigs.map((name) =>
+      make("option", name === chosen ? { value: name, selected: true } : { value: name }, name),
+    ),
+  );
+  const rows = make("tbody", {}),
+    paths = make("datalist", { id: "paths-of-the-rig" });
+  const design = make(
+    "select",
+    {},
+    ...Object.entries(DESIGNS).map(([kind, [words]]) => make("option", { value: kind }, words)),
+  );
+  const count = make("input", { type: "number", min: "1", value: "256" }),
+    seed = make("input", { type: "number", min: "0", value: "0" });
+  const metrics = make("input", {
+    type: "text",
+    size: "34",
+    value: "rms sprung.az, max strut.deflection",
+  });
+  const road = make(
+    "select",
+    {},
+    ...Object.keys(OBSTACLES).map((one) =>
+      make("option", { value: one }, tr(one.replace("-", " "))),
+    ),
+    make("option", { value: "iso" }, "random road (ISO 8608)"),
+  );
   const sizes = make("span", { class: "sizes" });
-  const speed = make("input", { type: "text", value: "2 m/s" }), duration = make("input", { type: "text", value: "1.5 s" });
-  const name = make("input", { type: "text", value: "study.toml", spellcheck: "false" }), out = make("input", { type: "text", value: "swept", spellcheck: "false" });
+  const speed = make("input", { type: "text", value: "2 m/s" }),
+    duration = make("input", { type: "text", value: "1.5 s" });
+  const name = make("input", { type: "text", value: "study.toml", spellcheck: "false" }),
+    out = make("input", { type: "text", value: "swept", spellcheck: "false" });
   const told = make("div", { "aria-live": "polite" });
-  name.addEventListener("change", () => { out.value = `${name.value.replace(/\.toml$/, "")}-swept`; });
-  let numbers: api.RigNumber[] = [], isLoaded = false, isWriting = false;
+  name.addEventListener("change", () => {
+    out.value = `${name.value.replace(/\.toml$/, "")}-swept`;
+  });
+  let numbers: api.RigNumber[] = [],
+    isLoaded = false,
+    isWriting = false;
 
   const add = (path = "", spread = "share") => {
-    const which = make("input", { type: "text", value: path, list: "paths-of-the-rig", "aria-label": "number that varies", size: "30", spellcheck: "false" });
-    const kind = make("select", { "aria-label": "how it is spread" }, ...Object.entries(SPREADS).map(([key, [words]]) => make("option", key === spread ? { value: key, selected: true } : { value: key }, tr(words))));
-    const fields = make("span", { class: "sizes" }), now = make("td", { class: "muted" });
+    const which = make("input", {
+      type: "text",
+      value: path,
+      list: "paths-of-the-rig",
+      "aria-label": "number that varies",
+      size: "30",
+      spellcheck: "false",
+    });
+    const kind = make(
+      "select",
+      { "aria-label": "how it is spread" },
+      ...Object.entries(SPREADS).map(([key, [words]]) =>
+        make("option", key === spread ? { value: key, selected: true } : { value: key }, tr(words)),
+      ),
+    );
+    const fields = make("span", { class: "sizes" }),
+      now = make("td", { class: "muted" });
     const offer = () => {
       const own = numbers.find((one) => one.path === which.value);
-      now.textContent = own ? tr("is #", `${written(own.value * own.factor)} ${own.unit}`) : which.value ? tr("no number of this rig") : "";
-      const unit = own?.unit ?? "", value = own ? own.value * own.factor : 1;
-      const usual: Record<string, number> = { from: 0.8, to: 1.2, low: 0.8, mode: 1, high: 1.2, mean: 1, sd: 0.05 };
-      fields.replaceChildren(...SPREADS[kind.value]![1].map((word) => {
-        const text = kind.value === "share" ? "20 %" : word in usual ? `${Number((usual[word]! * value).toPrecision(4))} ${unit}`.trim()
-          : `${Number((0.9 * value).toPrecision(4))} ${unit}, ${Number((1.1 * value).toPrecision(4))} ${unit}`;
-        return make("input", { type: "text", value: text, "aria-label": `${which.value || "number"}, ${word in usual ? word : kind.value}`, "data-word": word, size: kind.value === "values" ? "26" : "11" });
-      }));
+      now.textContent = own
+        ? tr("is #", `${written(own.value * own.factor)} ${own.unit}`)
+        : which.value
+          ? tr("no number of this rig")
+          : "";
+      const unit = own?.unit ?? "",
+        value = own ? own.value * own.factor : 1;
+      const usual: Record<string, number> = {
+        from: 0.8,
+        to: 1.2,
+        low: 0.8,
+        mode: 1,
+        high: 1.2,
+        mean: 1,
+        sd: 0.05,
+      };
+      fields.replaceChildren(
+        ...SPREADS[kind.value]![1].map((word) => {
+          const text =
+            kind.value === "share"
+              ? "20 %"
+              : word in usual
+                ? `${Number((usual[word]! * value).toPrecision(4))} ${unit}`.trim()
+                : `${Number((0.9 * value).toPrecision(4))} ${unit}, ${Number((1.1 * value).toPrecision(4))} ${unit}`;
+          return make("input", {
+            type: "text",
+            value: text,
+            "aria-label": `${which.value || "number"}, ${word in usual ? word : kind.value}`,
+            "data-word": word,
+            size: kind.value === "values" ? "26" : "11",
+          });
+        }),
+      );
     };
     which.addEventListener("change", offer);
     kind.addEventListener("change", offer);
-    const away = make("button", { type: "button", "aria-label": tr("leave out #", path || tr("this number")) }, "×");
-    const row = make("tr", {}, make("td", {}, which), make("td", {}, kind), make("td", {}, fields), now, make("td", {}, away));
+    const away = make(
+      "button",
+      { type: "button", "aria-label": tr("leave out #", path || tr("this number")) },
+      "×",
+    );
+    const row = make(
+      "tr",
+      {},
+      make("td", {}, which),
+      make("td", {}, kind),
+      make("td", {}, fields),
+      now,
+      make("td", {}, away),
+    );
     away.addEventListener("click", () => row.remove());
     offer();
     rows.append(row);
   };
-  const offerRoad = () => sizes.replaceChildren(...(road.value === "iso" ? [field("Class", make("select", { name: "class" }, ..."ABCDEFGH".split("").map((one) => make("option", one === "C" ? { value: one, selected: true } : { value: one }, one))))]
-    : OBSTACLES[road.value]!.map((one) => field(one[0]!.toUpperCase() + one.slice(1), make("input", { type: "text", value: USUAL[one]!, name: one })))));
+  const offerRoad = () =>
+    sizes.replaceChildren(
+      ...(road.value === "iso"
+        ? [
+            field(
+              "Class",
+              make(
+                "select",
+                { name: "class" },
+                ..."ABCDEFGH"
+                  .split("")
+                  .map((one) =>
+                    make(
+                      "option",
+                      one === "C" ? { value: one, selected: true } : { value: one },
+                      one,
+                    ),
+                  ),
+              ),
+            ),
+          ]
+        : OBSTACLES[road.value]!.map((one) =>
+            field(
+              one[0]!.toUpperCase() + one.slice(1),
+              make("input", { type: "text", value: USUAL[one]!, name: one }),
+            ),
+          )),
+    );
   road.addEventListener("change", offerRoad);
-  const save = make("button", { type: "button" }, "Write the study"), go = make("button", { type: "submit", class: "main" }, "Write it and begin"), more = make("button", { type: "button" }, "Another number");
-  const buttons = () => { more.disabled = !isLoaded; save.disabled = go.disabled = !isLoaded || isWriting; };
+  const save = make("button", { type: "button" }, "Write the study"),
+    go = make("button", { type: "submit", class: "main" }, "Write it and begin"),
+    more = make("button", { type: "button" }, "Another number");
+  const buttons = () => {
+    more.disabled = !isLoaded;
+    save.disabled = go.disabled = !isLoaded || isWriting;
+  };
   const load = async () => {
     const name = rig.value;
     told.replaceChildren();
@@ -105,34 +292,86 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       if (rig.value !== name) return; // another one was chosen meanwhile
       numbers = found.numbers;
       paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
-      const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter((path) => numbers.some((one) => one.path === path));
-      for (const path of usual.length ? usual : numbers.filter((one) => one.path !== "gravity").slice(0, 2).map((one) => one.path)) add(path);
+      const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter(
+        (path) => numbers.some((one) => one.path === path),
+      );
+      for (const path of usual.length
+        ? usual
+        : numbers
+            .filter((one) => one.path !== "gravity")
+            .slice(0, 2)
+            .map((one) => one.path))
+        add(path);
       isLoaded = true;
       buttons();
-    } catch (error) { if (rig.value === name) told.replaceChildren(problem(error)); }
+    } catch (error) {
+      if (rig.value === name) told.replaceChildren(problem(error));
+    }
   };
   let loading = Promise.resolve();
-  rig.addEventListener("change", () => { loading = load(); });
-  design.addEventListener("change", () => { count.disabled = !DESIGNS[design.value]![1]; });
+  rig.addEventListener("change", () => {
+    loading = load();
+  });
+  design.addEventListener("change", () => {
+    count.disabled = !DESIGNS[design.value]![1];
+  });
   const spread = (row: HTMLTableRowElement): unknown => {
     const kind = row.querySelector("select")!.value;
-    const given = Object.fromEntries([...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => [one.dataset.word!, one.value.trim()]));
+    const given = Object.fromEntries(
+      [...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => [
+        one.dataset.word!,
+        one.value.trim(),
+      ]),
+    );
     const texts = Object.values(given);
     if (kind === "share") return texts[0];
     if (kind === "range") return texts;
-    if (kind === "values") return texts[0]!.split(",").map((one) => one.trim()).filter(Boolean);
+    if (kind === "values")
+      return texts[0]!
+        .split(",")
+        .map((one) => one.trim())
+        .filter(Boolean);
     return given;
   };
-  let digest = "", written_ = "";
+  let digest = "",
+    written_ = "";
   const make_ = async () => {
-    const was = state(), path = name.value, sizesOf = Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one.value]));
-    const made = await (await api.asked("POST", "/api/study", {
-      path, was: written_ === path ? digest : "", rig: rig.value,
-      trial: { speed: speed.value, duration: duration.value, road: road.value === "iso" ? `iso:${sizesOf.class}` : { kind: road.value, start: "0.2 m", ...sizesOf } },
-      design: { kind: design.value, ...(DESIGNS[design.value]![1] ? { count: Number(count.value), seed: Number(seed.value) } : {}) },
-      vary: Object.fromEntries([...rows.rows].map((row) => [row.querySelector("input")!.value.trim(), spread(row)])),
-      metrics: metrics.value.split(",").map((one) => one.trim()).filter(Boolean),
-    })).json() as { digest: string; count: number; path: string };
+    const was = state(),
+      path = name.value,
+      sizesOf = Object.fromEntries(
+        [...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [
+          one.name,
+          one.value,
+        ]),
+      );
+    const made = (await (
+      await api.asked("POST", "/api/study", {
+        path,
+        was: written_ === path ? digest : "",
+        rig: rig.value,
+        trial: {
+          speed: speed.value,
+          duration: duration.value,
+          road:
+            road.value === "iso"
+              ? `iso:${sizesOf.class}`
+              : { kind: road.value, start: "0.2 m", ...sizesOf },
+        },
+        design: {
+          kind: design.value,
+          ...(DESIGNS[design.value]![1]
+            ? { count: Number(count.value), seed: Number(seed.value) }
+            : {}),
+        },
+        vary: Object.fromEntries(
+          [...rows.rows].map((row) => [row.querySelector("input")!.value.trim(), spread(row)]),
+        ),
+        metrics: metrics.value
+          .split(",")
+          .map((one) => one.trim())
+          .filter(Boolean),
+      })
+    ).json()) as { digest: string; count: number; path: string };
     digest = made.digest;
     written_ = path;
     drafts.done(was);
@@ -143,26 +382,95 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const write = (then: (made: { count: number; path: string }) => Promise<(Node | string)[]>) => {
     isWriting = true;
     buttons();
-    void make_().then(then).catch((error) => [problem(error)]).then((said) => { isWriting = false; buttons(); told.replaceChildren(...said); });
+    void make_()
+      .then(then)
+      .catch((error) => [problem(error)])
+      .then((said) => {
+        isWriting = false;
+        buttons();
+        told.replaceChildren(...said);
+      });
   };
-  save.addEventListener("click", () => write(async (made) => [make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)]));
+  save.addEventListener("click", () =>
+    write(async (made) => [make("p", { class: "good" }, `${made.path}: ${made.count} variants.`)]),
+  );
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const into = out.value;
-    write(async (made) => { const job = await begin({ kind: "sweep", study: made.path, out: into }); return [make("p", { class: "good" }, `${made.count} variants begun.`), ways(job)]; });
+    write(async (made) => {
+      const job = await begin({ kind: "sweep", study: made.path, out: into });
+      return [make("p", { class: "good" }, `${made.count} variants begun.`), ways(job)];
+    });
   });
   more.addEventListener("click", () => add());
-  form.append(make("div", { class: "form" }, field("Rig", rig), field("Road", road), sizes, field("Speed", speed), field("Duration", duration)),
-    make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "what varies" }, make("table", {}, make("thead", {}, make("tr", {}, ...["number", "spread", "", "", ""].map((text) => (text ? make("th", { scope: "col" }, text) : make("td", {}))))), rows)), paths, more,
-    make("div", { class: "form" }, field("Design", design), field("Count", count), field("Seed", seed), field("Metrics, with commas between", metrics)),
-    make("div", { class: "form" }, field("File of the study", name), field("Folder of the results", out), save, go), told);
+  form.append(
+    make(
+      "div",
+      { class: "form" },
+      field("Rig", rig),
+      field("Road", road),
+      sizes,
+      field("Speed", speed),
+      field("Duration", duration),
+    ),
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "what varies" },
+      make(
+        "table",
+        {},
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            ...["number", "spread", "", "", ""].map((text) =>
+              text ? make("th", { scope: "col" }, text) : make("td", {}),
+            ),
+          ),
+        ),
+        rows,
+      ),
+    ),
+    paths,
+    more,
+    make(
+      "div",
+      { class: "form" },
+      field("Design", design),
+      field("Count", count),
+      field("Seed", seed),
+      field("Metrics, with commas between", metrics),
+    ),
+    make(
+      "div",
+      { class: "form" },
+      field("File of the study", name),
+      field("Folder of the results", out),
+      save,
+      go,
+    ),
+    told,
+  );
   offerRoad();
   await load();
   const controls = { rig, road, speed, duration, design, count, seed, metrics, name, out };
-  const sized = () => Object.fromEntries([...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [one.name, one]));
+  const sized = () =>
+    Object.fromEntries(
+      [...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [
+        one.name,
+        one,
+      ]),
+    );
   const state = () => ({
-    form: entered(controls), sizes: entered(sized()),
-    rows: [...rows.rows].map((row) => [row.querySelector("input")!.value, row.querySelector("select")!.value, ...[...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => one.value)]),
+    form: entered(controls),
+    sizes: entered(sized()),
+    rows: [...rows.rows].map((row) => [
+      row.querySelector("input")!.value,
+      row.querySelector("select")!.value,
+      ...[...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => one.value),
+    ]),
   });
   const drafts = new Drafts(await api.folder(), address("studies"), state(), state, async (was) => {
     enter({ rig }, was.form); // its numbers come first
@@ -173,7 +481,11 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     rows.replaceChildren();
     for (const [path, spread, ...texts] of was.rows) {
       add(path, spread);
-      rows.lastElementChild!.querySelectorAll<HTMLInputElement>("input[data-word]").forEach((one, k) => { one.value = texts[k] ?? one.value; });
+      rows
+        .lastElementChild!.querySelectorAll<HTMLInputElement>("input[data-word]")
+        .forEach((one, k) => {
+          one.value = texts[k] ?? one.value;
+        });
     }
   });
   drafts.hear(form);
@@ -181,51 +493,164 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   return form;
 }
 
-async function showSweep(place: HTMLElement, id: string | null, given: string | null): Promise<void> {
+async function showSweep(
+  place: HTMLElement,
+  id: string | null,
+  given: string | null,
+): Promise<void> {
   const job = id ? await whole(id) : null;
   if (!place.isConnected) return;
   const folder = given ?? String(job?.asked.out ?? "");
-  if (job && (job.state === "running" || job.state === "cancelling")) { showRunning(place, job, folder); return; }
+  if (job && (job.state === "running" || job.state === "cancelling")) {
+    showRunning(place, job, folder);
+    return;
+  }
   const sweep = await api.get<Sweep>(`/api/sweep?${api.query({ folder })}`);
   const title = job?.title ?? `Sweep in ${folder}`;
   const back = make("p", {}, make("a", { href: address("studies") }, "All studies"));
-  if (!sweep.columns.length) { place.replaceChildren(make("h1", {}, title), back, make("p", { class: "empty" }, "No variant is finished yet.")); return; }
-  const brushes = new Brushes(sweep.columns), rows = sweep.variants.length, { summary } = sweep;
-  const told = make("p", { class: "state", role: "status" }), chosen = make("tbody", {});
+  if (!sweep.columns.length) {
+    place.replaceChildren(
+      make("h1", {}, title),
+      back,
+      make("p", { class: "empty" }, "No variant is finished yet."),
+    );
+    return;
+  }
+  const brushes = new Brushes(sweep.columns),
+    rows = sweep.variants.length,
+    { summary } = sweep;
+  const told = make("p", { class: "state", role: "status" }),
+    chosen = make("tbody", {});
   const clear = make("button", { type: "button" }, "All variants");
   clear.addEventListener("click", () => brushes.clear());
   const table = () => {
     const kept = brushes.chosen.flatMap((one, row) => (one ? [row] : []));
-    told.textContent = heard(`${kept.length} of ${rows} variants`) + (rows < sweep.finished ? heard(` shown, of ${sweep.finished}`) : "") + (brushes.picked >= 0 ? heard(`; variant ${sweep.variants[brushes.picked]} is marked`) : "");
-    const first = [...(brushes.picked >= 0 ? [brushes.picked] : []), ...kept.filter((row) => row !== brushes.picked)].slice(0, 20);
-    chosen.replaceChildren(...first.map((row) => {
-      const mark = make("button", { type: "button", "aria-label": `mark variant ${sweep.variants[row]}`, "aria-pressed": String(row === brushes.picked) }, String(sweep.variants[row]));
-      mark.addEventListener("click", () => brushes.pick(row === brushes.picked ? -1 : row));
-      return make("tr", {}, make("th", { scope: "row" }, mark), ...sweep.columns.map((one) => make("td", { class: "right" }, written(one.values[row]))),
-        make("td", {}, ...(sweep.run ? [make("a", { href: opened(sweep, row), "aria-label": `open variant ${sweep.variants[row]} as a trial` }, "open as a trial")] : [])));
-    }));
+    told.textContent =
+      heard(`${kept.length} of ${rows} variants`) +
+      (rows < sweep.finished ? heard(` shown, of ${sweep.finished}`) : "") +
+      (brushes.picked >= 0 ? heard(`; variant ${sweep.variants[brushes.picked]} is marked`) : "");
+    const first = [
+      ...(brushes.picked >= 0 ? [brushes.picked] : []),
+      ...kept.filter((row) => row !== brushes.picked),
+    ].slice(0, 20);
+    chosen.replaceChildren(
+      ...first.map((row) => {
+        const mark = make(
+          "button",
+          {
+            type: "button",
+            "aria-label": `mark variant ${sweep.variants[row]}`,
+            "aria-pressed": String(row === brushes.picked),
+          },
+          String(sweep.variants[row]),
+        );
+        mark.addEventListener("click", () => brushes.pick(row === brushes.picked ? -1 : row));
+        return make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, mark),
+          ...sweep.columns.map((one) => make("td", { class: "right" }, written(one.values[row]))),
+          make(
+            "td",
+            {},
+            ...(sweep.run
+              ? [
+                  make(
+                    "a",
+                    {
+                      href: opened(sweep, row),
+                      "aria-label": `open variant ${sweep.variants[row]} as a trial`,
+                    },
+                    "open as a trial",
+                  ),
+                ]
+              : []),
+          ),
+        );
+      }),
+    );
   };
   brushes.listen(table);
   table();
   const metrics = sweep.columns.filter((one) => !one.is_number);
-  place.replaceChildren(make("h1", {}, title), back,
-    make("p", { class: "muted" }, `${sweep.finished} of ${sweep.count} variants are finished`, summary && summary.ran < sweep.finished ? `; ${sweep.finished - summary.ran} have no run` : "", "."),
-    ...Object.entries(summary?.failed ?? {}).map(([reason, lost]) => make("p", { class: "problem" }, `${lost.variants} without a run (variant ${lost.first} first): `, asSaid(reason))),
+  place.replaceChildren(
+    make("h1", {}, title),
+    back,
+    make(
+      "p",
+      { class: "muted" },
+      `${sweep.finished} of ${sweep.count} variants are finished`,
+      summary && summary.ran < sweep.finished
+        ? `; ${sweep.finished - summary.ran} have no run`
+        : "",
+      ".",
+    ),
+    ...Object.entries(summary?.failed ?? {}).map(([reason, lost]) =>
+      make(
+        "p",
+        { class: "problem" },
+        `${lost.variants} without a run (variant ${lost.first} first): `,
+        asSaid(reason),
+      ),
+    ),
     ...advised(summary?.findings ?? [], "p"),
     ...(summary?.metrics.length ? [make("h2", {}, "Metrics"), statistics(summary, metrics)] : []),
-    ...(summary?.influences.length ? [make("h2", {}, "What they depend on"), ...metrics.flatMap((one) => { const own = summary.metrics.find((two) => two.name === one.name); return own ? [tornado(summary.influences, one, own.mean)] : []; })] : []),
-    make("h2", {}, "Variants"), make("p", { class: "muted" }, "Drag along an axis to keep the variants that pass there; a click on it lets all pass again."), parallel(brushes), make("div", { class: "bar" }, told, clear), ranges(brushes),
+    ...(summary?.influences.length
+      ? [
+          make("h2", {}, "What they depend on"),
+          ...metrics.flatMap((one) => {
+            const own = summary.metrics.find((two) => two.name === one.name);
+            return own ? [tornado(summary.influences, one, own.mean)] : [];
+          }),
+        ]
+      : []),
+    make("h2", {}, "Variants"),
+    make(
+      "p",
+      { class: "muted" },
+      "Drag along an axis to keep the variants that pass there; a click on it lets all pass again.",
+    ),
+    parallel(brushes),
+    make("div", { class: "bar" }, told, clear),
+    ranges(brushes),
     ...(metrics.length ? [matrix(brushes)] : []),
-    make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "chosen variants" }, make("table", {}, make("caption", {}, "The first of the chosen variants"),
-      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "variant"), ...sweep.columns.map((one) => make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`)), make("td", {}))), chosen)),
-    ...(job ? [ways(job)] : []), ...(job?.has_page ? [report(job.report, "Report")] : []));
+    make(
+      "div",
+      { class: "table", tabindex: "0", role: "region", "aria-label": "chosen variants" },
+      make(
+        "table",
+        {},
+        make("caption", {}, "The first of the chosen variants"),
+        make(
+          "thead",
+          {},
+          make(
+            "tr",
+            {},
+            make("th", { scope: "col" }, "variant"),
+            ...sweep.columns.map((one) =>
+              make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`),
+            ),
+            make("td", {}),
+          ),
+        ),
+        chosen,
+      ),
+    ),
+    ...(job ? [ways(job)] : []),
+    ...(job?.has_page ? [report(job.report, "Report")] : []),
+  );
 }
 
 /** A sweep that goes on: how far it is; what is finished may be looked at, and all of it is shown at its end. */
 function showRunning(place: HTMLElement, job: Whole, folder: string): void {
   const card = new JobCard(job);
-  place.replaceChildren(make("h1", {}, job.title), make("p", {}, make("a", { href: address("studies") }, "All studies")), card.element,
-    make("p", {}, make("a", { href: address("studies", { folder }) }, "What is finished by now")));
+  place.replaceChildren(
+    make("h1", {}, job.title),
+    make("p", {}, make("a", { href: address("studies") }, "All studies")),
+    card.element,
+    make("p", {}, make("a", { href: address("studies", { folder }) }, "What is finished by now")),
+  );
   let shown = false;
   follow(card.element, (jobs) => {
     const now = jobs.find((one) => one.id === job.id);
@@ -233,30 +658,88 @@ function showRunning(place: HTMLElement, job: Whole, folder: string): void {
     card.show(now);
     if (now.state === "running" || now.state === "cancelling") return;
     shown = true;
-    showSweep(place, job.id, null).catch((error) => place.replaceChildren(make("h1", {}, job.title), card.element, problem(error)));
+    showSweep(place, job.id, null).catch((error) =>
+      place.replaceChildren(make("h1", {}, job.title), card.element, problem(error)),
+    );
   });
 }
 
 type Summary = NonNullable<Sweep["summary"]>;
 function statistics(summary: Summary, metrics: Column[]): HTMLElement {
-  const factor = (name: string) => metrics.find((one) => one.name === name)?.factor ?? 1, unit = (name: string) => metrics.find((one) => one.name === name)?.unit || "–";
-  return make("div", { class: "table", tabindex: "0", role: "region", "aria-label": "metrics" }, make("table", {},
-    make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "metric"), make("th", { scope: "col" }, "unit"), ...["mean", "standard deviation", "least", ...Object.keys(summary.metrics[0]!.percentiles).map((one) => `${one} %`), "greatest"].map((text) => make("th", { scope: "col", class: "right" }, text)))),
-    make("tbody", {}, ...summary.metrics.map((one) => make("tr", {}, make("th", { scope: "row" }, one.name), make("td", {}, unit(one.name)),
-      ...[one.mean, one.standard_deviation, one.least, ...Object.values(one.percentiles).map((level) => level.value), one.greatest].map((value) => make("td", { class: "right" }, written(value * factor(one.name)))))))));
+  const factor = (name: string) => metrics.find((one) => one.name === name)?.factor ?? 1,
+    unit = (name: string) => metrics.find((one) => one.name === name)?.unit || "–";
+  return make(
+    "div",
+    { class: "table", tabindex: "0", role: "region", "aria-label": "metrics" },
+    make(
+      "table",
+      {},
+      make(
+        "thead",
+        {},
+        make(
+          "tr",
+          {},
+          make("th", { scope: "col" }, "metric"),
+          make("th", { scope: "col" }, "unit"),
+          ...[
+            "mean",
+            "standard deviation",
+            "least",
+            ...Object.keys(summary.metrics[0]!.percentiles).map((one) => `${one} %`),
+            "greatest",
+          ].map((text) => make("th", { scope: "col", class: "right" }, text)),
+        ),
+      ),
+      make(
+        "tbody",
+        {},
+        ...summary.metrics.map((one) =>
+          make(
+            "tr",
+            {},
+            make("th", { scope: "row" }, one.name),
+            make("td", {}, unit(one.name)),
+            ...[
+              one.mean,
+              one.standard_deviation,
+              one.least,
+              ...Object.values(one.percentiles).map((level) => level.value),
+              one.greatest,
+            ].map((value) => make("td", { class: "right" }, written(value * factor(one.name)))),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 /** The address of a variant as a trial: its numbers, and what the study drives over. */
 function opened(sweep: Sweep, row: number): string {
-  const run = sweep.run!, changes: Record<string, number> = {};
+  const run = sweep.run!,
+    changes: Record<string, number> = {};
   let { speed, duration } = run;
   for (const one of sweep.columns) {
     const value = one.values[row];
     if (!one.is_number || value === null || value === undefined) continue;
     if (one.name === "trial.speed") speed = `${value / one.factor} m/s`;
     else if (one.name === "trial.duration") duration = `${value / one.factor} s`;
-    else if (!one.name.startsWith("trial.") && !one.name.startsWith("control.")) changes[one.name] = value / one.factor;
+    else if (!one.name.startsWith("trial.") && !one.name.startsWith("control."))
+      changes[one.name] = value / one.factor;
   }
-  if (typeof run.road === "string") return address("ride", { vehicle: run.rig, road: run.road, speed, duration, set: JSON.stringify(changes) });
-  return address("trial", { rig: run.rig, road: JSON.stringify(run.road), speed, duration, set: JSON.stringify(changes) });
+  if (typeof run.road === "string")
+    return address("ride", {
+      vehicle: run.rig,
+      road: run.road,
+      speed,
+      duration,
+      set: JSON.stringify(changes),
+    });
+  return address("trial", {
+    rig: run.rig,
+    road: JSON.stringify(run.road),
+    speed,
+    duration,
+    set: JSON.stringify(changes),
+  });
 }

@@ -11,56 +11,175 @@ import { address, choose, type Page, setLive, type Values, VEHICLES } from "../s
 
 export const trial: Page = { label: "Trial", show };
 
-const FIRST = ["strut.spring.rate", "strut.damper.coefficient", "strut.damper.bump_coefficient", "strut.damper.rebound_coefficient", "tyre.stiffness", "sprung.mass", "unsprung.mass"];
+const FIRST = [
+  "strut.spring.rate",
+  "strut.damper.coefficient",
+  "strut.damper.bump_coefficient",
+  "strut.damper.rebound_coefficient",
+  "tyre.stiffness",
+  "sprung.mass",
+  "unsprung.mass",
+];
 
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
-  if (!name) { await choose(place, "trial", tr("Trial"), "rig", true, VEHICLES, values.get("record") ? { record: values.get("record")! } : {}); return; }
+  if (!name) {
+    await choose(
+      place,
+      "trial",
+      tr("Trial"),
+      "rig",
+      true,
+      VEHICLES,
+      values.get("record") ? { record: values.get("record")! } : {},
+    );
+    return;
+  }
   const [rig, { entries, folder }] = await Promise.all([api.rig(name), api.project()]);
   if (!place.isConnected) return;
-  const kind = make("select", {}, ...Object.keys(OBSTACLES).map((one) => make("option", { value: one }, tr(one.replace("-", " ")))));
+  const kind = make(
+    "select",
+    {},
+    ...Object.keys(OBSTACLES).map((one) =>
+      make("option", { value: one }, tr(one.replace("-", " "))),
+    ),
+  );
   const sizes = make("span", { class: "sizes" });
   const road = told<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
   if (road.kind && road.kind in OBSTACLES) kind.value = road.kind;
-  const speed = make("input", { type: "text", value: values.get("speed") ?? (rig.name.includes("kart") ? "1.95 m/s" : "30 km/h") }), duration = make("input", { type: "text", value: values.get("duration") ?? "1.5 s" });
-  const offered = () => sizes.replaceChildren(...OBSTACLES[kind.value]!.map((one) => {
-    const input = make("input", { type: "text", value: road[one] ?? USUAL[one]!, name: one });
-    input.addEventListener("change", () => void curves.ask());
-    return field(tr(one[0]!.toUpperCase() + one.slice(1)), input);
-  }));
-  const sliders = new Sliders(rig, FIRST, () => void curves.ask(), told<Record<string, number>>(values.get("set")));
+  const speed = make("input", {
+      type: "text",
+      value: values.get("speed") ?? (rig.name.includes("kart") ? "1.95 m/s" : "30 km/h"),
+    }),
+    duration = make("input", { type: "text", value: values.get("duration") ?? "1.5 s" });
+  const offered = () =>
+    sizes.replaceChildren(
+      ...OBSTACLES[kind.value]!.map((one) => {
+        const input = make("input", { type: "text", value: road[one] ?? USUAL[one]!, name: one });
+        input.addEventListener("change", () => void curves.ask());
+        return field(tr(one[0]!.toUpperCase() + one.slice(1)), input);
+      }),
+    );
+  const sliders = new Sliders(
+    rig,
+    FIRST,
+    () => void curves.ask(),
+    told<Record<string, number>>(values.get("set")),
+  );
   const asked = () => ({
-    rig: name, changes: sliders.changes, speed: speed.value, duration: duration.value,
-    road: { kind: kind.value, start: road.start ?? "0.2 m", ...Object.fromEntries([...sizes.querySelectorAll("input")].map((one) => [one.name, one.value])) },
+    rig: name,
+    changes: sliders.changes,
+    speed: speed.value,
+    duration: duration.value,
+    road: {
+      kind: kind.value,
+      start: road.start ?? "0.2 m",
+      ...Object.fromEntries(
+        [...sizes.querySelectorAll("input")].map((one) => [one.name, one.value]),
+      ),
+    },
   });
-  const look = make("select", {}, ...([["time", tr("time")], ["spectra", tr("frequency (spectra)")]] as const).map(([value, words]) => make("option", { value }, words)));
-  const measured = make("select", {}, make("option", { value: "" }, tr("none")), ...entries.filter((one) => one.kind === "record").map(({ path }) => make("option", { value: path, ...(path === values.get("record") ? { selected: true } : {}) }, path)));
-  const begins = make("input", { type: "text", value: "0 s" }), since = field(tr("Where it begins"), begins);
-  const offset = () => { since.hidden = !measured.value; };
+  const look = make(
+    "select",
+    {},
+    ...(
+      [
+        ["time", tr("time")],
+        ["spectra", tr("frequency (spectra)")],
+      ] as const
+    ).map(([value, words]) => make("option", { value }, words)),
+  );
+  const measured = make(
+    "select",
+    {},
+    make("option", { value: "" }, tr("none")),
+    ...entries
+      .filter((one) => one.kind === "record")
+      .map(({ path }) =>
+        make(
+          "option",
+          { value: path, ...(path === values.get("record") ? { selected: true } : {}) },
+          path,
+        ),
+      ),
+  );
+  const begins = make("input", { type: "text", value: "0 s" }),
+    since = field(tr("Where it begins"), begins);
+  const offset = () => {
+    since.hidden = !measured.value;
+  };
   const phase = new Phase(() => void curves.ask());
   phase.element.hidden = true; // until there is something to draw
-  const curves = new Live((channels) => api.curves("simulate", { ...asked(), spectra: look.value === "spectra", measured: measured.value, begins: begins.value, numbers: [...channels, ...phase.channels] }));
+  const curves = new Live((channels) =>
+    api.curves("simulate", {
+      ...asked(),
+      spectra: look.value === "spectra",
+      measured: measured.value,
+      begins: begins.value,
+      numbers: [...channels, ...phase.channels],
+    }),
+  );
   const outdated = new Outdated(rig);
-  curves.shown = (model, store) => { outdated.show(store.content as unknown as api.OfRig); const isTime = model.x.unit === "s"; phase.element.hidden = !isTime; if (isTime) phase.show(model, store); }; // of what came, not of what is wanted by now
-  curves.moved = (place) => { if (!phase.element.hidden) phase.mark(place); };
-  for (const one of [look, measured, begins]) one.addEventListener("change", () => { offset(); void curves.ask(); });
+  curves.shown = (model, store) => {
+    outdated.show(store.content as unknown as api.OfRig);
+    const isTime = model.x.unit === "s";
+    phase.element.hidden = !isTime;
+    if (isTime) phase.show(model, store);
+  }; // of what came, not of what is wanted by now
+  curves.moved = (place) => {
+    if (!phase.element.hidden) phase.mark(place);
+  };
+  for (const one of [look, measured, begins])
+    one.addEventListener("change", () => {
+      offset();
+      void curves.ask();
+    });
   offset();
-  const title = make("input", { type: "text", size: "40", value: `${name.replace(/\.toml$/, "").split("/").pop()} ${new Date().toLocaleString("sv-SE").slice(0, 16).replace(":", ".")}` }), kept = make("span", { "aria-live": "polite" });
-  const press = make("button", { type: "submit" }, tr("Keep it")), keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
+  const title = make("input", {
+      type: "text",
+      size: "40",
+      value: `${name
+        .replace(/\.toml$/, "")
+        .split("/")
+        .pop()} ${new Date().toLocaleString("sv-SE").slice(0, 16).replace(":", ".")}`,
+    }),
+    kept = make("span", { "aria-live": "polite" });
+  const press = make("button", { type: "submit" }, tr("Keep it")),
+    keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
     const was = state();
-    once(press, api.asked("POST", "/api/keep", { ...asked(), title: title.value, digest: rig.digest })).then(async (answer) => {
-      drafts.done(was); // it lies in the project by now
-      const { path } = await answer.json() as { path: string };
-      kept.replaceChildren(tr("Kept as "), make("a", { href: address("record", { path }) }, path), ". ", make("a", { href: address("project") }, tr("Compare it in the project")));
-    }, (error) => kept.replaceChildren(problem(error)));
+    once(
+      press,
+      api.asked("POST", "/api/keep", { ...asked(), title: title.value, digest: rig.digest }),
+    ).then(
+      async (answer) => {
+        drafts.done(was); // it lies in the project by now
+        const { path } = (await answer.json()) as { path: string };
+        kept.replaceChildren(
+          tr("Kept as "),
+          make("a", { href: address("record", { path }) }, path),
+          ". ",
+          make("a", { href: address("project") }, tr("Compare it in the project")),
+        );
+      },
+      (error) => kept.replaceChildren(problem(error)),
+    );
   });
-  kind.addEventListener("change", () => { offered(); void curves.ask(); });
+  kind.addEventListener("change", () => {
+    offered();
+    void curves.ask();
+  });
   for (const one of [speed, duration]) one.addEventListener("change", () => void curves.ask());
   offered();
   const controls = { kind, speed, duration, measured, begins };
-  const state = () => ({ controls: entered(controls), sizes: Object.fromEntries([...sizes.querySelectorAll("input")].map((one) => [one.name, one.value])), changes: { ...sliders.changes } });
+  const state = () => ({
+    controls: entered(controls),
+    sizes: Object.fromEntries(
+      [...sizes.querySelectorAll("input")].map((one) => [one.name, one.value]),
+    ),
+    changes: { ...sliders.changes },
+  });
   const put = (was: ReturnType<typeof state>) => {
     enter(controls, was.controls);
     for (const one of sizes.querySelectorAll("input")) one.value = was.sizes[one.name] ?? one.value;
@@ -70,16 +189,60 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   };
   const drafts = new Drafts(folder, address("trial", { rig: name }), state(), state, put);
   setLive(curves);
-  const form = make("div", { class: "form" }, field(tr("Obstacle"), kind), sizes, field(tr("Speed"), speed), field(tr("Duration"), duration), field(tr("Curves over"), look), field(tr("Beside a recording"), measured), since);
-  const run = make("div", { class: "controls", role: "region", "aria-label": tr("What is run") }, form, sliders.element);
+  const form = make(
+    "div",
+    { class: "form" },
+    field(tr("Obstacle"), kind),
+    sizes,
+    field(tr("Speed"), speed),
+    field(tr("Duration"), duration),
+    field(tr("Curves over"), look),
+    field(tr("Beside a recording"), measured),
+    since,
+  );
+  const run = make(
+    "div",
+    { class: "controls", role: "region", "aria-label": tr("What is run") },
+    form,
+    sliders.element,
+  );
   drafts.hear(run);
-  run.append(new Steps(state, (was) => { put(was); drafts.changed(); }, run).element);
-  place.replaceChildren(make("h1", {}, tr("# over an obstacle", name)), drafts.element, make("div", { class: "bench" }, run,
-    make("div", {}, outdated.element, curves.element, phase.element, make("h2", {}, tr("Keep this run")), keep)));
+  run.append(
+    new Steps(
+      state,
+      (was) => {
+        put(was);
+        drafts.changed();
+      },
+      run,
+    ).element,
+  );
+  place.replaceChildren(
+    make("h1", {}, tr("# over an obstacle", name)),
+    drafts.element,
+    make(
+      "div",
+      { class: "bench" },
+      run,
+      make(
+        "div",
+        {},
+        outdated.element,
+        curves.element,
+        phase.element,
+        make("h2", {}, tr("Keep this run")),
+        keep,
+      ),
+    ),
+  );
   await curves.ask();
 }
 
 /** What stands in an address as JSON; nothing where it is none. */
 function told<T extends object>(text: string | null): T {
-  try { return (JSON.parse(text ?? "{}") ?? {}) as T; } catch { return {} as T; }
+  try {
+    return (JSON.parse(text ?? "{}") ?? {}) as T;
+  } catch {
+    return {} as T;
+  }
 }
