@@ -1,7 +1,7 @@
 // Bundles the viewer of reports and the page of the workbench, each into one script and one style sheet.
 // node build.mjs [FOLDER]: into FOLDER/viewer and FOLDER/static, or where the package has them.
 import { createHash } from "node:crypto";
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";

@@ -154,9 +154,10 @@ export class Store {
   }
 
   get(index: number): Numbers {
-    return (this.made[index] ??= this.straight
+    this.made[index] ??= this.straight
       ? withGaps(this.straight(index))
-      : unpack(this.content.arrays[index]!, this.bytes));
+      : unpack(this.content.arrays[index]!, this.bytes);
+    return this.made[index];
   }
 }
 

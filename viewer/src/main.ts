@@ -8,8 +8,8 @@ import { dress, make } from "./page";
 import { Player } from "./player";
 import { say } from "./words";
 
-export { LinkedPlots } from "./plots";
 export { MechanismView } from "./mechanism";
+export { LinkedPlots } from "./plots";
 export { Player, Store };
 
 /** Players of this page, in order. */

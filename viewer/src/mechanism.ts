@@ -326,11 +326,8 @@ export class MechanismView {
   private list(m: Mechanism): void {
     this.named = m.names.map((_, i) => i).filter((i) => !m.feet.includes(i));
     this.wide = [];
-    this.names.replaceChildren(
-      ...(this.labels = this.named.map((i) =>
-        make("span", {}, tr(m.names[i]!.replaceAll("_", " "))),
-      )),
-    );
+    this.labels = this.named.map((i) => make("span", {}, tr(m.names[i]!.replaceAll("_", " "))));
+    this.names.replaceChildren(...this.labels);
     this.legend.replaceChildren(
       ...[
         ...m.parts,

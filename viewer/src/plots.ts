@@ -113,7 +113,7 @@ export class LinkedPlots {
   get whole(): [number, number] {
     const x = this.shown?.x;
     if (this.shown?.whole) return this.shown.whole;
-    return x && x.length ? [x[0] as number, x[x.length - 1] as number] : [0, 1];
+    return x?.length ? [x[0] as number, x[x.length - 1] as number] : [0, 1];
   }
 
   reset(): void {

@@ -84,7 +84,8 @@ export class Picture {
       );
       const mixed = (other: number, share: number) =>
         `rgb(${parts.map((part) => Math.round(part + share * (other - part))).join()})`;
-      SHADES.set(name, (shades = [mixed(0, 0.28), mixed(0, 0), mixed(255, 0.32)]));
+      shades = [mixed(0, 0.28), mixed(0, 0), mixed(255, 0.32)];
+      SHADES.set(name, shades);
     }
     return shades;
   }

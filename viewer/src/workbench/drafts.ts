@@ -66,7 +66,7 @@ export class Drafts<T extends object> {
   });
   private readonly own: string;
   private timer = 0;
-  private isKept = true;
+  isKept = true;
   private isLeft = false;
   private lies = false;
   private isOver = false;
@@ -213,7 +213,7 @@ export class Drafts<T extends object> {
 /** Whether the page may be left: all that is entered is kept, or whoever leaves it wants to lose it. */
 export function mayLeave(): boolean {
   (document.activeElement as HTMLElement | null)?.blur(); // what is typed there counts
-  const lost = [...open].filter((one) => !one.keep() && !one["isKept"]);
+  const lost = [...open].filter((one) => !one.keep() && !one.isKept);
   return (
     !lost.length ||
     confirm(

@@ -1,8 +1,8 @@
 /** Long work: how it stands, told by the server as it goes on, and how it is begun, stopped and done again. */
 
 import { make, whenLeft, written } from "../page";
-import { asked, get, token, upload } from "./api";
 import { heard, isGerman, tr } from "../words";
+import { asked, get, token, upload } from "./api";
 import { copied, InTurn, problem } from "./parts";
 import { Refused } from "./refusals";
 

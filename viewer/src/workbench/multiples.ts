@@ -143,7 +143,8 @@ export class Multiples {
   }
 
   private ink(name: string): string {
-    return (this.colours[name] ??= colour(name));
+    this.colours[name] ??= colour(name);
+    return this.colours[name];
   }
 
   private draw(): void {

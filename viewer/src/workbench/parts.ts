@@ -4,10 +4,10 @@ import { type Model, Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
 import { tr } from "../words";
+import type { Answer, OfRig, Rig, RigNumber } from "./api";
 import { mayLeave } from "./drafts";
 import { inWords } from "./quantities";
 import { asSaid, Refused } from "./refusals";
-import { type Answer, type OfRig, type Rig, type RigNumber } from "./api";
 
 export function field(label: string, control: HTMLElement, note = ""): HTMLLabelElement {
   return make(
@@ -148,13 +148,14 @@ export class InTurn {
   ) {}
   do(work: () => Promise<void>): Promise<void> {
     this.waiting++;
-    return (this.last = this.last
+    this.last = this.last
       .then(work)
       .catch(this.refused)
       .then(() => {
         if (!--this.waiting) return this.rested();
       })
-      .catch(this.refused));
+      .catch(this.refused);
+    return this.last;
   }
 }
 

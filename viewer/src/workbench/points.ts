@@ -1,8 +1,8 @@
 /** Hardpoints of a mechanism: dragged in the picture, in its plane or along an axis, snapping; or typed. */
 
+import type { MechanismView } from "../mechanism";
 import { make } from "../page";
 import { tr } from "../words";
-import type { MechanismView } from "../mechanism";
 import { field } from "./parts";
 import { part } from "./quantities";
 

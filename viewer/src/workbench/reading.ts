@@ -2,12 +2,12 @@
 
 import { Store } from "../data";
 import { make, written } from "../page";
-import { heard, tr } from "../words";
 import { Player } from "../player";
-import { ways, Question } from "./jobs";
+import { heard, tr } from "../words";
+import { Question, ways } from "./jobs";
 import { field } from "./parts";
-import { asSaid, advised } from "./refusals";
 import { inWords } from "./quantities";
+import { advised, asSaid } from "./refusals";
 
 interface Preview {
   columns: {

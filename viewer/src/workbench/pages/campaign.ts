@@ -19,8 +19,8 @@ import {
 } from "../jobs";
 import { field, once, problem } from "../parts";
 import { type Fields, Reading } from "../reading";
-import { address, goTo, type Page, type Values } from "../shell";
 import { advised, asSaid } from "../refusals";
+import { address, goTo, type Page, type Values } from "../shell";
 
 export const campaign: Page = { label: "Campaign", show };
 

@@ -7,8 +7,8 @@ import { Drafts, enter, entered } from "../drafts";
 import { dropZone, Question, report, type Told, ways } from "../jobs";
 import { field } from "../parts";
 import { Reading } from "../reading";
-import { address, type Page, type Values, VEHICLES } from "../shell";
 import { advised, asSaid } from "../refusals";
+import { address, type Page, type Values, VEHICLES } from "../shell";
 
 export const inspection: Page = { label: "Inspection", show };
 
@@ -203,9 +203,9 @@ function evaluation(
   let was: Used = {};
   const question = new Question(
     "Evaluate and grade",
-    () => (
-      (was = entered(controls)),
-      {
+    () => {
+      was = entered(controls);
+      return {
         kind: "evaluate",
         records: [record.value, ...(other.value ? [other.value] : [])],
         tester: tester.value,
@@ -216,8 +216,8 @@ function evaluation(
         date: date.value,
         inspector: by.value,
         language: language.value,
-      }
-    ),
+      };
+    },
     (told: Told<Graded>, asked) => {
       used(was);
       if (told.result.store) stored(asked.store);
@@ -411,20 +411,20 @@ function simulated(
   let was: Used = {};
   const question = new Question(
     "Simulate the test",
-    () => (
-      (was = entered(controls)),
-      {
+    () => {
+      was = entered(controls);
+      return {
         kind: "test",
         vehicle: rig.value,
         tester: tester.value,
         wear: wear.value,
         wheel: wheel.value,
         out: out.value,
-      }
-    ),
-    (told, asked) => (
-      used(was),
-      [
+      };
+    },
+    (told, asked) => {
+      used(was);
+      return [
         make(
           "p",
           { class: "good" },
@@ -432,8 +432,8 @@ function simulated(
           make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it"),
         ),
         ways(told),
-      ]
-    ),
+      ];
+    },
   );
   return {
     controls,

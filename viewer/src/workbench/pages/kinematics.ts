@@ -8,7 +8,7 @@ import * as api from "../api";
 import { designing, type Target } from "../designing";
 import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
-import { field, Newest, once, Outdated, problem, Sliders, Steps, Ways } from "../parts";
+import { field, Newest, Outdated, once, problem, Sliders, Steps, Ways } from "../parts";
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";

@@ -7,8 +7,8 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, ways } from "../parts";
-import { address, goTo, type Page } from "../shell";
 import { inWords } from "../quantities";
+import { address, goTo, type Page } from "../shell";
 
 export const project: Page = { label: "Project", show };
 

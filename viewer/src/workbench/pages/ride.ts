@@ -20,10 +20,10 @@ import {
   whole,
 } from "../jobs";
 import { field, once, problem } from "../parts";
-import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
-import type { Choices } from "./inspection";
 import { inWords } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
+import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
+import type { Choices } from "./inspection";
 
 export const ride: Page = { label: "Ride and control", show };
 

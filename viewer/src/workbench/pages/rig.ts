@@ -9,8 +9,8 @@ import { Drafts, draftsOf, moment, stateOf } from "../drafts";
 import { Form, type Key, type Value } from "../form";
 import { copied, InTurn, Newest, problem, Ways } from "../parts";
 import { Points } from "../points";
-import { address, choose, type Page, type Values, VEHICLES } from "../shell";
 import { advised } from "../refusals";
+import { address, choose, type Page, type Values, VEHICLES } from "../shell";
 
 export const rig: Page = { label: "Rig", show };
 
@@ -64,7 +64,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const edits = new InTurn(
       (error) => {
         said?.remove();
-        told.prepend((said = problem(error)));
+        said = problem(error);
+        told.prepend(said);
       },
       () => display(),
     ),

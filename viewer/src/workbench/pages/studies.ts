@@ -4,9 +4,10 @@ import { make, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
-import { begin, follow, JobCard, jobList, report, ways, type Whole, whole } from "../jobs";
+import { begin, follow, JobCard, jobList, report, type Whole, ways, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem } from "../parts";
+import { advised, asSaid } from "../refusals";
 import { address, type Page, type Values, VEHICLES } from "../shell";
 import {
   Brushes,
@@ -17,7 +18,6 @@ import {
   ranges,
   tornado,
 } from "../variants";
-import { advised, asSaid } from "../refusals";
 
 export const studies: Page = { label: "Studies", show };
 

@@ -3,9 +3,9 @@
 import { make } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
-import { OBSTACLES, USUAL } from "../obstacles";
 import { Drafts, enter, entered } from "../drafts";
-import { field, Live, once, Outdated, problem, Sliders, Steps } from "../parts";
+import { OBSTACLES, USUAL } from "../obstacles";
+import { field, Live, Outdated, once, problem, Sliders, Steps } from "../parts";
 import { Phase } from "../phase";
 import { address, choose, type Page, setLive, type Values, VEHICLES } from "../shell";
 
