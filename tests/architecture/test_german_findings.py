@@ -114,9 +114,8 @@ def test_what_a_job_says_as_it_goes_on_has_its_german() -> None:
     files += [file for name in ("campaign", "design", "ride", "variants") for file in (LIBRARY / name).glob("*.py")]
     said = {template for file in files for template in progress_of(file)}
     assert {"loading", "simulating # variants: # %", "compiling the loop # (once on this machine)"} <= said
-    known = (ROOT / "viewer" / "src" / "workbench" / "german.ts").read_text(encoding="utf-8")
-    german = re.findall(r'"((?:[^"\\]|\\.)*)": "', known)
-    assert [one for one in sorted(said) if not any(_fits(one, english) for english in german)] == []
+    known = json.loads((ROOT / "viewer" / "src" / "workbench" / "german.json").read_text(encoding="utf-8"))
+    assert [one for one in sorted(said) if not any(_fits(one, english) for english in known)] == []
 
 
 def test_a_message_is_read_from_its_source(tmp_path: Path) -> None:
