@@ -1,0 +1,126 @@
+"""Tables as text that fit into a number of columns: no number is broken; columns without room stand below."""
+
+from __future__ import annotations
+
+import textwrap
+import unicodedata
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from jounce.core.text import visible
+
+_GAP = "  "
+
+
+@dataclass(frozen=True)
+class TextTable:
+    """A table whose columns are fitted to a width.
+
+    Attributes
+    ----------
+    title : str
+        Line above it; empty without one.
+    header : sequence of str
+        Name of each column.
+    rows : sequence of sequence of str
+        Cells; the first column names the row and is repeated where columns stand below.
+    texts : sequence of int
+        Columns that hold text: they stand to the left, and their lines break between words.
+
+    Examples
+    --------
+    >>> print(TextTable("Rates", ("wheel", "rate [N/mm]"), [("front left", "22.73"), ("rear", "9.80")]))
+    Rates
+    wheel       rate [N/mm]
+    ──────────  ───────────
+    front left        22.73
+    rear               9.80
+    """
+
+    title: str
+    header: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    texts: Sequence[int] = (0,)
+
+    def __str__(self) -> str:
+        return "\n".join([*([self.title] if self.title else ()), *self.lines(80)])
+
+    def lines(self, width: int, most: int | None = None) -> Iterator[str]:
+        """Write header and rows, the first ``most`` of them, in lines of at most ``width`` characters."""
+        for number, widths in enumerate(self.parts(width)):
+            if number:
+                yield ""
+            yield from self._written(self.header, widths, is_head=True)
+            yield _GAP.join("─" * wide for wide in widths.values())
+            for row in self.rows[:most]:
+                yield from self._written(row, widths)
+
+    def parts(self, width: int) -> list[dict[int, int]]:
+        """Choose columns and their widths for each part.
+
+        >>> table = TextTable("", ("name", "first", "second"), [("a b", "1.5", "100.25")])
+        >>> table.parts(80), table.parts(14)
+        ([{0: 4, 1: 5, 2: 6}], [{0: 4, 1: 5}, {0: 4, 2: 6}])
+        """
+        least = [self._width(k, is_least=True) for k in range(len(self.header))]
+        parts: list[list[int]] = [[0]] if self.header else []
+        for k in range(1, len(self.header)):
+            beside = [*parts[-1], k]
+            if len(beside) > 2 and _sum(least[j] for j in beside) > width:
+                beside = [0, k]
+                parts.append(beside)
+            parts[-1] = beside
+        return [self._widened(part, least, width) for part in parts]
+
+    def _widened(self, columns: Sequence[int], least: Sequence[int], width: int) -> dict[int, int]:
+        """Share the remaining width among the columns that can use it; where there is none, cut the names of rows."""
+        wanted = [self._width(k, is_least=False) - least[k] for k in columns]
+        left = width - _sum(least[k] for k in columns)
+        share = min(1.0, max(0, left) / max(1, sum(wanted)))
+        widths = {k: least[k] + int(share * more) for k, more in zip(columns, wanted, strict=True)}
+        return widths | {columns[0]: max(1, widths[columns[0]] + min(0, left))}
+
+    def _width(self, column: int, *, is_least: bool) -> int:
+        """Width of a column: that of its longest cell, or the least that breaks no word and no number."""
+        cells = [row[column] for row in self.rows]
+        if is_least and column in self.texts:
+            cells = [word for text in cells for word in text.split()]
+        head = self.header[column].split() if is_least else [self.header[column]]
+        return max((width_of(text) for cell in (*head, *cells) for text in cell.splitlines()), default=1)
+
+    def _written(self, cells: Sequence[str], widths: dict[int, int], *, is_head: bool = False) -> Iterator[str]:
+        """Write one row; a head ends at its line, other rows begin together."""
+        columns = {k: _wrapped(cells[k], wide) for k, wide in widths.items()}
+        height = max(map(len, columns.values()))
+        for k, lines in columns.items():
+            empty = [""] * (height - len(lines))
+            columns[k] = [*empty, *lines] if is_head else [*lines, *empty]
+        for at in range(height):
+            aligned = [self._aligned(columns[k][at], k, wide) for k, wide in widths.items()]
+            yield _GAP.join(aligned).rstrip()
+
+    def _aligned(self, text: str, column: int, width: int) -> str:
+        room = " " * (width - width_of(text))
+        return text + room if column in self.texts else room + text
+
+
+def width_of(text: str) -> int:
+    """Count the characters of a terminal that a text takes.
+
+    >>> width_of("22.7 N/mm"), width_of("車輪")
+    (9, 4)
+    """
+    if text.isascii():
+        return len(text)
+    return sum(2 if unicodedata.east_asian_width(sign) in "FW" else not unicodedata.combining(sign) for sign in text)
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    lines = visible(text).splitlines() or [""]
+    return [part for line in lines for part in textwrap.wrap(line, width, break_on_hyphens=False) or [""]]
+
+
+def _sum(widths: Iterator[int] | Sequence[int]) -> int:
+    """Width of columns side by side."""
+    each = list(widths)
+    return sum(each) + len(_GAP) * (len(each) - 1)
