@@ -279,9 +279,7 @@ def _draw_comparison(console: Console, plain: dict[str, Any], study: RideStudy) 
     rows = [(ride.control, *(ride.merits.get(merit.name) for merit in shown)) for ride in study.rides]
     header = ("controller", *(f"{merit.label} [{merit.unit}]" for merit in shown))
     title = f"{plain['vehicle']} on {plain['road']} at {size(plain['speed'], 'm/s', 'speed')}; smaller is better"
-    built = table(title, header, rows)
-    built.columns[0].no_wrap = True  # a name stays in one piece
-    console.print(built)
+    console.print(table(title, header, rows))
     _draw_end(console, plain, study)
 
 
