@@ -3,6 +3,14 @@
 from . import mechanics as mechanics
 from . import notebook as notebook
 from . import plots as plots
+from .bench.drive import BeltLoad as BeltLoad
+from .bench.drive import BenchDrive as BenchDrive
+from .bench.drive import assess_drive as assess_drive
+from .bench.drive import find_belt_speed as find_belt_speed
+from .bench.similitude import Similitude as Similitude
+from .bench.similitude import similitude_report as similitude_report
+from .bench.springs import SpringChoice as SpringChoice
+from .bench.springs import compare_springs as compare_springs
 from .campaign import BenchTruth as BenchTruth
 from .campaign import CampaignResult as CampaignResult
 from .campaign import load_truth as load_truth

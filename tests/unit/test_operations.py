@@ -26,7 +26,7 @@ def result_of(request: Request):
 
 def test_every_operation_is_public_and_its_page_exists():
     for operation in operations().values():
-        assert getattr(jn, operation.function.partition(":")[2])
+        assert getattr(jn, (operation.python or operation.function).partition(":")[2])
         assert callable(resolve(operation.page))
         assert operation.example.startswith(f"jounce {operation.command} ")
         assert all(parameter.mark.help for parameter in operation.parameters)
@@ -82,3 +82,19 @@ def test_a_required_value_that_is_empty_is_refused_by_its_option():
     given = {"vehicle": "kart-quarter-car", "frequency": "", "damping_ratio": "0.3"}
     with pytest.raises(DescriptionError, match="--frequency: "):
         Request(operations()["design springs"], given).read()
+
+
+def test_fields_of_a_description_are_options_and_python(capsys):
+    given = {"inverter_frequency": "24.6 Hz", "cylinder_radius": "60 mm"}
+    request = Request(operations()["bench speed"], given)
+    assert request.words() == ["bench", "speed", "--cylinder-radius=60 mm", "--inverter-frequency=24.6 Hz"]
+    assert "drive=jn.BenchDrive(cylinder_radius='60 mm')," in request.python()
+    names: dict[str, object] = {}
+    exec(request.python(), names)  # noqa: S102 - that is what it is for
+    assert names["result"] == result_of(request)
+
+
+def test_a_refused_field_of_a_description_is_named_as_its_option():
+    request = Request(operations()["bench drive"], {"pulley_slip": "-1 %"})
+    with pytest.raises(DescriptionError, match="--pulley-slip: out of range"):
+        result_of(request)

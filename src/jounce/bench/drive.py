@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,8 +12,10 @@ from pydantic import Field
 
 from jounce.bench.estimated import estimated, estimates_used
 from jounce.core.description import Description, Whole
-from jounce.core.errors import FitError
+from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
+from jounce.core.operation import Count, MadeBy, Number, operation
+from jounce.core.serialise import Plain, to_plain
 from jounce.core.units import (
     Frequency,
     NonNegativeDampingCoefficient,
@@ -21,8 +23,11 @@ from jounce.core.units import (
     NonNegativeLength,
     PositiveLength,
     Unit,
+    positive_si,
+    to_si,
 )
 from jounce.identify.estimate import Estimate, estimate
+from jounce.parts.options import LONGEST_BARE
 
 AngularSpeed = Annotated[float, Unit("rad/s", above=0.0)]
 Power = Annotated[float, Unit("W", above=0.0)]
@@ -39,8 +44,36 @@ class BenchDrive(Description):
     ``efficiency`` 0.95, ``standstill_torque`` 0.5 (share of the rated torque a self-ventilated motor keeps without
     overheating at standstill, growing linearly to 1 at the supply frequency).
 
-    ``belt_reference`` names the radius at which belt speed and pull act: ``pitch`` R + t/2 (the belt does not stretch),
-    ``outer`` R + t, ``bare`` R.
+    Attributes
+    ----------
+    motor_power : float
+        Rated power of the motor.
+    supply_frequency : float
+        Rated frequency of the motor.
+    rated_motor_speed : float
+        Rated speed of the motor.
+    pole_pairs : int
+        Pole pairs of the motor.
+    motor_pulley_diameter : float
+        Diameter of the pulley on the motor.
+    cylinder_pulley_diameter : float
+        Diameter of the pulley on the cylinder.
+    belt_length : float
+        Length of the belt loop.
+    belt_reference : str
+        Effective radius of the belt: pitch (R + t/2; the belt does not stretch), outer (R + t) or bare (R).
+    cylinder_radius : float
+        Radius R of the cylinder.
+    belt_thickness : float
+        Thickness t of the flat belt.
+    pulley_slip : float
+        Slip between motor and cylinder.
+    flat_belt_slip : float
+        Slip between cylinder and flat belt.
+    efficiency : float
+        Efficiency of the drive.
+    standstill_torque : float
+        Share of the rated torque that the motor sustains at standstill.
     """
 
     motor_power: Power = 1500.0
@@ -231,6 +264,25 @@ class BeltLoad(Description):
     + inertia * acceleration / radius^2. Nothing of it is published: every value is *estimated* (``wheel_load`` is
     the weight of 16 kg sprung and an estimated 5 kg unsprung mass; ``bed_load`` presses the belt on its metal support
     and equals the wheel load when not given).
+
+    Attributes
+    ----------
+    wheel_load : float
+        Wheel load on the belt.
+    rolling_resistance : float
+        Rolling resistance coefficient of the tyre.
+    bed_friction : float
+        Coefficient of friction between belt and bed.
+    bed_load : float
+        Load of the belt on its bed. Default: the wheel load.
+    bending_force : float
+        Pull needed to bend the belt.
+    drag : float
+        Resistance proportional to speed.
+    inertia : float
+        Moment of inertia at the cylinder.
+    acceleration : float
+        Acceleration of the belt.
     """
 
     wheel_load: NonNegativeForce = estimated(206.0, "16 kg sprung and 5 kg unsprung mass")
@@ -424,3 +476,222 @@ def _implied(drive: BenchDrive, load: BeltLoad, ceiling: float) -> tuple[float, 
         f"{there.required_force:.0f} N."
     )
     return there.continuous_force, text
+
+
+PUBLISHED_CEILING = 3.87
+"""Belt speed (m/s) at which the published bench stopped."""
+
+
+@dataclass(frozen=True)
+class BeltSpeeds(Plain):
+    """Belt speed from the inverter, from the photo-sensor, or both side by side.
+
+    Attributes
+    ----------
+    inverter : BeltSpeed or None
+        From the inverter frequency.
+    photo_sensor : SensorSpeed or None
+        From counted pulses.
+    """
+
+    inverter: BeltSpeed | None
+    photo_sensor: SensorSpeed | None
+
+    @property
+    def speed(self) -> float:
+        """Belt speed, m/s: as counted, otherwise from the inverter."""
+        return self.photo_sensor.speed.value if self.photo_sensor else self.inverter.speed if self.inverter else 0.0
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Findings of both."""
+        return _together(self.inverter, self.photo_sensor)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        both = {"inverter": _without_findings(self.inverter), "photo_sensor": _without_findings(self.photo_sensor)}
+        return {"speed": self.speed, **both, "findings": to_plain(self.findings)}
+
+
+@operation(
+    "bench speed",
+    faces={"radius_error": "0 mm"},
+    python_only=("motor_power", "efficiency", "standstill_torque"),
+    has_argument=False,
+    page="jounce.report.bench:belt_speed_page",
+    title="Belt speed",
+    example='jounce bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
+)
+def find_belt_speed(
+    drive: Annotated[BenchDrive, MadeBy("jounce.bench.drive:BenchDrive")],
+    inverter_frequency: Annotated[
+        float | str | None, Number('Frequency set at the inverter, e.g. "24.6 Hz".', "VALUE", "Hz")
+    ] = None,
+    *,
+    speed: Annotated[
+        float | str | None,
+        Number("Belt speed to reach; gives the inverter frequency.", "VALUE", "m/s", is_positive=True),
+    ] = None,
+    pulses: Annotated[int | None, Count("Pulses counted by the photo-sensor on the cylinder.")] = None,
+    duration: Annotated[
+        float | str | None, Number("Counting time of the pulses.", "VALUE", "s", is_positive=True)
+    ] = None,
+    pulses_per_revolution: Annotated[int, Count("Marks on the cylinder.")] = 1,
+    radius_error: Annotated[
+        float | str, Number("Standard error of the radius.", "VALUE", "m", most=LONGEST_BARE)
+    ] = 0.0,
+) -> BeltSpeeds:
+    """Find the belt speed from the inverter frequency or from photo-sensor pulses, or the frequency for a speed.
+
+    Parameters
+    ----------
+    drive : BenchDrive
+        The bench.
+    inverter_frequency : float or str, optional
+        Frequency set at the inverter, Hz.
+    speed : float or str, optional
+        Instead of it the belt speed to reach, m/s.
+    pulses : int, optional
+        Pulses of the photo-sensor on the cylinder, counted for ``duration``.
+    duration : float or str, optional
+        Counting time, s.
+    pulses_per_revolution : int
+        Marks on the cylinder.
+    radius_error : float or str
+        Standard error of the radius at which the belt runs, m.
+
+    Returns
+    -------
+    BeltSpeeds
+        SI.
+
+    Raises
+    ------
+    DescriptionError
+        Where nothing gives a speed, or pulses or their time are missing.
+    FitError
+        For numbers that are not positive.
+
+    Examples
+    --------
+    >>> round(find_belt_speed(BenchDrive(), "24.6 Hz", pulses=62, duration="10 s").speed, 3)
+    2.006
+    """
+    if (inverter_frequency is not None and speed is not None) or inverter_frequency == speed == pulses:
+        raise DescriptionError(
+            "give what the speed follows from",
+            where="jounce bench speed",
+            allowed='either --inverter-frequency "24.6 Hz" or --speed "1.95 m/s", and/or --pulses 62 --duration "10 s"',
+        )
+    if pulses is None and duration is not None:
+        hint = "Count them in that time, or leave it out."
+        raise DescriptionError("--duration is the time in which --pulses are counted, which are missing", hint=hint)
+    if pulses is not None and duration is None:
+        raise DescriptionError("--duration is missing; pulses are counted in a time", allowed='--duration "10 s"')
+    frequency = None if inverter_frequency is None else to_si(inverter_frequency, "Hz", where="inverter_frequency")
+    if speed is not None:
+        frequency = inverter_frequency_for(drive, positive_si(speed, "m/s", where="speed"))
+    computed = None if frequency is None else belt_speed(drive, frequency)
+    if pulses is None or duration is None:
+        return BeltSpeeds(computed, None)
+    counted = photo_sensor_speed(
+        drive,
+        pulses,
+        positive_si(duration, "s", where="duration"),
+        pulses_per_revolution=pulses_per_revolution,
+        radius_error=to_si(radius_error, "m", where="radius_error"),
+    )
+    return BeltSpeeds(computed, counted)
+
+
+@dataclass(frozen=True)
+class DriveAssessment(Plain):
+    """What the belt asks of the motor at a speed, and how fast it can run.
+
+    Attributes
+    ----------
+    margin : DriveMargin or None
+        At the speed that was asked for.
+    attainable : AttainableSpeed
+        Highest belt speed.
+    """
+
+    margin: DriveMargin | None
+    attainable: AttainableSpeed
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Findings of both."""
+        return _together(self.margin, self.attainable)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        margin, attainable = _without_findings(self.margin) or {}, _without_findings(self.attainable)
+        return {**margin, "attainable": attainable, "findings": to_plain(self.findings)}
+
+
+@operation(
+    "bench drive",
+    python_only=("belt_length",),
+    has_argument=False,
+    page="jounce.report.bench:drive_page",
+    title="Drive",
+    example='jounce bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"',
+)
+def assess_drive(
+    drive: Annotated[BenchDrive, MadeBy("jounce.bench.drive:BenchDrive")],
+    load: Annotated[BeltLoad, MadeBy("jounce.bench.drive:BeltLoad")],
+    *,
+    speed: Annotated[
+        float | str | None, Number('Belt speed to assess, e.g. "3.87 m/s".', "VALUE", "m/s", is_positive=True)
+    ] = None,
+    observed_ceiling: Annotated[
+        float | str | None,
+        Number(
+            "Highest speed reached in practice; gives the pull that would explain it. Default: 3.87 m/s of the "
+            "published bench, where nothing else of it is changed.",
+            "VALUE",
+            "m/s",
+        ),
+    ] = None,
+) -> DriveAssessment:
+    """Assess the drive: torque and power margin at a belt speed, the attainable speed, and what limits it.
+
+    Parameters
+    ----------
+    drive : BenchDrive
+        The bench.
+    load : BeltLoad
+        What resists the belt.
+    speed : float or str, optional
+        Belt speed to assess, m/s.
+    observed_ceiling : float or str, optional
+        Highest speed reached in practice, m/s; by default that of the published bench, where ``drive`` and ``load``
+        are its own.
+
+    Returns
+    -------
+    DriveAssessment
+        SI.
+
+    Examples
+    --------
+    >>> found = assess_drive(BenchDrive(), BeltLoad(), speed="3.87 m/s")
+    >>> found.attainable.limited_by, found.margin.margin > 0.0
+    ('supply frequency', True)
+    """
+    margin = None if speed is None else drive_margin(drive, positive_si(speed, "m/s", where="speed"), load)
+    if observed_ceiling is None and drive == BenchDrive() and load == BeltLoad():
+        observed_ceiling = PUBLISHED_CEILING
+    ceiling = None if observed_ceiling is None else to_si(observed_ceiling, "m/s", where="observed_ceiling")
+    return DriveAssessment(margin, attainable_speed(drive, load, observed_ceiling=ceiling))
+
+
+def _without_findings(result: Any) -> dict[str, Any] | None:
+    """Give a part of a result as plain data; findings are listed once for the whole."""
+    return None if result is None else {key: item for key, item in to_plain(result).items() if key != "findings"}
+
+
+def _together(*results: Any) -> tuple[Finding, ...]:
+    """Findings of several results, each once."""
+    return tuple(dict.fromkeys(finding for result in results if result is not None for finding in result.findings))

@@ -11,6 +11,8 @@ from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.operation import MadeBy, operation
+from jounce.core.serialise import Plain
 from jounce.core.units import Frequency, Mass, PositiveNumber, PositiveSpeed, PositiveStiffness, Unit
 
 Density = Annotated[float, Unit("kg/m^3", above=0.0)]
@@ -39,6 +41,29 @@ class Similitude(Description):
     the tyre stiffness and the spring rate (here with the strut at 26 degrees, rigidly tied at the wheel: 18 362 N/m).
     *Estimated*, because no source gives them: ``reference_density`` 7850 kg/m^3 (steel) and
     ``reference_frequency`` 1.5 Hz (body bounce of a passenger car).
+
+    Attributes
+    ----------
+    reference_mass : float
+        Sprung mass at full size.
+    prototype_mass : float
+        Sprung mass as built.
+    geometry_factor : float
+        Ratio of lengths, full size to prototype.
+    mass_factor : float
+        Ratio of the edges of the mass, full size to prototype.
+    prototype_density : float
+        Density of the prototype's mass.
+    prototype_wheel_rate : float
+        Wheel rate as built.
+    prototype_tyre_stiffness : float
+        Tyre stiffness as built.
+    prototype_speed : float
+        Speed of the trials.
+    reference_density : float
+        Density at full size.
+    reference_frequency : float
+        Body bounce frequency at full size.
     """
 
     reference_mass: Mass = 265.0
@@ -69,7 +94,7 @@ class ScaleFactor:
 
 
 @dataclass(frozen=True)
-class SimilitudeReport:
+class SimilitudeReport(Plain):
     """Mass by Eq. 1, factors of similitude, and what the prototype violates.
 
     Attributes
@@ -101,11 +126,30 @@ class SimilitudeReport:
     findings: tuple[Finding, ...]
 
 
-def similitude_report(case: Similitude | None = None) -> SimilitudeReport:
-    """Apply Eq. 1 and Froude similitude to a prototype, by default the published kart's.
+@operation(
+    "bench scale",
+    has_argument=False,
+    page="jounce.report.bench:similitude_page",
+    title="Prototype",
+    example='jounce bench scale --prototype-mass "18.6 kg"',
+)
+def similitude_report(
+    case: Annotated[Similitude | None, MadeBy("jounce.bench.similitude:Similitude")] = None,
+) -> SimilitudeReport:
+    """Assess the similitude of a prototype: its mass by Eq. 1 of the paper, the scale factors, and what it violates.
 
     Lengths are reduced by ``geometry_factor``; with the same gravity the times go with its square root; the masses
     relate as they were built; stiffness = mass / time^2, damping coefficient = mass / time, force = mass.
+
+    Parameters
+    ----------
+    case : Similitude, optional
+        Full-size suspension and prototype; by default the published kart.
+
+    Returns
+    -------
+    SimilitudeReport
+        SI.
 
     Examples
     --------

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 from jounce.bench.estimated import estimated, estimates_used
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.operation import MadeBy, Pairs, operation
+from jounce.core.serialise import Plain
+from jounce.core.typed import positive_quantity
 from jounce.core.units import (
     Angle,
     Frequency,
@@ -21,6 +25,9 @@ from jounce.core.units import (
     PositiveStiffness,
 )
 
+PUBLISHED = {"bicycle": 52775.0, "scooter": 22730.0}  # N/m
+CANDIDATES = Pairs("Candidates. Default: bicycle=52775 N/m, scooter=22730 N/m.", "NAME=RATE", 'soft="22.73 N/mm"')
+
 
 class SpringChoice(Description):
     """What a spring has to do.
@@ -29,6 +36,23 @@ class SpringChoice(Description):
     ``damping_coefficient`` 150 N s/m along the strut, ``available_travel`` 40 mm at the wheel, ``target_frequency``
     1.84 Hz (1.5 Hz at full size, by similitude with lengths reduced by 1.5), ``friction_force`` 15 N at the sprung
     mass.
+
+    Attributes
+    ----------
+    sprung_mass : float
+        Sprung mass.
+    strut_angle : float
+        Angle of the strut to the vertical.
+    tyre_stiffness : float
+        Stiffness of the tyre in series.
+    damping_coefficient : float
+        Damping coefficient along the strut.
+    available_travel : float
+        Travel available at the wheel.
+    target_frequency : float
+        Target frequency of body bounce.
+    friction_force : float
+        Friction force at the sprung mass.
     """
 
     sprung_mass: Mass = 16.0
@@ -80,11 +104,21 @@ class SpringRow:
 
 
 @dataclass(frozen=True)
-class SpringComparison:
-    """Candidates in the order given, and the one to take.
+class SpringComparison(Plain):
+    """Candidates in the order given, and the recommended spring.
 
-    That is the spring whose natural frequency with the tyre comes closest to the target without using the travel up;
-    ``reasons`` says in a sentence each why the others were rejected. Doubts about it are among the findings.
+    Its natural frequency with the tyre comes closest to the target without using up the travel.
+
+    Attributes
+    ----------
+    rows : tuple of SpringRow
+        Candidates.
+    chosen : str
+        Name of the recommended spring.
+    reasons : tuple of str
+        Why each of the others was rejected.
+    findings : tuple of Finding
+        The reasons, and what is doubtful about the recommended spring.
     """
 
     rows: tuple[SpringRow, ...]
@@ -93,25 +127,57 @@ class SpringComparison:
     findings: tuple[Finding, ...]
 
 
-def compare_springs(springs: Sequence[tuple[str, float]], choice: SpringChoice | None = None) -> SpringComparison:
-    """Compare candidates, each with its name and spring rate (N/m), for a prototype: by default the published kart's.
+@operation(
+    "bench springs",
+    named={"springs": "candidates"},
+    page="jounce.report.bench:spring_choice_page",
+    title="Springs",
+    example='jounce bench springs stiff="52.775 N/mm" soft="22.73 N/mm" --sprung-mass "16 kg"',
+)
+def compare_springs(
+    springs: Annotated[Mapping[str, float | str] | Sequence[tuple[str, float | str]] | None, CANDIDATES] = None,
+    choice: Annotated[SpringChoice | None, MadeBy("jounce.bench.springs:SpringChoice")] = None,
+) -> SpringComparison:
+    """Compare candidate springs: static deflection, natural frequency, damping ratio, and which to choose.
+
+    Parameters
+    ----------
+    springs : mapping, or sequence of pairs, optional
+        Name of each candidate and its spring rate, N/m; by default those of the published kart.
+    choice : SpringChoice, optional
+        What the spring has to do; by default for the published kart.
+
+    Returns
+    -------
+    SpringComparison
+        SI.
+
+    Raises
+    ------
+    DescriptionError
+        For a rate that is not positive.
+    FitError
+        For no springs, springs of the same name, and a strut that lies nearly flat.
 
     Examples
     --------
-    >>> found = compare_springs([("bicycle", 52775.0), ("scooter", 22730.0)])
+    >>> found = compare_springs({"bicycle": "52.775 N/mm", "scooter": 22730.0})
     >>> found.chosen, round(found.rows[1].wheel_rate), round(found.rows[1].natural_frequency, 3)
     ('scooter', 18362, 5.066)
     """
     choice = choice or SpringChoice()
-    if not springs:
+    springs = PUBLISHED if springs is None else springs
+    pairs = [*springs.items()] if isinstance(springs, Mapping) else springs
+    rates = [(name, positive_quantity(str(rate), "N/m", name)) for name, rate in pairs]
+    if not rates:
         raise FitError("no springs to compare", allowed="at least one")
-    if len({name for name, _ in springs}) < len(springs):
+    if len({name for name, _ in rates}) < len(rates):
         raise FitError("a spring is named twice", allowed="different names")
     if math.cos(choice.strut_angle) < 0.1:
         raise FitError(
             "the strut lies nearly flat", found=f"{math.degrees(choice.strut_angle):g} deg", allowed="below 84 deg"
         )
-    rows = tuple(_row(name, rate, choice) for name, rate in springs)
+    rows = tuple(_row(name, rate, choice) for name, rate in rates)
     fitting = [row for row in rows if row.travel_share <= 0.5] or list(rows)
     chosen = min(fitting, key=lambda row: abs(math.log(row.natural_frequency / choice.target_frequency)))
     reasons = tuple(_reason(row, chosen, choice) for row in rows if row is not chosen)
@@ -122,8 +188,6 @@ def compare_springs(springs: Sequence[tuple[str, float]], choice: SpringChoice |
 
 
 def _row(name: str, rate: float, choice: SpringChoice) -> SpringRow:
-    if not (math.isfinite(rate) and rate > 0.0):
-        raise FitError("the spring rate is not positive", where=name, found=f"{rate} N/m", allowed="above 0 N/m")
     lever = math.cos(choice.strut_angle) ** 2
     wheel = rate * lever
     ride = 1.0 / (1.0 / wheel + 1.0 / choice.tyre_stiffness)

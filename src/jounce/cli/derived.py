@@ -4,42 +4,22 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from jounce.cli.options import (
-    AsJson,
-    FigureFile,
-    Force,
-    ReportFile,
-    RigFile,
-    check_outputs,
-    shipped,
-    warn_of,
-    write_picture,
-    write_report,
-    write_rig,
-)
-from jounce.cli.reply import Reply, progress, show_written
-from jounce.core.operation import Count, Switch
+from jounce.cli.options import AsJson, Force, shipped, warn_of
+from jounce.cli.outputs import OUTPUTS, Answered, Files
+from jounce.cli.reply import DONE, FAILED, REFUSED, Reply, progress, show_written, tell
+from jounce.core.operation import Count, File, Pairs, Switch
 from jounce.operations.index import Operation, Parameter, operations, resolve
 from jounce.operations.request import Request
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from jounce.core.findings import Finding
     from jounce.report import Page
-
-OFFERS: Mapping[str, tuple[str, Any]] = {
-    "rig": ("out", RigFile),
-    "figure": ("figure", FigureFile),
-    "report": ("report", ReportFile),
-}
-"""Option and type of each way to write a result."""
 
 
 def add_commands(app: typer.Typer, group: str) -> None:
@@ -50,6 +30,11 @@ def add_commands(app: typer.Typer, group: str) -> None:
             app.command(name)(command_of(operation))
 
 
+def derived(command: str) -> Callable[..., Reply]:
+    """Give the command of an operation by its words."""
+    return command_of(operations()[command])
+
+
 def command_of(operation: Operation) -> Callable[..., Reply]:
     """Make the function whose signature the command line reads."""
 
@@ -57,8 +42,9 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
         return answer(operation, given)
 
     own = [_parameter(parameter) for parameter in operation.parameters]
-    files = [(*OFFERS[offer], None) for offer in operation.offers]
-    shared = [*files, ("force", Force, False), ("as_json", AsJson, False)]
+    files = [(OUTPUTS[offer].option, OUTPUTS[offer].kind, None) for offer in operation.offers]
+    force = [("force", Force, False)] if files else []
+    shared = [*files, *force, ("as_json", AsJson, False)]
     own += [inspect.Parameter(name, _KEYWORD, default=default, annotation=kind) for name, kind, default in shared]
     required_first = sorted(own, key=lambda parameter: parameter.default is not inspect.Parameter.empty)
     command.__signature__ = inspect.Signature(required_first)  # type: ignore[attr-defined]
@@ -73,17 +59,19 @@ _KEYWORD = inspect.Parameter.KEYWORD_ONLY
 def _parameter(parameter: Parameter) -> inspect.Parameter:
     """One parameter as Typer reads it."""
     mark, default = parameter.mark, parameter.default
-    name = _python_name(parameter)
-    if parameter.is_positional:
-        argument = typer.Argument(metavar=parameter.option.upper(), help=mark.help, autocompletion=shipped("parts"))
-        return inspect.Parameter(name, _KEYWORD, annotation=Annotated[str, argument])
-    option = typer.Option(parameter.flag, metavar=mark.metavar or None, help=mark.help)
     kind: Any = int if isinstance(mark, Count) else bool if isinstance(mark, Switch) else str
     kind = list[str] if mark.is_repeated else kind
+    metavar = mark.metavar or ("FILE" if isinstance(mark, File) else None)
+    completion = shipped(*mark.shipped) if isinstance(mark, File) and mark.shipped else None
+    said: dict[str, Any] = {"help": mark.help, "autocompletion": completion}
+    if parameter.is_positional:
+        option: Any = typer.Argument(metavar=mark.metavar or parameter.option.upper(), show_default=False, **said)
+    else:
+        option = typer.Option(parameter.flag, metavar=metavar, **said)
     if parameter.is_required:
-        return inspect.Parameter(name, _KEYWORD, annotation=Annotated[kind, option])
+        return inspect.Parameter(_python_name(parameter), _KEYWORD, annotation=Annotated[kind, option])
     kind = kind if default is not None else kind | None
-    return inspect.Parameter(name, _KEYWORD, default=default, annotation=Annotated[kind, option])
+    return inspect.Parameter(_python_name(parameter), _KEYWORD, default=default, annotation=Annotated[kind, option])
 
 
 def _python_name(parameter: Parameter) -> str:
@@ -92,65 +80,66 @@ def _python_name(parameter: Parameter) -> str:
 
 def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     """Run an operation with what the command line gave, write what is asked for, and answer."""
-    files = Files({offer: given[OFFERS[offer][0]] for offer in operation.offers}, force=given["force"])
+    asked = {offer: given[OUTPUTS[offer].option] for offer in operation.offers}
+    files = Files(asked, force=given.get("force", False))
     files.check()
     request = Request(operation, {p.option: given[_python_name(p)] for p in operation.parameters})
     values = request.read()
-    typed = {parameter.option: value for parameter, value in request.values()}
-    subject = str(typed[operation.subject])
+    typed = {p.option: p.default for p in operation.parameters} | {p.option: value for p, value in request.values()}
     with progress() as say:
         say("loading")
         resolve(operation.function)
         made = request.make(values)
         for value in made.values():
             if hasattr(value, "parameters"):
-                warn_of(value, subject)
+                warn_of(value, str(typed[operation.subject]))
         say(operation.doing)
         result = request.call(values, made)
+    title = operation.title.format(**_stems(operation, typed), result=result)
 
     def page() -> Page:
-        drawn: Page = resolve(operation.page)(result, title=Path(subject).stem)
+        drawn: Page = resolve(operation.page)(result, title=title)
         return drawn
 
-    read = {parameter.option: value for parameter, value in values}
-    echo = {key: read.get(option, {}) for key, option in operation.echo.items()}
-    written, missing = files.write(result, page, subject, operation.comment.format(**typed))
-    plain = {**echo, **result.to_dict(), **written}
+    plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
+    answered = Answered(result, plain, page, title, operation.comment.format(**typed, result=result))
+    missing = files.write(answered)
+    written = {name: plain[name] for name in ("out", "figure", "report") if name in plain}
+    if not operation.names_files:
+        plain = {name: value for name, value in plain.items() if name not in written}
 
     def draw(console: Console) -> None:
         from jounce.cli.terminal import show_page
 
         show_page(console, page())
-        show_written(console, plain)
+        show_written(console, written)
 
-    return Reply(plain, draw, given["as_json"], missing=missing)
+    return Reply(plain, draw, given["as_json"], _exit_code(result), missing)
 
 
-@dataclass(frozen=True)
-class Files:
-    """The files that a command writes, by what is written; None where no file is asked for."""
+def _stems(operation: Operation, typed: Mapping[str, Any]) -> dict[str, Any]:
+    """What was typed, files by their names without folder and suffix; nothing where nothing was given."""
+    files = {p.option for p in operation.parameters if isinstance(p.mark, File)}
+    return {
+        option: "" if value is None else Path(str(value)).stem if option in files else value
+        for option, value in typed.items()
+    }
 
-    asked: Mapping[str, Path | None]
-    force: bool
 
-    def check(self) -> None:
-        """Refuse files that could not be written."""
-        check_outputs(**self.asked, force=self.force)
+def _echo(operation: Operation, read: Mapping[str, Any]) -> dict[str, Any]:
+    """Repeat options in the answer: an empty mapping where no pairs were given, otherwise nothing."""
+    absent: dict[str, Any] = {p.option: {} if isinstance(p.mark, Pairs) else None for p in operation.parameters}
+    values = {**absent, **read}
+    return {
+        key: values[options] if isinstance(options, str) else {option: values[option] for option in options}
+        for key, options in operation.echo.items()
+    }
 
-    def write(
-        self, result: Any, page: Callable[[], Page], title: str, comment: str
-    ) -> tuple[dict[str, str | None], list[Finding]]:
-        """Write the files; give their names by option, and what could not be drawn."""
-        names: dict[str, str | None] = {}
-        missing: list[Finding] = []
-        for offer, file in self.asked.items():
-            if offer == "rig":
-                write_rig(result.rig, file, comment, force=self.force)
-                names["out"] = None if file is None else str(file)
-            elif offer == "figure":
-                names["figure"], lost = write_picture(result, file, title, force=self.force)
-                missing += lost
-            else:
-                names["report"], lost = write_report(page, file, force=self.force)
-                missing += lost
-        return names, missing
+
+def _exit_code(result: Any) -> int:
+    """Say why a result is not whole; give the exit code."""
+    stopped = getattr(result, "stopped", "")
+    if stopped:
+        tell(f"{stopped}. The poses before that are kept.")
+        return REFUSED
+    return DONE if getattr(result, "is_met", True) else FAILED

@@ -13,8 +13,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypeVar
 
-Offer = Literal["rig", "figure", "report"]
-"""What a result can be written as."""
+Offer = Literal["rig", "recording", "numbers", "sweep", "table", "figure", "figures", "folder", "report"]
+"""What a result can be written as: see `jounce.cli.outputs`."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +48,48 @@ class Number(Mark):
 
     unit: str = "1"
     is_positive: bool = False
+    most: float | None = None  # of bare numbers, SI: a larger one lacks its unit
 
     def read(self, given: Any, where: str) -> float:
         """Convert the number to SI."""
         from jounce.core.typed import positive_quantity, quantity
 
-        return (positive_quantity if self.is_positive else quantity)(str(given), self.unit, where)
+        return (positive_quantity if self.is_positive else quantity)(str(given), self.unit, where, most=self.most)
+
+
+@dataclass(frozen=True)
+class Field(Mark):
+    """A field of a description, which converts its values itself; a bare number must be plausible in SI."""
+
+    unit: str = ""
+    most: float | None = None
+
+    def read(self, given: Any, where: str) -> str | float:
+        """Refuse a bare number that is implausible."""
+        from jounce.core.typed import bare_number
+        from jounce.core.units import bare_si
+
+        value = bare_number(str(given))
+        is_bare = bool(self.unit) and isinstance(value, float)
+        return bare_si(float(value), self.unit, where=where, most=self.most) if is_bare else value
+
+
+@dataclass(frozen=True)
+class File(Mark):
+    """A file; a shell completes names of the library of these packages, too."""
+
+    shipped: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Texts(Mark):
+    """Several texts."""
+
+    is_repeated: ClassVar[bool] = True
+
+    def texts(self, given: Any) -> list[str]:
+        """Write each."""
+        return [str(text) for text in given]
 
 
 @dataclass(frozen=True)
@@ -133,7 +169,9 @@ class Band(Mark):
         return tuple(quantity(str(end), self.unit, where) for end in pair)
 
 
-MARKS = {kind.__name__: kind for kind in (Mark, Number, Count, Switch, Pairs, Ranges, Settings, Band)}
+MARKS = {
+    kind.__name__: kind for kind in (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Ranges, Settings, Band)
+}
 
 
 @dataclass(frozen=True)
@@ -144,7 +182,7 @@ class MadeBy:
     ----------
     maker, python : str
         ``module:function``: the one makes the value of the options, the other writes that as Python; where it is
-        empty, Python has the value itself.
+        empty, Python has the value itself. The maker may be a description: its fields are the options then.
     """
 
     maker: str
@@ -160,9 +198,13 @@ class Registration:
     named: Mapping[str, str] = field(default_factory=dict)
     faces: Mapping[str, Any] = field(default_factory=dict)
     python_only: tuple[str, ...] = ()
-    echo: Mapping[str, str] = field(default_factory=dict)
+    has_argument: bool = True
+    echo: Mapping[str, str | tuple[str, ...]] = field(default_factory=dict)
     offers: tuple[Offer, ...] = ()
+    names_files: bool = True
+    python: str = ""
     page: str = ""
+    title: str = ""
     comment: str = ""
     doing: str = "computing"
     example: str = ""
@@ -181,10 +223,19 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         Words of its command, such as ``"design pareto"``.
     **more
         ``named``: parameters whose option has another name. ``faces``: defaults of options that differ from those of
-        the function. ``python_only``: parameters without an option. ``echo``: keys of ``--json`` that repeat an option.
-        ``offers``: what the result can be written as. ``page``: ``module:function`` that puts the result on a page.
-        ``comment``: first line of a rig file, with options in braces. ``doing``: what is shown while it runs.
+        the function. ``python_only``: parameters without an option. ``has_argument``: whether the command takes its
+        first parameter without a name. ``echo``: keys of ``--json`` that repeat an option, or several by their names.
+        ``offers``: what the result can be written as; ``names_files``: whether ``--json`` names these files.
+        ``python``: ``module:function`` that Python is offered instead, where it gives another form of the result.
+        ``page``: ``module:function`` that puts the result on a page. ``title``, ``comment``: head of the page and first
+        line of a rig file, with options and ``result`` in braces. ``doing``: what is shown while it runs.
         ``example``: a command line.
+
+    Notes
+    -----
+    The result has ``to_dict``. Where it is not whole, ``stopped`` says why (exit code 2); where it is not what was
+    wanted, ``is_met`` is false (exit code 1). What it can be written as asks for more: ``rig``, ``recording()``,
+    ``rows()``, ``data``, ``table()``, ``files()``.
     """
 
     def register(function: _F) -> _F:

@@ -215,6 +215,7 @@ class ParetoFront(Plain):
     echo={"rig": "vehicle", "set": "set"},
     offers=("figure", "report"),
     page="jounce.report:front_page",
+    title="{vehicle}",
     doing="searching",
     example='jounce design pareto audi-a6-quarter-car --free strut.damper.coefficient="300..6000" --figure front.png',
 )

@@ -178,6 +178,7 @@ def _damping_ratios(
     echo={"rig": "vehicle", "set": "set"},
     offers=("rig",),
     page="jounce.report:springs_page",
+    title="{vehicle}",
     comment="Springs and dampers of {vehicle} for {frequency} and a damping ratio of {damping_ratio}.",
     example='jounce design springs audi-a6-full-car --frequency "1.2 Hz" --rear-frequency "1.4 Hz" --damping-ratio 0.3',
 )

@@ -10,10 +10,22 @@ from importlib import import_module
 from types import NoneType
 from typing import Any, get_args, get_type_hints
 
-from jounce.core.operation import REGISTERED, Count, MadeBy, Mark, Registration, Switch
-from jounce.operations.index import Operation, Parameter, resolve
+from pydantic.fields import FieldInfo
 
-MODULES = ("jounce.design.pareto", "jounce.design.springs")
+from jounce.core.description import Description
+from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.operation import REGISTERED, Count, Field, MadeBy, Mark, Registration, Switch
+from jounce.core.units import Unit
+from jounce.operations.index import Operation, Parameter, resolve
+from jounce.parts.options import LONGEST_BARE
+
+MODULES = (
+    "jounce.bench.drive",
+    "jounce.bench.similitude",
+    "jounce.bench.springs",
+    "jounce.design.pareto",
+    "jounce.design.springs",
+)
 """Modules whose functions are operations, in the order of their commands in the help."""
 
 
@@ -27,16 +39,14 @@ def described() -> list[dict[str, Any]]:
 def _operation(registration: Registration) -> Operation:
     function = registration.function
     makers = {name: mark for name, mark in _marks(function).items() if isinstance(mark, MadeBy)}
-    parameters = tuple(_parameters(function, registration))
-    first = next(index for index, parameter in enumerate(parameters) if parameter.is_required)
-    positional = replace(parameters[first], is_positional=True)
+    first, *others = _parameters(function, registration)
     return Operation(
         registration.command,
         f"{function.__module__}:{function.__name__}",
         (inspect.getdoc(function) or "").partition("\n")[0],
-        (*parameters[:first], positional, *parameters[first + 1 :]),
+        (replace(first, is_positional=registration.has_argument), *others),
         makers,
-        *(getattr(registration, name) for name in ("echo", "offers", "page", "comment", "doing", "example")),
+        **{field.name: getattr(registration, field.name) for field in fields(Operation)[5:]},
     )
 
 
@@ -49,7 +59,9 @@ def _parameters(function: Callable[..., Any], registration: Registration, made: 
         if name in registration.python_only:
             continue
         if isinstance(mark, MadeBy):
-            yield from _parameters(resolve(mark.maker), registration, name)
+            maker = resolve(mark.maker)
+            parts = _fields if isinstance(maker, type) else _parameters
+            yield from parts(maker, registration, name)
             continue
         option = registration.named.get(name, name)
         default = registration.faces.get(option, None if parameter.default is parameter.empty else parameter.default)
@@ -63,6 +75,29 @@ def _parameters(function: Callable[..., Any], registration: Registration, made: 
             takes_text=str in _members(hints[name]),
             source=f"{function.__module__}:{function.__name__}",
         )
+
+
+def _fields(kind: type[Description], registration: Registration, made: str) -> Iterator[Parameter]:
+    """Read the fields of a description, with their defaults in the help."""
+    documented = parameter_texts(kind)
+    for name, field in kind.model_fields.items():
+        if name in registration.python_only:
+            continue
+        unit = next((item.si for item in field.metadata if isinstance(item, Unit)), "")
+        most = LONGEST_BARE if unit == "m" else None
+        mark = Field(f"{documented[name]}{_default_of(field, unit)}", "VALUE", unit, most)
+        option = registration.named.get(name, name)
+        yield Parameter(name, option, mark, made=made, source=f"{kind.__module__}:{kind.__name__}")
+
+
+def _default_of(field: FieldInfo, unit: str) -> str:
+    if field.default is None or field.is_required():
+        return ""
+    is_estimated = isinstance(field.json_schema_extra, dict) and field.json_schema_extra.get("estimated")
+    shown = display_unit(unit) if unit in ("m", "rad") else DisplayUnit(unit.removesuffix("1"), 1.0)
+    is_number = isinstance(field.default, float)
+    written = f"{field.default * shown.factor:.6g} {shown.name}".strip() if is_number else field.default
+    return f" Default: {written}{' (estimated)' if is_estimated else ''}."
 
 
 def _marks(function: Callable[..., Any]) -> dict[str, Mark | MadeBy]:
@@ -81,8 +116,12 @@ def _members(hint: Any) -> set[Any]:
 
 
 def parameter_texts(function: Callable[..., Any]) -> dict[str, str]:
-    """Give what a numpydoc docstring says of each parameter."""
-    part = re.search(r"Parameters\n-+\n(.*?)(?=^\w+\n-+$|\Z)", inspect.getdoc(function) or "", re.MULTILINE | re.DOTALL)
+    """Give what a numpydoc docstring says of each parameter, or field of a description."""
+    part = re.search(
+        r"(?:Parameters|Attributes)\n-+\n(.*?)(?=^\w+\n-+$|\Z)",
+        inspect.getdoc(function) or "",
+        re.MULTILINE | re.DOTALL,
+    )
     texts = re.findall(r"^([\w, ]+) :[^\n]*\n((?:[ ]+[^\n]*\n?)*)", part[1] if part else "", re.MULTILINE)
     return {name.strip(): " ".join(text.split()) for names, text in texts for name in names.split(",")}
 

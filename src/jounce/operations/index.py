@@ -55,6 +55,11 @@ class Parameter:
         """
         return f"--{self.option.replace('_', '-')}"
 
+    @property
+    def place(self) -> str:
+        """Name of the value in messages: its option, or what stands for it in the help where it has none."""
+        return (self.mark.metavar or self.option.upper()) if self.is_positional else self.flag
+
 
 @dataclass(frozen=True)
 class Operation:
@@ -70,7 +75,7 @@ class Operation:
         In the order of the command.
     makers : dict
         Parameter of the function to what makes it of options.
-    command, echo, offers, page, comment, doing, example
+    command, echo, offers, names_files, python, page, title, comment, doing, example
         As :func:`jounce.core.operation.operation` takes them.
     """
 
@@ -79,17 +84,20 @@ class Operation:
     summary: str
     parameters: tuple[Parameter, ...]
     makers: Mapping[str, MadeBy]
-    echo: Mapping[str, str]
+    echo: Mapping[str, str | tuple[str, ...]]
     offers: tuple[str, ...]
+    names_files: bool
+    python: str
     page: str
+    title: str
     comment: str
     doing: str
     example: str
 
     @property
     def subject(self) -> str:
-        """Option that names what it is about: the one that a command takes without its name."""
-        return next(parameter.option for parameter in self.parameters if parameter.is_positional)
+        """Option that names what it is about: the one that a command takes without its name; empty without one."""
+        return next((parameter.option for parameter in self.parameters if parameter.is_positional), "")
 
 
 def resolve(path: str) -> Any:
@@ -108,7 +116,10 @@ def operations() -> dict[str, Operation]:
 def _operation(row: Mapping[str, Any]) -> Operation:
     parameters = tuple(_parameter(given) for given in row["parameters"])
     makers = {name: MadeBy(**given) for name, given in row["makers"].items()}
-    return Operation(**{**row, "parameters": parameters, "makers": makers, "offers": tuple(row["offers"])})
+    echo = {key: tuple(options) if isinstance(options, list) else options for key, options in row["echo"].items()}
+    return Operation(
+        **{**row, "parameters": parameters, "makers": makers, "echo": echo, "offers": tuple(row["offers"])}
+    )
 
 
 def _parameter(row: Mapping[str, Any]) -> Parameter:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+from jounce.core.errors import DescriptionError
 from jounce.operations.index import Operation, Parameter, resolve
 
 _NOTHING: tuple[Any, ...] = (None, "", [], {})
@@ -43,12 +44,12 @@ class Request:
         DescriptionError
             For a value that cannot be read, with the option.
         """
-        return [(parameter, parameter.mark.read(value, parameter.flag)) for parameter, value in self.values()]
+        return [(parameter, parameter.mark.read(value, parameter.place)) for parameter, value in self.values()]
 
     def make(self, values: Values) -> dict[str, Any]:
         """Make the parameters that several options make, of values that were read."""
         return {
-            name: resolve(makes.maker)(**{p.name: value for p, value in values if p.made == name})
+            name: _made(resolve(makes.maker), [(p, value) for p, value in values if p.made == name])
             for name, makes in self.operation.makers.items()
         }
 
@@ -61,7 +62,7 @@ class Request:
         words = self.operation.command.split()
         for parameter, value in self.values():
             if parameter.is_positional:
-                words.append(str(value))
+                words += parameter.mark.texts(value)
             elif value is True:
                 words.append(parameter.flag)
             elif value != parameter.default:
@@ -70,17 +71,39 @@ class Request:
 
     def python(self) -> str:
         """Write the request as Python that prints its result."""
-        name = self.operation.function.partition(":")[2]
+        name = (self.operation.python or self.operation.function).partition(":")[2]
         arguments = []
         for made, makes in self.operation.makers.items():
-            options = {p.name: p.mark.read(value, p.flag) for p, value in self.values() if p.made == made}
-            text = resolve(makes.python)(**options) if makes.python else repr(resolve(makes.maker)(**options))
+            options = {p.name: p.mark.read(value, p.place) for p, value in self.values() if p.made == made}
+            text = resolve(makes.python)(**options) if makes.python else _in_python(resolve(makes.maker), options)
             arguments.append(f"{made}={text}")
         for parameter, value in self.values():
             if parameter.made:
                 continue
             is_text = parameter.takes_text and isinstance(value, str)
-            written = value if is_text else parameter.mark.read(value, parameter.flag)
+            written = value if is_text else parameter.mark.read(value, parameter.place)
             arguments.append(f"{parameter.name}={written!r}")
         lines = "".join(f"    {argument},\n" for argument in arguments)
         return f"import jounce as jn\n\nresult = jn.{name}(\n{lines})\nprint(result)\n"
+
+
+def _in_python(maker: Callable[..., Any], options: Mapping[str, Any]) -> str:
+    """Write what a maker makes as Python: a description by its fields, anything else as the value itself."""
+    if not isinstance(maker, type):
+        return repr(maker(**options))
+    fields = ", ".join(f"{name}={value!r}" for name, value in options.items())
+    return f"jn.{maker.__name__}({fields})"
+
+
+def _made(maker: Callable[..., Any], options: Values) -> Any:
+    """Call a maker; what a description refuses of its fields is an error of their options."""
+    try:
+        return maker(**{parameter.name: value for parameter, value in options})
+    except DescriptionError as error:
+        flags = {parameter.name: parameter.flag for parameter, _ in options}
+        if error.where not in flags:
+            raise
+        where = flags[error.where]
+        raise DescriptionError(
+            error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+        ) from None

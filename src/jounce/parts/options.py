@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, TypeAlias
 
-from jounce.core.operation import MadeBy, Mark, Settings
+from jounce.core.operation import File, MadeBy, Settings
 from jounce.parts.files import load
 from jounce.parts.rig import Rig, unit_of
 
@@ -19,7 +19,7 @@ LONGEST_BARE = 10.0
 
 
 def chosen_rig(
-    rig: Annotated[str, Mark("A vehicle or rig file, or a name of `jounce library`.")],
+    rig: Annotated[str, File("A vehicle or rig file, or a name of `jounce library`.", shipped=("parts",))],
     changes: Annotated[
         Mapping[str, Any] | None,
         Settings(

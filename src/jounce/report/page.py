@@ -92,6 +92,19 @@ def table_of(caption: str, columns: Sequence[Column], note: str = "") -> Table:
     return Table(caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note)
 
 
+def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) -> Table:
+    """Make a table of labels, values (SI) and their units, each row in the unit that is chosen for it.
+
+    >>> quantity_table("Rig", [("spring rate", 22730.0, "N/m"), ("damping ratio", 0.3, "1")]).rows
+    (('spring rate', '22.73', 'N/mm'), ('damping ratio', '0.3', '–'))
+    """
+    cells = []
+    for label, value, si in rows:
+        unit = display_unit(si, abs(value or 0.0))
+        cells.append((label, number(None if value is None else value * unit.factor), unit.name or "–"))
+    return Table(caption, ("quantity", "value", "unit"), tuple(cells), "lrl")
+
+
 def _written(column: Column) -> tuple[str, list[Cell | str]]:
     """Write the label and the cells of a column."""
     if not column.unit:

@@ -1,0 +1,162 @@
+"""Files that a command writes of its result: how each is asked for, refused before the work, and written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from jounce.cli.options import (
+    FigureFile,
+    NumbersFile,
+    ReportFile,
+    RigFile,
+    check_numbers,
+    check_outputs,
+    write_numbers,
+    write_picture,
+    write_report,
+    write_rig,
+)
+from jounce.core.findings import not_drawn
+
+if TYPE_CHECKING:
+    from jounce.core.findings import Finding
+    from jounce.report import Page
+
+
+@dataclass(frozen=True)
+class Answered:
+    """A result with what its files need beside it."""
+
+    result: Any
+    plain: dict[str, Any]
+    page: Callable[[], Page]
+    title: str
+    comment: str
+
+
+Missing = Sequence["Finding"]
+"""What could not be drawn: that loses no result."""
+
+
+@dataclass(frozen=True)
+class Output:
+    """A way to write a result: its option, the type and help of that, what refuses a file, and what writes it."""
+
+    option: str
+    kind: Any
+    check: Callable[[Path, bool], object]
+    write: Callable[[Answered, Path, bool], Missing]
+
+
+def _out(text: str, metavar: str | None = None) -> Any:
+    return Annotated[Path | None, typer.Option("--out", metavar=metavar, help=text)]
+
+
+def _rig(answered: Answered, file: Path, force: bool) -> Missing:
+    write_rig(answered.result.rig, file, answered.comment, force=force)
+    return ()
+
+
+def _recording(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.recordings import write_recording
+
+    write_recording(answered.result.recording(), file, force=force)
+    return ()
+
+
+def _numbers(answered: Answered, file: Path, force: bool) -> Missing:
+    write_numbers(answered.plain, answered.result.rows(), file, force=force)
+    return ()
+
+
+def _check_sweep(file: Path, force: bool) -> None:
+    from jounce.kinematics.sweeps import SWEEP_FILES
+
+    SWEEP_FILES.check(file, force=force)
+
+
+def _sweep(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.kinematics.sweeps import SWEEP_FILES
+
+    SWEEP_FILES.write(answered.result.data, file, force=force)
+    return ()
+
+
+def _check_table(file: Path, force: bool) -> None:
+    from jounce.core.writing import check_writable
+
+    check_writable(file, what="tables", suffixes=(".csv",), force=force)
+
+
+def _table(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.core.writing import write_atomically
+
+    write_atomically(file, answered.result.table(), force=force)
+    return ()
+
+
+def _figure(answered: Answered, file: Path, force: bool) -> Missing:
+    return write_picture(answered.result, file, answered.title, force=force)[1]
+
+
+def _figures(answered: Answered, folder: Path, force: bool) -> Missing:
+    try:
+        answered.result.write_figures(folder, force=force)
+    except Exception as error:  # noqa: BLE001 - whatever it is, the result is answered
+        return [not_drawn(str(folder), error)]
+    return ()
+
+
+def _report(answered: Answered, file: Path, force: bool) -> Missing:
+    return write_report(answered.page, file, force=force)[1]
+
+
+OUTPUTS: Mapping[str, Output] = {
+    "rig": Output("out", RigFile, lambda file, force: check_outputs(rig=file, force=force), _rig),
+    "recording": Output(
+        "out",
+        _out("Write the recording: .nc, .csv, .mat, .mf4, .parquet or .xlsx."),
+        lambda file, force: check_outputs(recording=file, force=force),
+        _recording,
+    ),
+    "numbers": Output("out", NumbersFile, lambda file, force: check_numbers(file, force=force), _numbers),
+    "sweep": Output("out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep),
+    "table": Output("out", _out("Write every number: .csv (SI)."), _check_table, _table),
+    "figure": Output("figure", FigureFile, lambda file, force: check_outputs(figure=file, force=force), _figure),
+    "figures": Output(
+        "figure",
+        Annotated[Path | None, typer.Option(metavar="DIR", help="Draw everything into this folder.")],
+        lambda file, force: check_outputs(folder=file, force=force),
+        _figures,
+    ),
+    "report": Output("report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report),
+}
+"""What an operation may offer (`jounce.core.operation.Offer`)."""
+
+
+@dataclass(frozen=True)
+class Files:
+    """The files that a command line asks for, by offer; None where none is asked for."""
+
+    asked: Mapping[str, Path | None]
+    force: bool
+
+    def check(self) -> None:
+        """Refuse files that could not be written."""
+        for offer, file in self.asked.items():
+            if file is not None:
+                OUTPUTS[offer].check(file, self.force)
+
+    def write(self, answered: Answered) -> Missing:
+        """Write the files, name them in the plain answer, and give what could not be drawn."""
+        missing: list[Finding] = []
+        for offer, file in self.asked.items():
+            lost = () if file is None else OUTPUTS[offer].write(answered, file, self.force)
+            answered.plain[OUTPUTS[offer].option] = None if file is None or lost else str(file)
+            missing += lost
+        return missing
