@@ -1,6 +1,7 @@
-"""Every ride metric: one frozen row with name, unit, label, source, and what it must not be taken for.
+"""Every ride metric: one frozen row with name, unit, label, source, and what it is often confused with.
 
-Integrals and means are over time from the end of the settling on. Deflections are positive in compression.
+Integrals and means run from the end of the settling time to the end of the record. Deflections are positive in
+compression.
 """
 
 from __future__ import annotations
@@ -66,7 +67,7 @@ def adhesion(load: Array) -> float:
 
 def smallest(load: Array) -> float:
     """Smallest wheel load (N)."""
-    return float(load.min()) + 0.0  # never -0
+    return float(load.min()) + 0.0  # + 0.0 turns -0 into 0
 
 
 def stress_factor(load: Array) -> float:
@@ -76,13 +77,13 @@ def stress_factor(load: Array) -> float:
 
 
 def _static(load: Array) -> float:
-    found = mean(load)
-    if not found > 0.0:
-        raise RecordingError("the mean wheel load is not positive", found=f"{found:g} N", allowed="above 0 N")
-    return found
+    average = mean(load)
+    if not average > 0.0:
+        raise RecordingError("the mean wheel load is not positive", found=f"{average:g} N", allowed="above 0 N")
+    return average
 
 
-# what a metric sees of a recording ------------------------------------------------------------------------------------
+# the part of a recording that a metric reads -------------------------------------------------------------------------
 
 
 Pair = tuple[float | None, float | None]
@@ -92,12 +93,12 @@ _NO_PASSENGER = {"unsprung", "wheel", "tyre", "road", "platform", "knuckle", "up
 
 @dataclass(frozen=True)
 class Choices:
-    """What the user of the metrics has decided, SI.
+    """Options of the metrics, SI.
 
-    ``settling`` (s) does not count; ``weighting`` names one by channel or axis where it is not the usual; ``start``
-    says what was before the record. ``travel`` and ``stop_gap`` hold by corner the rebound and bump travel from the
-    mean deflection and the gaps of rebound and bump stop (m). ``exposure`` (s) lasts a day; up to ``lift_off_load`` (N)
-    a tyre counts as lifted.
+    The first ``settling`` seconds are skipped; ``weighting`` overrides the usual weighting of a channel or an axis;
+    ``start`` is the assumption about the time before the record. ``travel`` and ``stop_gap`` give, for each corner,
+    rebound and bump travel from the mean deflection and the gaps of rebound and bump stop (m). ``exposure`` is the time
+    a day (s); a tyre counts as lifted off up to ``lift_off_load`` (N).
     """
 
     settling: float = 0.0
@@ -105,13 +106,13 @@ class Choices:
     start: Start = "rest"
     travel: Mapping[str, Pair] = field(default_factory=dict)
     stop_gap: Mapping[str, Pair] = field(default_factory=dict)
-    exposure: float = 8.0 * 3600.0
+    exposure: float = 8.0 * 3600.0  # the working day that A(8) refers to
     lift_off_load: float = 0.0
 
 
 @dataclass
 class Motion:
-    """One acceleration: ``values`` (m/s^2 or rad/s^2) at ``rate`` (Hz); what lies before ``first`` does not count."""
+    """One acceleration: ``values`` (m/s^2 or rad/s^2) at ``rate`` (Hz); samples before ``first`` are skipped."""
 
     channel: str
     axis: str
@@ -123,28 +124,28 @@ class Motion:
 
     @property
     def signal(self) -> Array:
-        """The part that counts, unweighted."""
+        """The evaluated part, unweighted."""
         return self.values[self.first :]
 
     @property
     def usual(self) -> str:
-        """Name of its weighting."""
-        chosen = self.choices.weighting
-        return chosen.get(self.channel, chosen.get(self.axis, USUAL_WEIGHTING[self.axis]))
+        """Name of the weighting in use."""
+        by_name = self.choices.weighting
+        return by_name.get(self.channel, by_name.get(self.axis, USUAL_WEIGHTING[self.axis]))
 
     def weighted(self, name: str = "") -> Array:
-        """The part that counts, weighted over the whole record; refused when it is too short for the weighting."""
+        """The evaluated part of the weighted record; refused if it is too short for the weighting."""
         row = weighting(name or self.usual)
         if row.name not in self._weighted:
             check_duration(row.name, duration_of(self.signal, self.rate), where=self.channel)
-            found = weighted(self.values, self.rate, row.name, start=self.choices.start)
-            self._weighted[row.name] = found[self.first :]
+            record = weighted(self.values, self.rate, row.name, start=self.choices.start)
+            self._weighted[row.name] = record[self.first :]
         return self._weighted[row.name]
 
 
 @dataclass(frozen=True)
 class Point:
-    """Accelerations along the axes (x, y, z) at one place where people or goods are."""
+    """Accelerations along the axes (x, y, z) at one place of people or goods."""
 
     place: str
     motions: Mapping[str, Motion]
@@ -152,7 +153,7 @@ class Point:
 
 @dataclass(frozen=True)
 class Corner:
-    """Signals of one strut and tyre by the end of their names at ``rate`` (Hz); ``name`` is empty for a quarter car."""
+    """Signals of one strut and tyre by suffix, at ``rate`` (Hz); ``name`` is empty for a quarter car."""
 
     name: str
     signals: Mapping[str, Array]
@@ -165,12 +166,12 @@ class Corner:
         return self.signals[suffix]
 
     def has(self, suffix: str) -> bool:
-        """Whether the channel is there."""
+        """Whether the corner has the channel."""
         return suffix in self.signals
 
     @property
     def stop_gaps(self) -> Pair:
-        """Gaps of rebound and bump stop in m, None where there is none."""
+        """Gaps of rebound and bump stop in m; None for a stop without a gap."""
         return self.choices.stop_gap.get(self.name, (None, None))
 
     def stop_gap(self, which: str) -> float:
@@ -182,7 +183,7 @@ class Corner:
 
     @property
     def travel(self) -> tuple[float, float]:
-        """Rebound and bump travel in m from the mean deflection: as given, or up to the stops."""
+        """Rebound and bump travel in m from the mean deflection: as given, or else up to the stops."""
         rebound, bump = self.choices.travel.get(self.name, (None, None))
         if rebound is None or bump is None:
             deflection = self.signals["strut.deflection"]
@@ -201,7 +202,7 @@ class Corner:
 
 
 def carries_passengers(place: str) -> bool:
-    """Tell whether a place lies on the sprung side, where comfort matters."""
+    """Whether a place lies on the sprung side, where comfort matters."""
     return place.rpartition(".")[2] not in _NO_PASSENGER
 
 
@@ -217,11 +218,11 @@ _STRUT, _TYRE = "strut.deflection", "tyre.force"
 class Metric:
     """One row of the catalogue.
 
-    ``formula`` gives the value for a view of the recording, in the SI ``unit`` ("1" for ratios and counts). ``scope``
-    says of what there is one value: each acceleration ("motion"), each rotational one, each where people or goods are
-    ("comfort"), all axes of such a place together ("point"), each corner. ``needs`` are ends of the channels' names:
-    one of them (motions, points), or all of them (corners). ``source`` is a standard or a definition, ``is_not`` what
-    the metric is often confused with.
+    ``formula`` computes the value from the part of a recording that ``scope`` names, in the SI ``unit`` ("1" for
+    ratios and counts). There is one value for each acceleration ("motion"), each rotational acceleration ("rotation"),
+    each acceleration of people or goods ("comfort"), all axes of such a place together ("point"), or each corner.
+    ``needs`` are suffixes of channel names: any of them (motions, points), or all of them (corners). ``source`` is a
+    standard or a definition, ``is_not`` what the metric is often confused with.
     """
 
     name: str
@@ -256,8 +257,8 @@ def _use(view: Corner) -> float:
     return peak_use(view[_STRUT], *view.travel)
 
 
-_ISO, _DIRECTIVE, _PLAIN = "ISO 2631-1:1997, ", "2002/44/EC and ISO 2631-1:1997, 7.2", "statistics of the signal"
-_OWN = "definition of jounce"
+_ISO, _DIRECTIVE = "ISO 2631-1:1997, ", "2002/44/EC and ISO 2631-1:1997, 7.2"
+_PLAIN, _OWN = "statistics of the signal", "definition of jounce"
 
 # fmt: off
 CATALOGUE: tuple[Metric, ...] = (

@@ -1,6 +1,6 @@
 """Closed forms of the linear quarter car: variances on white-noise roads, best dampers, invariants, first designs.
 
-All of them are those of the two-mass model with an undamped tyre; rates and coefficients are those at the wheel.
+All formulas are those of the two-mass model with an undamped tyre; rates and coefficients are at the wheel.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from jounce.core.units import positive_si, to_si
 
 @dataclass(frozen=True)
 class LumpedCorner:
-    """Numbers of a quarter car, all at the wheel, SI."""
+    """Parameters of a quarter car, all at the wheel, SI."""
 
     sprung_mass: float
     unsprung_mass: float
@@ -26,15 +26,15 @@ class LumpedCorner:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            least = name == "damping_coefficient"
-            if not (math.isfinite(value) and (value >= 0.0 if least else value > 0.0)):
+            may_vanish = name == "damping_coefficient"
+            if not (math.isfinite(value) and (value >= 0.0 if may_vanish else value > 0.0)):
                 raise DescriptionError(
-                    "out of range", where=name, found=value, allowed="at least 0" if least else "above 0"
+                    "out of range", where=name, found=value, allowed="at least 0" if may_vanish else "above 0"
                 )
 
     @property
     def total_mass(self) -> float:
-        """Sprung and unsprung mass together, kg."""
+        """Sprung plus unsprung mass, kg."""
         return self.sprung_mass + self.unsprung_mass
 
 
@@ -56,8 +56,8 @@ def white_noise_variances(corner: LumpedCorner, intensity: float) -> Variances:
 
     Examples
     --------
-    >>> found = white_noise_variances(LumpedCorner(400.0, 40.0, 25e3, 200e3, 1500.0), 1.0)
-    >>> round(found.acceleration, 4), round(found.deflection, 8), round(found.tyre_deflection, 9)
+    >>> variances = white_noise_variances(LumpedCorner(400.0, 40.0, 25e3, 200e3, 1500.0), 1.0)
+    >>> round(variances.acceleration, 4), round(variances.deflection, 8), round(variances.tyre_deflection, 9)
     (1510.4167, 0.14666667, 0.016977083)
     """
     m, u, k, kt, c = _numbers(corner)
@@ -88,7 +88,7 @@ def _holding_term(m: float, u: float, k: float, kt: float) -> float:
 
 
 def comfort_damping(corner: LumpedCorner) -> float:
-    """Damping coefficient (N*s/m, at the wheel) with the least body acceleration, ``k sqrt(M / k_t)``.
+    """Damping coefficient (N*s/m, at the wheel) of least body acceleration, ``k sqrt(M / k_t)``.
 
     Examples
     --------
@@ -99,13 +99,13 @@ def comfort_damping(corner: LumpedCorner) -> float:
 
 
 def least_acceleration_variance(corner: LumpedCorner, intensity: float) -> float:
-    """Variance ((m/s^2)^2) of the body's acceleration with that damper; ``intensity`` in m^2/s."""
+    """Variance ((m/s^2)^2) of the body's acceleration with `comfort_damping`; ``intensity`` in m^2/s."""
     root = math.sqrt(corner.tyre_stiffness * corner.total_mass)
     return intensity * corner.wheel_rate * root / corner.sprung_mass**2
 
 
 def road_holding_damping(corner: LumpedCorner) -> float:
-    """Damping coefficient (N*s/m, at the wheel) with the least variation of the wheel load.
+    """Damping coefficient (N*s/m, at the wheel) of least wheel load variation.
 
     Examples
     --------
@@ -117,7 +117,7 @@ def road_holding_damping(corner: LumpedCorner) -> float:
 
 
 def road_holding_rate(corner: LumpedCorner) -> float:
-    """Wheel rate (N/m) with the least variation of the wheel load, ``k_t m_s m_u / M^2``, whatever the damper.
+    """Wheel rate (N/m) of least wheel load variation for any damper, ``k_t m_s m_u / M^2``.
 
     Examples
     --------
@@ -128,7 +128,7 @@ def road_holding_rate(corner: LumpedCorner) -> float:
 
 
 def mean_dissipated_power(tyre_stiffness: float, intensity: float) -> float:
-    """Mean power (W) that the damper of one wheel turns into heat, ``W k_t / 2``, whatever masses, spring and damper.
+    """Mean power (W) dissipated by the damper of one wheel, ``W k_t / 2``, for any masses, spring and damper.
 
     ``tyre_stiffness`` in N/m, ``intensity`` of the white-noise road in m^2/s.
     """
@@ -137,16 +137,16 @@ def mean_dissipated_power(tyre_stiffness: float, intensity: float) -> float:
 
 @dataclass(frozen=True)
 class Invariants:
-    """Points of the frequency response that no suspension law between body and wheel can move.
+    """Points of the frequency response that no suspension law between body and wheel can change.
 
     Attributes
     ----------
     acceleration_frequency_hz : float
-        Where the body's acceleration per road height is fixed, Hz.
+        Frequency at which the body's acceleration per road height is fixed, Hz.
     acceleration_ratio : float
-        There, ``k_t / m_s``, 1/s^2, in phase with the road.
+        Acceleration per road height there, ``k_t / m_s``, 1/s^2, in phase with the road.
     deflection_frequency_hz : float
-        Where the suspension deflection per road height is fixed, Hz.
+        Frequency at which the suspension deflection per road height is fixed, Hz.
     deflection_ratio : float
         Its magnitude there, ``M / m_s`` (1).
     """
@@ -164,10 +164,10 @@ def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) 
 
     Examples
     --------
-    >>> found = invariants(400.0, 40.0, 200e3)
-    >>> round(found.acceleration_frequency_hz, 5), round(found.acceleration_ratio)
+    >>> points = invariants(400.0, 40.0, 200e3)
+    >>> round(points.acceleration_frequency_hz, 5), round(points.acceleration_ratio)
     (11.25395, 500)
-    >>> round(found.deflection_frequency_hz, 5), round(found.deflection_ratio, 2)
+    >>> round(points.deflection_frequency_hz, 5), round(points.deflection_ratio, 2)
     (3.39319, 1.1)
     """
     total = sprung_mass + unsprung_mass
@@ -176,12 +176,12 @@ def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) 
 
 
 def ride_rate(wheel_rate: float, tyre_stiffness: float | None) -> float:
-    """Rate (N/m) of wheel rate and tyre stiffness (N/m) in series; a rigid tyre is None."""
+    """Wheel rate and tyre stiffness (N/m) in series, N/m; None is a rigid tyre."""
     return wheel_rate if tyre_stiffness is None else wheel_rate * tyre_stiffness / (wheel_rate + tyre_stiffness)
 
 
 def approximate_frequencies(corner: LumpedCorner) -> tuple[float, float]:
-    """Body bounce and wheel hop (Hz) as if they did not know of each other: about 1 % from the undamped ones of a car.
+    """Body bounce and wheel hop (Hz) as if uncoupled: within about 1 % of the undamped ones of a car.
 
     Examples
     --------
@@ -217,15 +217,15 @@ class SpringAndDamper(Shown):
     spring_rate, damping_coefficient : float
         At the strut, N/m and N*s/m.
     wheel_rate, wheel_damping_coefficient : float
-        At the wheel, N/m and N*s/m: by the motion ratio squared less.
+        At the wheel, N/m and N*s/m: those at the strut times the motion ratio squared.
     ride_rate : float
         Wheel rate and tyre in series, N/m.
     frequency_hz : float
-        Of the sprung mass on the ride rate, undamped, the wheel's mass left out, Hz.
+        Undamped natural frequency of the sprung mass on the ride rate, without the wheel's mass, Hz.
     damping_ratio : float
-        Of the sprung mass on the wheel rate (1).
+        Damping ratio of the sprung mass on the wheel rate (1).
     static_deflection : float
-        Of the suspension at the wheel without preload, m.
+        Static deflection of the suspension at the wheel without preload, m.
     static_load : float
         Weight of the sprung mass, N.
     """
@@ -241,7 +241,7 @@ class SpringAndDamper(Shown):
     static_load: float
 
 
-_SOFTEST = 1e-9  # N/m: a softer spring sags farther than numbers reach
+_SOFTEST = 1e-9  # N/m: the sag under a softer spring overflows
 
 
 def spring_and_damper(
@@ -253,18 +253,18 @@ def spring_and_damper(
     motion_ratio: float = 1.0,
     gravity: float = GRAVITY,
 ) -> SpringAndDamper:
-    """Spring and damper that give a mass a natural frequency and a damping ratio.
+    """Spring and damper for a given natural frequency and damping ratio of a mass.
 
     Parameters
     ----------
     sprung_mass : float or str
-        On this wheel, kg.
+        Sprung mass of this wheel, kg.
     frequency : float or str
-        Undamped natural frequency of the body that is wanted, Hz.
+        Undamped natural frequency of the body, Hz.
     damping_ratio : float
-        Wanted, of critical (1): ``c / (2 sqrt(k m))`` at the wheel, the tyre taken as rigid.
+        Fraction of critical damping (1): ``c / (2 sqrt(k m))`` at the wheel, for a rigid tyre.
     tyre_stiffness : float or str, optional
-        N/m; then the frequency is that of spring and tyre in series. A rigid tyre otherwise, as in first designs.
+        N/m; the frequency then is that of spring and tyre in series. Default: a rigid tyre, as in first designs.
     motion_ratio : float
         Spring travel over wheel travel (1); of a lumped strut the cosine of its angle.
     gravity : float
@@ -278,12 +278,12 @@ def spring_and_damper(
     Raises
     ------
     DescriptionError
-        For values out of range, and for a frequency that the tyre alone would fall short of.
+        If a value is out of range, or the tyre alone is too soft for the frequency.
 
     Examples
     --------
-    >>> found = spring_and_damper("460 kg", "1.4466 Hz", 0.24)   # the 38 N/mm and 2000 N*s/m of paper 2
-    >>> round(found.spring_rate, -2), round(found.damping_coefficient, -1)
+    >>> design = spring_and_damper("460 kg", "1.4466 Hz", 0.24)   # the 38 N/mm and 2000 N*s/m of paper 2
+    >>> round(design.spring_rate, -2), round(design.damping_coefficient, -1)
     (38000.0, 2010.0)
     """
     mass = positive_si(sprung_mass, "kg", where="sprung_mass")
@@ -323,7 +323,7 @@ def as_built(
 ) -> SpringAndDamper:
     """Frequency and damping ratio of a given spring and damper, the inverse of :func:`spring_and_damper`.
 
-    Masses in kg, rates in N/m and coefficients in N*s/m at the strut; a rigid tyre is None.
+    Masses in kg, rates in N/m and coefficients in N*s/m at the strut; None is a rigid tyre.
 
     >>> front = as_built(455.38, 28000.0, 3000.0)   # paper 2, table 2
     >>> round(front.frequency_hz, 3), round(front.damping_ratio, 2)

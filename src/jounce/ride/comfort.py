@@ -20,13 +20,14 @@ from jounce.core.types import Array
 from jounce.core.units import as_number
 
 Averaging = Literal["linear", "exponential"]
-TIME_CONSTANT = 1.0
-LARGEST_CREST_FACTOR, LARGEST_MTVV_RATIO, LARGEST_VDV_RATIO = 9.0, 1.5, 1.75
-SICK_PER_DOSE = 1.0 / 3.0 / 100.0
-WORKING_DAY = 8.0 * 3600.0
-ACTION_VALUE, LIMIT_VALUE = 0.5, 1.15
-COMFORT_FACTORS = {"x": 1.0, "y": 1.0, "z": 1.0}
-HEALTH_FACTORS = {"x": 1.4, "y": 1.4, "z": 1.0}
+TIME_CONSTANT = 1.0  # s; ISO 2631-1, 6.3.1
+LARGEST_CREST_FACTOR = 9.0  # 1; ISO 2631-1, 6.2.1
+LARGEST_MTVV_RATIO, LARGEST_VDV_RATIO = 1.5, 1.75  # 1; ISO 2631-1, 6.3.3
+SICK_PER_DOSE = 1.0 / 3.0 / 100.0  # share of people per m/s^1.5: ISO 2631-1, annex D, gives 1/3 in per cent
+WORKING_DAY = 8.0 * 3600.0  # s
+ACTION_VALUE, LIMIT_VALUE = 0.5, 1.15  # m/s^2; directive 2002/44/EC, article 3
+COMFORT_FACTORS = {"x": 1.0, "y": 1.0, "z": 1.0}  # ISO 2631-1, 8.2.2
+HEALTH_FACTORS = {"x": 1.4, "y": 1.4, "z": 1.0}  # ISO 2631-1, 7.2.3
 COMFORT_SCALE: tuple[tuple[float, float, str], ...] = (
     (0.0, 0.315, "not uncomfortable"),
     (0.315, 0.63, "a little uncomfortable"),
@@ -35,11 +36,11 @@ COMFORT_SCALE: tuple[tuple[float, float, str], ...] = (
     (1.25, 2.5, "very uncomfortable"),
     (2.0, math.inf, "extremely uncomfortable"),
 )
-"""From, to (m/s^2, vibration total value) and words of ISO 2631-1, C.2.3; neighbours overlap."""
+"""Lower and upper end (m/s^2, vibration total value) and words of ISO 2631-1, C.2.3; neighbours overlap."""
 
 
 def integral(values: Array, sample_rate: float) -> float:
-    """Trapezoid over the record: unit of ``values`` times s, with ``sample_rate`` in Hz."""
+    """Integral over the record by trapezoids: unit of ``values`` times s, with ``sample_rate`` in Hz."""
     return float(values.sum() - 0.5 * (values[0] + values[-1])) / sample_rate
 
 
@@ -57,7 +58,7 @@ def rms(values: ArrayLike, sample_rate: float) -> float:
 def running_rms(
     values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linear", time_constant: float = TIME_CONSTANT
 ) -> Array:
-    """Running root mean square of a weighted acceleration (m/s^2, rate in Hz); there was nothing before the record.
+    """Running root mean square of a weighted acceleration (m/s^2, rate in Hz), which is zero before the record.
 
     ``"linear"`` is the mean over the last ``time_constant`` seconds (1 s in the standard), ``"exponential"`` has a
     weight that decays with it. Records shorter than that are refused.
@@ -68,7 +69,7 @@ def running_rms(
     """
     signal, sample_rate = _checked(values, sample_rate)
     total = duration_of(signal, sample_rate)
-    if not total >= time_constant * (1.0 - 1e-9):
+    if not total >= time_constant * (1.0 - 1e-9):  # rounding of (n - 1) / rate
         raise RecordingError(
             "the record is too short for the running r.m.s.", found=f"{total:g} s", allowed=f"{time_constant:g} s"
         )
@@ -84,7 +85,7 @@ def running_rms(
 
 
 def _decaying_mean(squares: Array, step: float) -> Array:
-    """Solution of ``time_constant y' = x - y`` from 0, for lines between the samples; ``step`` over time constant."""
+    """Solve ``time_constant y' = x - y`` from y = 0, x linear between samples; ``step`` is relative to the constant."""
     decay = math.exp(-step)
     lost = -math.expm1(-step) / step
     new, old = 1.0 - lost, lost - decay
@@ -119,10 +120,10 @@ def msdv(values: ArrayLike, sample_rate: float) -> float:
 def crest_factor(values: ArrayLike, sample_rate: float) -> float:
     """Largest absolute value over r.m.s. (1) of a weighted acceleration (m/s^2) at a rate in Hz."""
     signal, sample_rate = _checked(values, sample_rate)
-    mean = rms(signal, sample_rate)
-    if not mean > 0.0:
+    average = rms(signal, sample_rate)
+    if not average > 0.0:
         raise RecordingError("nothing shakes, so there is no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
-    return float(abs(signal).max()) / mean
+    return float(abs(signal).max()) / average
 
 
 def total_value(values: Mapping[str, float], factors: Mapping[str, float] = COMFORT_FACTORS) -> float:
@@ -151,29 +152,29 @@ def time_to_reach(value: float, acceleration: float) -> float:
 
 
 def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Finding, ...]:
-    """What the standard says about shocks in a weighted acceleration (m/s^2, rate in Hz).
+    """Report shocks in a weighted acceleration (m/s^2, rate in Hz) for which r.m.s. alone is not enough.
 
-    The basic method (r.m.s.) suffices up to a crest factor of 9 (ISO 2631-1, 6.2.1). Transient value and dose are
-    worth reporting, too, where MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
+    The basic method (r.m.s.) suffices up to a crest factor of 9 (ISO 2631-1, 6.2.1). MTVV and VDV should be
+    reported as well where MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
     """
     signal, sample_rate = _checked(values, sample_rate)
-    mean, total = rms(signal, sample_rate), duration_of(signal, sample_rate)
-    if mean <= 0.0:
+    average, total = rms(signal, sample_rate), duration_of(signal, sample_rate)
+    if average <= 0.0:
         return ()
-    crest, dose = crest_factor(signal, sample_rate), vdv(signal, sample_rate) / (mean * total**0.25)
-    found = []
+    crest, dose = crest_factor(signal, sample_rate), vdv(signal, sample_rate) / (average * total**0.25)
+    findings = []
     if crest > LARGEST_CREST_FACTOR:
         text = f"crest factor {crest:.3g} is above 9: a weighted r.m.s. says too little, use MTVV or VDV as well"
-        found.append(Finding(place, "warning", text, crest))
+        findings.append(Finding(place, "warning", text, crest))
     if total >= TIME_CONSTANT:
-        ratio = mtvv(signal, sample_rate) / mean
+        ratio = mtvv(signal, sample_rate) / average
         if ratio > LARGEST_MTVV_RATIO:
             text = f"MTVV is {ratio:.3g} times the weighted r.m.s. (limit 1.5): report MTVV as well"
-            found.append(Finding(place, "note", text, ratio))
+            findings.append(Finding(place, "note", text, ratio))
     if dose > LARGEST_VDV_RATIO:
         text = f"VDV is {dose:.3g} times weighted r.m.s. and T^(1/4) (limit 1.75): report VDV as well"
-        found.append(Finding(place, "note", text, dose))
-    return tuple(found)
+        findings.append(Finding(place, "note", text, dose))
+    return tuple(findings)
 
 
 def _checked(values: ArrayLike, sample_rate: float) -> tuple[Array, float]:

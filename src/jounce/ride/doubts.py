@@ -1,4 +1,4 @@
-"""Whether accelerations of a ride are what they are called: told by their level, their steps and their spectrum."""
+"""Plausibility of ride accelerations, judged by their level, resolution and spectrum."""
 
 from __future__ import annotations
 
@@ -10,52 +10,54 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array, Complex
 
 _BODY, _WHEEL = ("sprung", "body", "chassis"), ("unsprung", "wheel")
-_SHORTEST = 10.0  # s: spectra of shorter records say little
+_SHORTEST = 10.0  # s; shorter records give too few averages of 8 s
 _EMPTY = 20.0  # dB below the strongest octave; simulated bodies of cars and karts lie at most 16 dB below it
 _FALLING = 11.0  # dB from the octave above 8 Hz to the next; simulated bodies fall by at most 7
 _STEEP = 15.0  # dB from the octave below 1 Hz to that above; roads and suspensions make at most 14 of them
 _TRAVELS = {_BODY: (0.7, 0.06), _WHEEL: (4.0, 0.025)}
-"""Frequency (Hz) above which a motion is that of the suspension or tyre, and r.m.s. of it (m) that no vehicle has."""
-_STEPS = 0.02  # share of a signal's power that steps of its resolution may add
-_EXCHANGED = 2.0
-_RESPONSE, _FEWEST_LINES, _COHERENT = (0.7, 30.0), 20, 0.9  # Hz, lines of a spectrum, median coherence (1)
-_FAR, _CLOSE, _BETTER = 0.2, 0.12, 0.5
-"""What spring and damper alone leave of a response (1), what they leave behind a filter, and its share of that."""
+"""Frequency (Hz) above which motion comes from suspension or tyre, and an r.m.s. motion (m) beyond any vehicle."""
+_STEPS = 0.02  # share of a signal's power that its resolution may add (step^2 / 12)
+_EXCHANGED = 2.0  # r.m.s. of body over wheel; a suspension isolates, so the ratio is well below 1 on a road
+_RESPONSE = (0.7, 30.0)  # Hz: band in which the response of body to wheel is fitted
+_FEWEST_LINES = 20  # lines in that band: ten for each fitted number and more
+_COHERENT = 0.9  # median coherence (1) below which noise decides the fit
+_FAR, _CLOSE, _BETTER = 0.2, 0.12, 0.5  # 1
+"""Residual without a filter, residual with one, and their ratio, from which a filter is reported."""
 
 
 def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
-    """Look for vertical accelerations that a ride does not make.
+    """Report vertical accelerations that a ride does not produce.
 
     Parameters
     ----------
     accelerations : mapping of str to ndarray of shape (n,)
         Signals in m/s^2 by channel name, those that end with ``az``.
     rate : float
-        Samples per second, Hz.
+        Sample rate, Hz.
 
     Yields
     ------
     Finding
-        A warning for motions larger than suspension and tyre allow (m/s^2 called g), empty bands (filters), coarse
-        steps, a body that is shaken more than the wheel below it (exchanged channels), and one that follows its wheel
-        as no spring and damper let it, but as they do behind a filter.
+        A warning for motions beyond suspension and tyre (g recorded as m/s^2), empty bands (filters), coarse
+        resolution, a body shaken more than the wheel below it (exchanged channels), and a body whose response to
+        its wheel fits spring and damper only behind a filter.
 
     Examples
     --------
     >>> time = np.arange(2000) / 200.0
-    >>> [found.message for found in doubts({"sprung.az": 40.0 * np.sin(8.0 * time)}, 200.0)][0]
+    >>> [finding.message for finding in doubts({"sprung.az": 40.0 * np.sin(8.0 * time)}, 200.0)][0]
     'above 0.7 Hz it means a motion of 449 mm r.m.s., and no suspension lets a body move so; is it m/s^2 called g?'
     """
     for name, values in accelerations.items():
         parts = name.split(".")
         kind = next((kind for kind in (_WHEEL, _BODY) if any(part in kind for part in parts)), None)
-        moved = values - values.mean()
-        power = float(moved @ moved) / moved.size
+        centred = values - values.mean()
+        power = float(centred @ centred) / centred.size
         if kind is None or power == 0.0:
             continue
         yield from _steps(name, values, power)
-        if moved.size >= _SHORTEST * rate * (1.0 - 1e-9):
-            frequency, density = _spectrum(moved, rate)
+        if centred.size >= _SHORTEST * rate * (1.0 - 1e-9):
+            frequency, density = _spectrum(centred, rate)
             yield from _travel(name, frequency, density, kind)
             if kind is _BODY:
                 yield from _empty_bands(name, frequency, density)
@@ -65,17 +67,17 @@ def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]
 
 
 def _pairs(names: Iterable[str]) -> Iterator[tuple[str, str]]:
-    """Channels of a wheel, each with that of the body above it."""
+    """Yield channels of wheels, each with that of the body above it."""
     for name in names:
         body = name.replace("unsprung.", "sprung.").replace("wheel.", "sprung.")
         if body != name and body in names:
             yield name, body
 
 
-def _spectrum(moved: Array, rate: float) -> tuple[Array, Array]:
+def _spectrum(centred: Array, rate: float) -> tuple[Array, Array]:
     from scipy import signal
 
-    frequency, density = signal.welch(moved, rate, nperseg=min(round(8.0 * rate), moved.size), detrend="linear")
+    frequency, density = signal.welch(centred, rate, nperseg=min(round(8.0 * rate), centred.size), detrend="linear")
     return np.asarray(frequency), np.asarray(density)
 
 
@@ -93,11 +95,11 @@ def _steps(name: str, values: Array, power: float) -> Iterator[Finding]:
 def _travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) -> Iterator[Finding]:
     lowest, most = _TRAVELS[kind]
     inside = frequency > lowest
-    moved = float(np.sqrt(np.sum(density[inside] / (2.0 * np.pi * frequency[inside]) ** 4) * frequency[1]))
-    if moved > most:
-        what = "suspension lets a body" if kind is _BODY else "tyre lets a wheel"
-        text = f"above {lowest:g} Hz it means a motion of {1e3 * moved:.3g} mm r.m.s., and no {what} move so; is it "
-        yield Finding(name, "warning", text + "m/s^2 called g?", moved)
+    motion = float(np.sqrt(np.sum(density[inside] / (2.0 * np.pi * frequency[inside]) ** 4) * frequency[1]))
+    if motion > most:
+        excuse = "suspension lets a body" if kind is _BODY else "tyre lets a wheel"
+        text = f"above {lowest:g} Hz it means a motion of {1e3 * motion:.3g} mm r.m.s., and no {excuse} move so; is it "
+        yield Finding(name, "warning", text + "m/s^2 called g?", motion)
 
 
 def _empty_bands(name: str, frequency: Array, density: Array) -> Iterator[Finding]:
@@ -129,21 +131,21 @@ def _exchanged(wheel: str, body: str, accelerations: Mapping[str, Array]) -> Ite
 
 
 def _filtered(wheel: str, body: str, accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
-    """Tell a filter of one channel by the way in which a body follows its wheel: through a spring and a damper."""
+    """Report a filter in one channel if the body follows its wheel through spring, damper and a filter."""
     given, answer = accelerations[wheel], accelerations[body]
     if given.size < _SHORTEST * rate * (1.0 - 1e-9) or min(np.ptp(given), np.ptp(answer)) == 0.0:
         return
     frequency, transfer, coherence = _transfer(given, answer, rate)
     if frequency.size < _FEWEST_LINES or float(np.median(coherence)) < _COHERENT:
         return
-    plain, _ = _fitted(frequency, transfer, coherence)
-    for what in _FILTERS:
-        left, corner = _fitted(frequency, transfer, coherence, what)
-        if plain > _FAR and left < min(_CLOSE, _BETTER * plain):
+    residual_without, _ = _fitted(frequency, transfer, coherence)
+    for kind in _FILTERS:
+        residual, corner = _fitted(frequency, transfer, coherence, kind)
+        if residual_without > _FAR and residual < min(_CLOSE, _BETTER * residual_without):
             text = (
-                f"it follows {wheel} as behind a {what} pass of some {corner:.2g} Hz, which leaves "
-                f"{100.0 * left:.2g} % of its response unexplained where spring and damper alone leave "
-                f"{100.0 * plain:.2g} %: record both channels without a filter, or with the same"
+                f"it follows {wheel} as behind a {kind} pass of some {corner:.2g} Hz, which leaves "
+                f"{100.0 * residual:.2g} % of its response unexplained where spring and damper alone leave "
+                f"{100.0 * residual_without:.2g} %: record both channels without a filter, or with the same"
             )
             yield Finding(body, "warning", text, corner)
             return
@@ -156,10 +158,10 @@ def _transfer(given: Array, answer: Array, rate: float) -> tuple[Array, Complex,
     length = min(round(4.0 * rate), given.size)
     frequency, cross = signal.csd(given, answer, rate, nperseg=length, detrend="linear")
     _, power = signal.welch(given, rate, nperseg=length, detrend="linear")
-    _, answered = signal.welch(answer, rate, nperseg=length, detrend="linear")
-    chosen = (frequency >= _RESPONSE[0]) & (frequency <= min(_RESPONSE[1], 0.4 * rate))
-    cross, power, answered = cross[chosen], power[chosen], answered[chosen]
-    return frequency[chosen], cross / power, np.abs(cross) ** 2 / (power * answered)
+    _, output_power = signal.welch(answer, rate, nperseg=length, detrend="linear")
+    inside = (frequency >= _RESPONSE[0]) & (frequency <= min(_RESPONSE[1], 0.4 * rate))
+    cross, power, output_power = cross[inside], power[inside], output_power[inside]
+    return frequency[inside], cross / power, np.abs(cross) ** 2 / (power * output_power)
 
 
 _FILTERS: dict[str, tuple[Callable[[Complex], Complex], float]] = {
@@ -167,13 +169,13 @@ _FILTERS: dict[str, tuple[Callable[[Complex], Complex], float]] = {
     "second-order low": (lambda s: 1.0 / (1.0 + np.sqrt(2.0) * s + s**2), 10.0),
     "high": (lambda s: s / (1.0 + s), 1.0),
 }
-"""Response of each kind of filter (1) at s over its corner, and a corner to start from (Hz)."""
+"""Response of each kind of filter (1) at s over its corner frequency, and the initial corner (Hz)."""
 
 
 def _fitted(frequency: Array, transfer: Complex, coherence: Array, what: str = "") -> tuple[float, float]:
-    """Fit a body on spring and damper, behind one of the filters or none, to a response (n,) at frequencies (n,) in Hz.
+    """Fit a body on spring and damper, optionally behind a filter, to a response (n,) at frequencies (n,) in Hz.
 
-    Gives what is left of the response, as the r.m.s. logarithm of the ratio (1), and the corner in Hz.
+    Returns the residual, as the r.m.s. logarithm of the ratio (1), and the corner in Hz.
     """
     from scipy.optimize import least_squares
 
@@ -190,7 +192,8 @@ def _fitted(frequency: Array, transfer: Complex, coherence: Array, what: str = "
 
     low, high = [-5.0, -5.0, np.log(0.01)], [10.0, 10.0, np.log(1e3)]
     count, corner = (3, np.log(_FILTERS[what][1])) if what else (2, 0.0)
+    # bounce and wheel hop, Hz: two starts, since the error has two minima
     starts = ([np.log(2.0 * np.pi * own), np.log(np.pi * own), corner][:count] for own in (1.2, 5.0))
-    fits = (least_squares(gap, one, bounds=(low[:count], high[:count]), max_nfev=60) for one in starts)
-    best = min(fits, key=lambda one: float(one.cost))
+    fits = (least_squares(gap, start, bounds=(low[:count], high[:count]), max_nfev=60) for start in starts)
+    best = min(fits, key=lambda fit: float(fit.cost))
     return float(np.sqrt(2.0 * best.cost)), float(np.exp(best.x[2])) if what else 0.0

@@ -1,4 +1,4 @@
-"""Linear models as functions of a rig's numbers: matrices about static equilibrium, and their exact slopes."""
+"""Linear models about static equilibrium as functions of a rig's parameters, with exact slopes."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ from jounce.parts.vehicles import Place, Vehicle, track_width
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.statics import find_equilibrium, for_small_motions, in_terms_of, rests_for_small_motions
 
-_STEP = 1e-3  # relative, of differences for mechanisms
-_ASIDE = 0.5, -0.5, 1e-3, -1e-3  # the same for distances, which are affine
-_DEPENDENT = 1e5  # condition of the eigenvectors beyond which they are not used
+_STEP = 1e-3  # relative, of differences for mechanisms: fourth order, so 1e-12 of truncation beside 1e-13 of rounding
+_ASIDE = 0.5, -0.5, 1e-3, -1e-3  # relative steps for distances: these are affine, so any step is exact
+_DEPENDENT = 1e5  # condition of the eigenvectors: beyond it five digits are lost, and Lyapunov equations are solved
 
 
 @dataclass(frozen=True)
 class Matrices:
-    """Linear model, or its slope along one number: ``dx/dt = A x + sum_j B_j d^j z/dt^j``, ``y = C x + D z ...``, SI.
+    """Linear model, or its slope along a parameter, SI: ``dx/dt = A x + sum_j B_j d^j z/dt^j``, ``y = C x + D z ...``.
 
     ``A`` (n, n) and ``C`` (outputs, n) act on the states, ``B`` (order, n, wheels) and ``D`` (order, outputs, wheels)
     on the heights of the road under the wheels and their time derivatives; ``static`` (outputs,) holds the static
-    values of the outputs. Many models stand side by side along further axes before these.
+    values of the outputs. Several models are stacked along leading axes.
     """
 
     A: Array
@@ -42,12 +42,12 @@ class Matrices:
     static: Array
 
     def of_rows(self, rows: Sequence[int]) -> Matrices:
-        """The model with some of its outputs only."""
+        """Return the model with some of its outputs only."""
         chosen = list(rows)
         return Matrices(self.A, self.B, self.C[..., chosen, :], self.D[..., chosen, :], self.static[..., chosen])
 
     def __getitem__(self, k: Any) -> Matrices:
-        """One or some of the models that stand side by side."""
+        """Return one or some of the stacked models."""
         return Matrices(self.A[k], self.B[k], self.C[k], self.D[k], self.static[k])
 
 
@@ -55,15 +55,15 @@ PARTS = ("A", "B", "C", "D", "static")
 
 
 def side_by_side(models: Sequence[Matrices]) -> Matrices:
-    """Many models of one size as one, along a first axis."""
-    return Matrices(*(np.stack([getattr(one, name) for one in models]) for name in PARTS))
+    """Stack models of one size along a first axis."""
+    return Matrices(*(np.stack([getattr(model, name) for model in models]) for name in PARTS))
 
 
 class Eigen:
     """Eigenvalues (..., n) and eigenvectors of matrices (..., n, n) in 1/s.
 
-    ``is_sound`` tells for each of them whether the vectors are independent enough to be used; where they are not, unit
-    vectors stand in their place.
+    ``is_sound`` is true for each matrix whose eigenvectors are independent enough to be used; unit vectors replace the
+    others.
     """
 
     def __init__(self, a: Array) -> None:
@@ -75,20 +75,20 @@ class Eigen:
             inverse = np.linalg.inv(np.where(sound[..., None, None], vectors, unit))
             condition = np.linalg.norm(vectors, axis=(-2, -1)) * np.linalg.norm(inverse, axis=(-2, -1))
         self.is_sound = sound & (condition < _DEPENDENT)
-        kept = self.is_sound[..., None, None]
-        self.vectors, self.inverse = np.where(kept, vectors, unit), np.where(kept, inverse, unit)
+        chosen = self.is_sound[..., None, None]
+        self.vectors, self.inverse = np.where(chosen, vectors, unit), np.where(chosen, inverse, unit)
 
     def of(self, members: slice) -> Eigen:
-        """Those of some of the matrices."""
-        found = object.__new__(Eigen)
-        found.values, found.is_sound = self.values[members], self.is_sound[members]
-        found.vectors, found.inverse = self.vectors[members], self.inverse[members]
-        return found
+        """Return those of some of the matrices."""
+        eigen = object.__new__(Eigen)
+        eigen.values, eigen.is_sound = self.values[members], self.is_sound[members]
+        eigen.vectors, eigen.inverse = self.vectors[members], self.inverse[members]
+        return eigen
 
 
 @dataclass(frozen=True)
 class LinearModels:
-    """Models side by side (members, ...), and their slopes along numbers (members, numbers, ...)."""
+    """Stacked models (members, ...), and their slopes along parameters (members, parameters, ...)."""
 
     model: Matrices
     along: Matrices
@@ -101,7 +101,7 @@ class LinearModels:
 
 @dataclass(frozen=True)
 class LinearFamily:
-    """Linear models of one rig for any values of some of its numbers, the ``paths``; the rig gives all others."""
+    """Linear models of one rig as functions of the parameters ``paths``; the rig fixes all others."""
 
     rig: Rig
     paths: tuple[str, ...] = ()
@@ -114,73 +114,73 @@ class LinearFamily:
 
     @cached_property
     def compiled(self) -> Compiled:
-        """The rig's model."""
+        """The compiled model."""
         return compile_rig(self.rig)
 
     @property
     def is_exact(self) -> bool:
-        """Whether slopes are exact; those of mechanisms with loops are differences of fourth order."""
+        """Whether slopes are exact; those of mechanisms with loops are fourth-order differences."""
         return not self.compiled.facts.projects
 
     @cached_property
     def start(self) -> Array:
-        """Values of the numbers that vary, as in the rig, SI."""
+        """Values of the free parameters in the rig, SI."""
         values = self.rig.parameters()
         return np.array([values[path] for path in self.paths])
 
     @cached_property
     def wheels(self) -> tuple[str, ...]:
-        """Corner of each wheel; an empty text where there is only one."""
+        """Corner of each wheel; "" for a single wheel."""
         tracks = self.compiled.facts.tracks
         return tuple(track.removesuffix(ROAD).removesuffix(".") for track in tracks if is_road(track))
 
     @cached_property
     def places(self) -> tuple[Place, ...]:
-        """Where each wheel stands."""
+        """Position of each wheel in the vehicle."""
         return _places(self.rig, self.wheels)
 
     @cached_property
     def geometry(self) -> tuple[Array, Array]:
-        """How far each wheel follows the first and the width between left and right (all m), and their slopes.
+        """Distance of each wheel behind the first and width between left and right (all m), and their slopes.
 
-        Shapes (wheels + 1,) and (numbers, wheels + 1); they are affine in every number.
+        Shapes (wheels + 1,) and (parameters, wheels + 1); they are affine in every parameter.
         """
         first = _geometry(self.rig, self.wheels)
-        slopes = [self._moved(path, first) for path in self.paths]
+        slopes = [self._geometry_slope(path, first) for path in self.paths]
         return first, np.array(slopes).reshape(len(self.paths), len(first))
 
     def geometry_at(self, values: Array | None = None) -> Array:
-        """Distances of ``geometry`` (m) at some values (SI) of the numbers."""
+        """Distances of ``geometry`` (m) at values (SI) of the parameters."""
         first, slopes = self.geometry
         return first if values is None else np.asarray(first + (values - self.start) @ slopes)
 
-    def _moved(self, path: str, first: Array) -> Array:
+    def _geometry_slope(self, path: str, first: Array) -> Array:
         if not isinstance(self.rig, Vehicle) or unit_of(self.rig, path) != "m":
             return np.zeros_like(first)
         value = self.rig.parameters()[path]
         for step in np.multiply(_ASIDE, abs(value) or 1.0):
-            with contextlib.suppress(JounceError):  # another one is allowed then
-                other = self.rig.with_changes({path: value + float(step)})
-                return np.asarray((_geometry(other, self.wheels) - first) / step)
+            with contextlib.suppress(JounceError):  # a step out of the allowed range: try the next
+                changed = self.rig.with_changes({path: value + float(step)})
+                return np.asarray((_geometry(changed, self.wheels) - first) / step)
         raise DescriptionError("no value beside this one is allowed", where=f"parameters: {path}", found=f"{value:g} m")
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, Matrices]:
-        """Model at some values (SI) of the numbers, those of the rig by default; its slopes, one for each of them."""
-        given = self.start if values is None else np.asarray(values, dtype=float)
-        found = Families((self,)).at(given[None], slopes=slopes)
-        return found.model[0], found.along[0]
+        """Model at values (SI) of the parameters, by default those of the rig, and its slope along each of them."""
+        point = self.start if values is None else np.asarray(values, dtype=float)
+        models = Families((self,)).at(point[None], slopes=slopes)
+        return models.model[0], models.along[0]
 
 
 @dataclass(frozen=True)
 class Families:
-    """Linear models of rigs that differ in numbers only, side by side: the same numbers of each may vary."""
+    """Stacked linear models of rigs that differ in parameter values only; all have the same free parameters."""
 
     members: tuple[LinearFamily, ...]
     _last: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def first(self) -> LinearFamily:
-        """The first of them, which has what all share."""
+        """The first member, for everything that all share."""
         return self.members[0]
 
     def __len__(self) -> int:
@@ -188,29 +188,29 @@ class Families:
 
     @cached_property
     def start(self) -> Array:
-        """Values of the numbers that vary, as in each rig, SI: shape (members, numbers)."""
+        """Values of the free parameters in each rig, SI: shape (members, parameters)."""
         return np.array([member.start for member in self.members])
 
     def geometry_at(self, values: Array) -> Array:
-        """Distances of :attr:`LinearFamily.geometry` (m) at values (members, numbers): (members, wheels + 1)."""
+        """Distances of :attr:`LinearFamily.geometry` (m) at values (members, parameters): (members, wheels + 1)."""
         first, slopes = self._geometry
         return np.asarray(first + np.einsum("sn,snw->sw", values - self.start, slopes))
 
     @cached_property
     def _geometry(self) -> tuple[Array, Array]:
-        found = [member.geometry for member in self.members]
-        return np.array([first for first, _ in found]), np.array([slopes for _, slopes in found])
+        geometries = [member.geometry for member in self.members]
+        return np.array([first for first, _ in geometries]), np.array([slopes for _, slopes in geometries])
 
     @property
     def geometry_slopes(self) -> Array:
-        """Slopes of those distances, shape (members, numbers, wheels + 1)."""
+        """Slopes of those distances, shape (members, parameters, wheels + 1)."""
         return self._geometry[1]
 
     def at(self, values: Array, *, slopes: bool = True) -> LinearModels:
-        """Models at values (members, numbers), SI, and their slopes."""
+        """Models at values (members, parameters), SI, and their slopes."""
         wanted = np.asarray(values, dtype=float)
         key = wanted.tobytes(), slopes
-        last: tuple[object, LinearModels] | None = self._last.get("models")  # which several roads ask for
+        last: tuple[object, LinearModels] | None = self._last.get("models")  # one set serves several roads
         if last is None or last[0] != key:
             last = self._last["models"] = key, LinearModels(*self._at(wanted, slopes))
         return last[1]
@@ -222,18 +222,18 @@ class Families:
                 p[:, place] = column
         if not self.first.compiled.facts.projects:
             return self._exactly(p, slopes=slopes)
-        found = [self._by_differences(one, slopes=slopes) for one in p]
-        return side_by_side([model for model, _ in found]), side_by_side([along for _, along in found])
+        models = [self._by_differences(row, slopes=slopes) for row in p]
+        return side_by_side([model for model, _ in models]), side_by_side([along for _, along in models])
 
     @cached_property
     def _parameters(self) -> Array:
-        """The model's parameters of each rig, shape (members, parameters)."""
+        """Model parameters of each rig, shape (members, parameters)."""
         compiled = self.first.compiled
         return np.array([compiled.parameter_values(member.rig.parameters()) for member in self.members])
 
     @cached_property
     def _places(self) -> list[int | None]:
-        """Place of each number among the model's parameters; None where the model does not feel it."""
+        """Index of each free parameter among the model's; None if the model does not depend on it."""
         known = self.first.compiled.facts.parameters
         return [known.index(path) if path in known else None for path in self.first.paths]
 
@@ -245,15 +245,15 @@ class Families:
         count = len(self._places) if slopes else 0
         if not count:
             return model, _none_of(model)
-        moved = np.zeros((len(p), count, p.shape[1]))
+        directions = np.zeros((len(p), count, p.shape[1]))
         for i, place in enumerate(self._places):
             if place is not None:
-                moved[:, i, place] = 1.0
-        dp = moved.reshape(-1, p.shape[1])
+                directions[:, i, place] = 1.0
+        dp = directions.reshape(-1, p.shape[1])
         where = [np.repeat(part, count, axis=0) for part in (x, u, p, modes)]
         push = graphs.push(*where, dp)[0].reshape(len(p), count, -1)
-        loose = np.linalg.pinv(model.A, rcond=len(model.A[0]) * np.finfo(float).eps)  # neutral motions do not move
-        dx = -np.einsum("sij,snj->sni", loose, push).reshape(-1, x.shape[1])
+        inverse = np.linalg.pinv(model.A, rcond=len(model.A[0]) * np.finfo(float).eps)  # neutral motions do not move
+        dx = -np.einsum("sij,snj->sni", inverse, push).reshape(-1, x.shape[1])
         along = graphs.along(*where, dx, dp)
         return model, self._shaped([part.reshape(len(p), count, *part.shape[1:]) for part in along])
 
@@ -264,19 +264,19 @@ class Families:
         return Matrices(a, b3, c, d3, static.reshape((*static.shape[: a.ndim - 2], -1)))
 
     def _by_differences(self, p: Array, *, slopes: bool) -> tuple[Matrices, Matrices]:
-        """Model of one member and its slopes."""
+        """Return the model of one member and its slopes."""
         model, (pose, free) = self._numeric(p)
         weights = (1.0, -8.0, 8.0, -1.0)
-        found: list[Matrices] = []
+        slope_matrices: list[Matrices] = []
         for place in self._places if slopes else ():
             step = _STEP * (abs(p[place]) or 1.0) if place is not None else 1.0
             sides = []
             for count in (-2, -1, 1, 2):
-                moved = p.copy()
+                changed = p.copy()
                 if place is not None:
-                    moved[place] += count * step
-                sides.append(self._numeric(moved, pose, free)[0])
-            found.append(
+                    changed[place] += count * step
+                sides.append(self._numeric(changed, pose, free)[0])
+            slope_matrices.append(
                 Matrices(
                     *(
                         sum(w * getattr(side, name) for w, side in zip(weights, sides, strict=True)) / (12.0 * step)
@@ -284,14 +284,15 @@ class Families:
                     )
                 )
             )
-        return model, side_by_side(found) if found else _none_of(model[None])[0]
+        return model, side_by_side(slope_matrices) if slope_matrices else _none_of(model[None])[0]
 
     def _numeric(
         self, p: Array, pose: Array | None = None, free: NDArray[np.intp] | None = None
     ) -> tuple[Matrices, tuple[Array, NDArray[np.intp]]]:
-        """Model about equilibrium, sought from a pose, in terms of some ``free`` speeds; the pose, and those speeds.
+        """Return the model about equilibrium in terms of some ``free`` speeds, that pose, and those speeds.
 
-        Models that are to be compared need the same: which are the best ones changes from pose to pose.
+        ``pose`` starts the search. Models that are compared need the same free speeds: the best
+        speeds differ between poses.
         """
         compiled = self.first.compiled
         u = compiled.inputs(0.0)
@@ -313,7 +314,7 @@ class Families:
 
 
 def _none_of(model: Matrices) -> Matrices:
-    """Slopes of models (members, ...) along no numbers."""
+    """Return empty slopes for models (members, ...): no parameters."""
     return Matrices(*(np.zeros((len(part), 0, *part.shape[1:])) for part in (getattr(model, name) for name in PARTS)))
 
 
@@ -334,9 +335,9 @@ def _road_columns(compiled: Compiled) -> list[int]:
 
 @dataclass(frozen=True)
 class _Graphs:
-    """Matrices of a model, what pushes it from rest along a parameter, and the matrices' change along a direction.
+    """Graphs of a model: matrices, force along a parameter at rest, and change of the matrices along a direction.
 
-    ``rest`` gives rates, their slopes by the states, and switches.
+    ``rest`` computes rates, their slopes by the states, and switches.
     """
 
     rest: _Each
@@ -345,14 +346,14 @@ class _Graphs:
     along: _Each
 
 
-_made: Recent[_Graphs] = Recent()
+_graphs_of: Recent[_Graphs] = Recent()
 
 
 def _graphs(compiled: Compiled, rig: Rig) -> _Graphs:
-    return _made.of((type(rig).__name__, structure_of(rig)), lambda: _built(compiled))
+    return _graphs_of.of((type(rig).__name__, structure_of(rig)), lambda: _build_graphs(compiled))
 
 
-def _built(compiled: Compiled) -> _Graphs:
+def _build_graphs(compiled: Compiled) -> _Graphs:
     import casadi as ca
 
     model = compiled.model
@@ -381,7 +382,7 @@ def _built(compiled: Compiled) -> _Graphs:
 class _Each:
     """A function of vectors, called for many rows (members, size) at once: results (members, rows, columns).
 
-    Each thread takes what it works in for itself, and leaves it for the next call.
+    Each call takes a workspace of its own, so that threads do not share one, and returns it for the next call.
     """
 
     def __init__(self, name: str, given: list[Any], results: list[Any]) -> None:
@@ -393,46 +394,46 @@ class _Each:
     def __call__(self, *given: Array) -> list[Array]:
         free = self._ready.setdefault(len(given[0]), [])
         try:
-            room = free.pop()
+            workspace = free.pop()
         except IndexError:
-            room = self._of(len(given[0]))
-        _, call, into, found = room
+            workspace = self._workspace(len(given[0]))
+        _, call, into, outputs = workspace
         for place, values in zip(into, given, strict=True):
             place[:] = values
         call()
-        results = [np.swapaxes(part, 1, 2).copy() for part in found]
-        free.append(room)
+        results = [np.swapaxes(part, 1, 2).copy() for part in outputs]
+        free.append(workspace)
         return results
 
-    def _of(self, count: int) -> tuple[Any, Any, list[Array], list[Array]]:
-        """Rows side by side are columns one after the other, as CasADi has them: nothing is turned round."""
+    def _workspace(self, count: int) -> tuple[Any, Any, list[Array], list[Array]]:
+        """Allocate for ``count`` rows; stacked rows are CasADi's consecutive columns, so nothing is transposed."""
         function = self._function.map(count)
         plain = self._function
         buffer, call = function.buffer()
         into = [np.zeros((count, plain.size1_in(i))) for i in range(plain.n_in())]
-        found = [np.zeros((count, plain.size2_out(i), plain.size1_out(i))) for i in range(plain.n_out())]
+        outputs = [np.zeros((count, plain.size2_out(i), plain.size1_out(i))) for i in range(plain.n_out())]
         for i, place in enumerate(into):
             buffer.set_arg(i, place.data)
-        for i, place in enumerate(found):
+        for i, place in enumerate(outputs):
             buffer.set_res(i, place.data)
-        return buffer, call, into, found
+        return buffer, call, into, outputs
 
 
-# without motions that the road never reaches --------------------------------------------------------------------------
+# models without motions that the road never excites -------------------------------------------------------------------
 
 
-_NEUTRAL = 1e-6  # of the largest eigenvalue: rounding of a double eigenvalue at zero
-_UNREACHED = 1e-7
+_NEUTRAL = 1e-6  # of the largest eigenvalue: rounding of a double eigenvalue at zero is the root of 1e-16, times 100
+_UNREACHED = 1e-7  # of the road's input: above rounding, far below any force of a road
 
 
 def has_neutral(values: Complex) -> bool:
-    """Whether some motion of some model neither grows nor dies, by the eigenvalues (..., n)."""
+    """Whether some motion of some model neither grows nor decays, by the eigenvalues (..., n)."""
     bound = -_NEUTRAL * np.max(np.abs(values), axis=-1, initial=0.0)
     return bool(values.shape[-1]) and bool(np.any(np.max(values.real, axis=-1) >= bound))
 
 
 def without_unreached(model: Matrices, slopes: Matrices) -> tuple[Matrices, Matrices]:
-    """A model and its slopes (numbers, ...) without neutral motions, or as they are where the road reaches those."""
+    """Return a model and its slopes (numbers, ...) without neutral motions; unchanged if the road excites those."""
     values = np.asarray(np.linalg.eigvals(model.A), dtype=np.complex128)
     if not has_neutral(values):
         return model, slopes
@@ -442,13 +443,13 @@ def without_unreached(model: Matrices, slopes: Matrices) -> tuple[Matrices, Matr
     form, basis, count = schur(model.A, output="real", sort=lambda real, _: real < bound)
     if count == len(form):
         return model, slopes
-    kept, left = basis[:, :count], basis[:, count:]
+    kept, dropped = basis[:, :count], basis[:, count:]
     for b in model.B:
-        if np.max(np.abs(left.T @ b), initial=0.0) > _UNREACHED * max(float(np.max(np.abs(b), initial=0.0)), 1.0):
+        if np.max(np.abs(dropped.T @ b), initial=0.0) > _UNREACHED * max(float(np.max(np.abs(b), initial=0.0)), 1.0):
             return model, slopes
-    found = _reduced(model, kept)
-    moved = [_moved(model, slopes[k], form, kept, left) for k in range(len(slopes.A))]
-    return found, side_by_side(moved) if moved else _none_of(found[None])[0]
+    reduced = _reduced(model, kept)
+    along = [_reduced_slope(model, slopes[k], form, kept, dropped) for k in range(len(slopes.A))]
+    return reduced, side_by_side(along) if along else _none_of(reduced[None])[0]
 
 
 def _reduced(model: Matrices, kept: Array) -> Matrices:
@@ -456,12 +457,12 @@ def _reduced(model: Matrices, kept: Array) -> Matrices:
     return Matrices(kept.T @ model.A @ kept, b, model.C @ kept, model.D, model.static)
 
 
-def _moved(model: Matrices, along: Matrices, form: Array, kept: Array, left: Array) -> Matrices:
-    """Slope of the reduced model, the subspace turning with the number."""
+def _reduced_slope(model: Matrices, along: Matrices, form: Array, kept: Array, dropped: Array) -> Matrices:
+    """Slope of the reduced model; the subspace turns with the parameter."""
     from scipy.linalg import solve_sylvester
 
     count = kept.shape[1]
-    turn = solve_sylvester(form[count:, count:], -form[:count, :count], -left.T @ along.A @ kept)
-    found = _reduced(along, kept)
-    a, c = found.A + kept.T @ model.A @ left @ turn, found.C + model.C @ left @ turn
-    return Matrices(a, found.B, c, found.D, found.static)
+    turn = solve_sylvester(form[count:, count:], -form[:count, :count], -dropped.T @ along.A @ kept)
+    reduced = _reduced(along, kept)
+    a, c = reduced.A + kept.T @ model.A @ dropped @ turn, reduced.C + model.C @ dropped @ turn
+    return Matrices(a, reduced.B, c, reduced.D, reduced.static)

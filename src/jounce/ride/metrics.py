@@ -1,4 +1,4 @@
-"""All ride metrics of one recording at once, with the reason for each that is not available."""
+"""All ride metrics of one recording, with a reason for each metric that is not available."""
 
 from __future__ import annotations
 
@@ -55,16 +55,16 @@ def by_corner(given: Given, corners: Sequence[str], where: str) -> dict[str, Pai
     for key in given:
         if not any(key in (corner, _axle(corner)) for corner in corners):
             raise unknown(str(key), {*corners, *map(_axle, corners)} - {""}, what="corner", where=where)
-    found = {}
+    pairs = {}
     for corner in corners:
         for key in (corner, _axle(corner)):
-            if key in given and corner not in found:
-                found[corner] = _pair(given[key], f"{where}: {key}")
-    return found
+            if key in given and corner not in pairs:
+                pairs[corner] = _pair(given[key], f"{where}: {key}")
+    return pairs
 
 
 def gaps_of(rig: Rig | None, corners: Sequence[str]) -> dict[str, Pair]:
-    """Gaps (m) of rebound and bump stop of every corner, as far as the rig or vehicle has stops."""
+    """Gaps (m) of rebound and bump stop of every corner; None for a stop that the rig does not have."""
     if rig is None:
         return {}
     numbers = rig.parameters()
@@ -97,14 +97,14 @@ def _pair(given: Any, where: str) -> Pair:
 _AXES = {"ax": "x", "ay": "y", "az": "z"}
 _TURNS = {"roll_acceleration": "roll", "pitch_acceleration": "pitch", "yaw_acceleration": "yaw"}
 _PARTS = ("strut.deflection", "strut.velocity", "strut.force", "strut.damper_force", "tyre.force", "tyre.deflection")
-_OFFSET = 3.0  # standard deviations: a larger mean is an offset, not motion
+_OFFSET = 3.0  # standard deviations; a ride's mean acceleration is near zero, gravity is 5 or more on any road
 
 
 @dataclass(frozen=True)
 class MetricValue:
     """Value of one metric at one place, in an SI unit.
 
-    The place is a channel (accelerations), a place (totals) or a corner (struts and tyres; empty for a quarter car).
+    The place is a channel (accelerations), a place (totals) or a corner (struts and tyres; "" for a quarter car).
     """
 
     metric: str
@@ -116,7 +116,7 @@ class MetricValue:
 
 @dataclass(frozen=True)
 class AbsentMetric:
-    """Metric that this recording does not give, with the reason; an empty place means everywhere."""
+    """Metric that cannot be computed from this recording, with the reason; an empty place means everywhere."""
 
     metric: str
     place: str
@@ -132,17 +132,17 @@ class RideMetrics(Shown):
     values : tuple of MetricValue
         In the order of the catalogue, SI.
     absent : tuple of AbsentMetric
-        What is not available, and why.
+        Metrics that are not available, each with its reason.
     comfort : dict of str to str
         Words of ISO 2631-1 for the vibration total value, by place.
     duration : float
-        Time that counts, s.
+        Evaluated time, s.
     settling : float
-        Time left out at the start, s.
+        Time skipped at the start, s.
     sample_rate : float
         Hz.
     findings : tuple of Finding
-        What the reader must know, with the advice of the standard.
+        Warnings about the signals, and advice of the standard.
     """
 
     values: tuple[MetricValue, ...]
@@ -154,30 +154,30 @@ class RideMetrics(Shown):
     findings: tuple[Finding, ...] = ()
 
     def value(self, metric: str, place: str | None = None) -> float:
-        """Value of a metric in its SI unit; ``place`` may be left out where there is only one.
+        """Value of a metric in its SI unit; ``place`` may be omitted if there is only one.
 
         Raises
         ------
         RecordingError
-            When the recording does not give it, with the reason.
+            If the recording does not give it; the message has the reason.
         DescriptionError
-            For unknown names and places, or when the place is needed.
+            If a name or place is unknown, or the place is ambiguous.
         """
         if metric not in {row.name for row in CATALOGUE}:
             raise unknown(metric, (row.name for row in CATALOGUE), what="metric")
-        found = {item.place: item.value for item in self.values if item.metric == metric}
-        if place in found:
-            return found[place]
+        values = {item.place: item.value for item in self.values if item.metric == metric}
+        if place in values:
+            return values[place]
         for item in self.absent:
-            if item.metric == metric and place in (item.place, None) and not found:
+            if item.metric == metric and place in (item.place, None) and not values:
                 raise RecordingError(item.reason, where=metric)
-        if place is None and len(found) == 1:
-            return next(iter(found.values()))
+        if place is None and len(values) == 1:
+            return next(iter(values.values()))
         raise DescriptionError(
             "say which place" if place is None else f"no value at {place!r}",
             where=metric,
-            allowed=", ".join(map(repr, found)),
-            hint=nearest(place or "", found),
+            allowed=", ".join(map(repr, values)),
+            hint=nearest(place or "", values),
         )
 
     def __str__(self) -> str:
@@ -210,55 +210,55 @@ def ride_metrics(
     Parameters
     ----------
     run : xarray.Dataset or pandas.DataFrame
-        Recording in SI on uniform time, or a table with columns ``name [unit]``. Accelerations are found by the ends of
-        their names (``.az``, ``.pitch_acceleration``), corners by ``strut.deflection``, ``tyre.force`` and so on
-        (``front_left.tyre.force``).
+        Recording in SI on uniform time, or a table with columns ``name [unit]``. Accelerations are recognised by the
+        suffixes of their names (``.az``, ``.pitch_acceleration``), corners by ``strut.deflection``, ``tyre.force`` and
+        so on (``front_left.tyre.force``).
     rig : Rig, optional
-        Rig or vehicle of the run; gives the gaps of its stops where ``stop_gap`` does not.
+        Rig or vehicle of the run; supplies the gaps of its stops unless ``stop_gap`` is given.
     settling : float or str
-        Time at the start that does not count (run-in, transient of the weightings), s or text with a unit.
+        Time skipped at the start (run-in, transient of the weightings), s or text with a unit.
     weighting : mapping of str to str, optional
         Weighting by channel or axis (``{"z": "Wf"}``) in place of Wk for z, Wd for x and y, We for rotations.
     start : {"rest", "first", "mean"}
-        What was before the record, as in `jounce.ride.weighting.weighted`; ``"mean"`` for signals with gravity in them.
+        State before the record, as in `jounce.ride.weighting.weighted`; ``"mean"`` for signals that include gravity.
     travel : pair of float or str, or mapping, optional
         Rebound and bump travel available from the mean deflection, m; for all corners, or by corner or axle.
     stop_gap : float or str, pair of them, or mapping, optional
         Deflection at which the bump stop is met, or a pair for rebound and bump stop, m; for all, or by corner or axle.
     exposure : float or str
-        How long the vibration lasts a day, s or text, for A(8).
+        Daily duration of the vibration, s or text, for A(8).
     lift_off_load : float or str
-        Wheel load up to which a tyre counts as lifted, N; 0 suits simulations.
+        Wheel load up to which a tyre counts as lifted off, N; 0 suits simulations.
     metrics : sequence of str, optional
-        Names of the catalogue that are wanted; by default all. One that is named but not available is an error.
+        Names from the catalogue; by default all. A named metric that is not available is an error.
 
     Returns
     -------
     RideMetrics
-        Values by metric and place, and what is absent with its reason.
+        Values by metric and place, and the absent metrics with reasons.
 
     Raises
     ------
     RecordingError
-        For a Dataset that is no recording, time that is not uniform, a settling time longer than the record.
+        If a Dataset is no recording, time is not uniform, or the settling time exceeds the record.
     DescriptionError
-        For unknown metrics, weightings and corners, and units that do not fit.
+        If a metric, weighting or corner is unknown, or a unit does not fit.
 
     Notes
     -----
     Source: ISO 2631-1:1997 (``iso-2631-1``), ISO 8041-1:2017 (``iso-8041-1``); each row of
-    `jounce.ride.catalogue.CATALOGUE` names its own, and what it must not be taken for.
+    `jounce.ride.catalogue.CATALOGUE` names its own, and what the metric is often confused with.
 
     Examples
     --------
     >>> import jounce as jn
     >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="3 s")
-    >>> found = ride_metrics(jn.simulate(jn.load("kart-quarter-car"), trial))
-    >>> round(found.value("weighted_rms"), 2), round(found.value("lift_off_time"), 3)
+    >>> metrics = ride_metrics(jn.simulate(jn.load("kart-quarter-car"), trial))
+    >>> round(metrics.value("weighted_rms"), 2), round(metrics.value("lift_off_time"), 3)
     (2.64, 0.027)
     """
     run = as_recording(run, where="run")
-    rate, first, left_out = _time(run, settling)
+    rate, first, skipped = _time(run, settling)
     rows = {row.name: row for row in CATALOGUE}
     for name in metrics or ():
         if name not in rows:
@@ -270,7 +270,7 @@ def ride_metrics(
     if start not in STARTS:
         raise unknown(str(start), STARTS, what="start of the record", where="start")
     choices = Choices(
-        settling=left_out,
+        settling=skipped,
         weighting=_weightings(weighting or {}, names),
         start=start,
         travel=by_corner(travel, corners, "travel"),
@@ -282,12 +282,12 @@ def ride_metrics(
     values: list[MetricValue] = []
     absent: list[AbsentMetric] = []
     for row in wanted:
-        # accelerations are told apart by their axis; places and corners have every row of their scope
+        # accelerations are selected by their axis; places and corners have every row of their scope
         by_axis = row.scope not in ("point", "corner")
-        seen = [(at, view) for at, view in views[row.scope] if not by_axis or at.rpartition(".")[2] in row.needs]
-        if not seen:
+        parts = [(at, view) for at, view in views[row.scope] if not by_axis or at.rpartition(".")[2] in row.needs]
+        if not parts:
             absent.append(AbsentMetric(row.name, "", f"no channel {' or '.join(row.needs)}"))
-        for place, view in seen:
+        for place, view in parts:
             try:
                 values.append(MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label))
             except RecordingError as error:
@@ -305,28 +305,28 @@ def ride_metrics(
         *_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0),
     )
     duration = (run["time"].size - 1 - first) / rate
-    return RideMetrics(tuple(values), tuple(absent), words, duration, left_out, rate, findings)
+    return RideMetrics(tuple(values), tuple(absent), words, duration, skipped, rate, findings)
 
 
 def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
-    """Sample rate in Hz, index of the first sample that counts, and time left out in s."""
+    """Sample rate in Hz, index of the first evaluated sample, and skipped time in s."""
     check_recording(run)
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
         hint = "Read it with read_recording, or resample it."
         raise RecordingError("time is not uniform", where="recording", allowed="constant steps", hint=hint)
     duration = float(time[-1] - time[0])
-    left_out = to_si(settling, "s", where="settling")
-    if not 0.0 <= left_out < duration:
+    skipped = to_si(settling, "s", where="settling")
+    if not 0.0 <= skipped < duration:
         raise RecordingError(
             "nothing is left of the record",
             where="settling",
-            found=f"{left_out:g} s",
+            found=f"{skipped:g} s",
             allowed=f"0 s up to less than {duration:g} s, the duration of the record",
         )
     rate = (time.size - 1) / duration
-    first = min(int(np.ceil(left_out * rate - 1e-6)), time.size - 2)
-    return rate, first, left_out
+    first = min(int(np.ceil(skipped * rate - 1e-6)), time.size - 2)
+    return rate, first, skipped
 
 
 def _weightings(given: Mapping[str, str], names: Sequence[str]) -> Mapping[str, str]:
@@ -353,29 +353,29 @@ def _views(
                 yield Motion(name, axis, values, rate, first, choices)
 
     linear = list(motions(_AXES))
-    felt = [motion for motion in linear if carries_passengers(motion.channel.rpartition(".")[0])]
+    comfort_motions = [motion for motion in linear if carries_passengers(motion.channel.rpartition(".")[0])]
     places: dict[str, dict[str, Motion]] = {}
-    for motion in felt:
+    for motion in comfort_motions:
         places.setdefault(motion.channel.rpartition(".")[0], {})[motion.axis] = motion
-    found: Views = {
+    views: Views = {
         "motion": [(motion.channel, motion) for motion in linear],
         "rotation": [(motion.channel, motion) for motion in motions(_TURNS)],
-        "comfort": [(motion.channel, motion) for motion in felt],
+        "comfort": [(motion.channel, motion) for motion in comfort_motions],
         "point": [(place, Point(place, axes)) for place, axes in places.items()],
         "corner": [],
     }
     for corner in corners:
         prefix = f"{corner}." if corner else ""
         own = {part: signals[prefix + part][first:] for part in _PARTS if prefix + part in signals}
-        found["corner"].append((corner, Corner(corner, own, rate, choices)))
-    return found
+        views["corner"].append((corner, Corner(corner, own, rate, choices)))
+    return views
 
 
 def _findings(
     views: Views, values: Sequence[MetricValue], wanted: set[str], rate: float, hours: float
 ) -> Iterator[Finding]:
-    weighted_ones = wanted & {row.name for row in CATALOGUE if row.scope in ("comfort", "point")}
-    for place, motion in views["comfort"] if weighted_ones else ():
+    weighted_metrics = wanted & {row.name for row in CATALOGUE if row.scope in ("comfort", "point")}
+    for place, motion in views["comfort"] if weighted_metrics else ():
         yield from _about_signal(place, motion, rate)
         yield from _advice(place, motion)
     for item in values:
@@ -390,21 +390,21 @@ def _findings(
                 "unit of the acceleration (mm/s^2 or mg rather than m/s^2?) and of time"
             )
             yield Finding(item.place, "problem", text, item.value)
-    whole = [corner for corner, view in views["corner"] if view.has("strut.force")]
+    struts_without_damper = [corner for corner, view in views["corner"] if view.has("strut.force")]
     by_damper = any(view.has("strut.damper_force") for _, view in views["corner"])
-    if "dissipated_power" in wanted and whole and not by_damper:
+    if "dissipated_power" in wanted and struts_without_damper and not by_damper:
         text = "dissipated power is that of the whole strut force; it is the damper's over closed cycles only"
-        yield Finding(", ".join(filter(None, whole)) or "strut", "note", text)
+        yield Finding(", ".join(filter(None, struts_without_damper)) or "strut", "note", text)
 
 
 def _about_signal(place: str, motion: Motion, rate: float) -> Iterator[Finding]:
-    mean, spread = float(motion.values.mean()), float(motion.values.std())
-    if motion.choices.start == "rest" and abs(mean) > _OFFSET * spread:
+    average, spread = float(motion.values.mean()), float(motion.values.std())
+    if motion.choices.start == "rest" and abs(average) > _OFFSET * spread:
         text = (
-            f"the signal has an offset of {mean:.3g} m/s^2 (gravity?), which starts the weighting with a step; "
+            f"the signal has an offset of {average:.3g} m/s^2 (gravity?), which starts the weighting with a step; "
             "use start='mean', or a settling time"
         )
-        yield Finding(place, "warning", text, mean)
+        yield Finding(place, "warning", text, average)
     row = weighting(motion.usual)
     if rate < 2.0 * row.limits[2] and rate >= row.slowest_rate:
         text = f"sampled at {rate:g} Hz: what {row.name} passes above {0.5 * rate:g} Hz is missing"
@@ -412,7 +412,7 @@ def _about_signal(place: str, motion: Motion, rate: float) -> Iterator[Finding]:
 
 
 def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
-    """Advice of the standard, or none where the record is too short: the metric itself says so."""
+    """Advice of the standard; none for a record too short for the weighting, since the metric is absent then."""
     try:
         return comfort.advice(motion.weighted(), motion.rate, place=place)
     except RecordingError:
@@ -423,7 +423,7 @@ def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
 
 
 def _table(values: Sequence[MetricValue]) -> list[str]:
-    """Metrics below each other, places beside each other."""
+    """Table with a row for each metric and a column for each place."""
     places = list(dict.fromkeys(item.place for item in values))
     cells = {(item.metric, item.place): f"{item.value:.4g}" for item in values}
     names = {item.metric: item.unit for item in values}
@@ -433,7 +433,7 @@ def _table(values: Sequence[MetricValue]) -> list[str]:
 
 
 def _absences(absent: Iterable[AbsentMetric]) -> list[str]:
-    """One line a reason, with all metrics that it concerns; where only some places lack them, those places."""
+    """One line for each reason, with all metrics that it concerns, and the places if only some lack them."""
     names: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     places: dict[tuple[str, str], list[str]] = {}
     for item in absent:

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 WINDOWS = {"hann": 1.5, "boxcar": 1.0}
-"""Windows, with their noise bandwidth (1) in steps of the frequency."""
-_USUAL_PARTS = 8
-_FEWEST_SAMPLES = 8
-_HALF_BAND = 10.0**0.05
+"""Windows, each with its noise bandwidth (1) in frequency steps."""
+_USUAL_PARTS = 8  # segments of a record by default: 15 averages with Hann, so a standard error of 27 %
+_FEWEST_SAMPLES = 8  # a segment: fewer leave at most three frequencies between 0 and half the rate
+_HALF_BAND = 10.0**0.05  # edge over centre of a third-octave band, base ten (IEC 61260)
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Spectrum(Shown):
         Hz, from 0 in constant steps.
     density : ndarray, shape (n,)
         Unit of the signal squared per Hz; its integral over the frequency is the mean square.
-    resolution : float
+    Noise bandwidth of the window, Hz; narrower peaks are not resolved.
         Noise bandwidth of the window, Hz: nothing narrower can be seen.
     averages : float
         Number of independent spectra (1) in the mean; the relative standard error is one over its root.
@@ -53,11 +53,11 @@ class Spectrum(Shown):
 
     @property
     def step(self) -> float:
-        """Distance of the frequencies, Hz."""
+        """Frequency step, Hz."""
         return float(self.frequency[1] - self.frequency[0])
 
     def mean_square(self, low: float = 0.0, high: float = math.inf) -> float:
-        """Mean square between two frequencies (Hz), in the unit of the signal squared: bins count with their share."""
+        """Mean square between two frequencies (Hz), in the signal's unit squared; bins count by their share."""
         below = np.maximum(self.frequency - 0.5 * self.step, 0.0)
         above = np.minimum(self.frequency + 0.5 * self.step, self.frequency[-1])
         inside = np.clip(np.minimum(above, high) - np.maximum(below, low), 0.0, None)
@@ -129,22 +129,22 @@ def power_spectrum(
     sample_rate : float, optional
         Samples per second, Hz; not needed for a channel of a recording, which carries its time.
     segment : float or str, optional
-        Length of the pieces that are averaged, s or text with a unit; by default an eighth of the record. Longer pieces
-        resolve more and scatter more.
+        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record. Longer
+        segments resolve more and scatter more.
     window : {"hann", "boxcar"}
-        Hann pieces overlap by half; boxcar pieces do not.
+        Hann segments overlap by half; boxcar segments do not.
 
     Returns
     -------
     Spectrum
-        Density in the unit of ``values`` squared per Hz. The mean of each piece is taken off first.
+        Density in the unit of ``values`` squared per Hz. The mean of each segment is subtracted first.
 
     Raises
     ------
     RecordingError
-        For a signal too short, values that are not finite, and a segment longer than the record.
+        If the signal is too short or not finite, or the segment longer than the record.
     DescriptionError
-        For an unknown window.
+        If the window is unknown.
 
     Examples
     --------
@@ -156,7 +156,7 @@ def power_spectrum(
     """
     rate = rate_of_channels([values], where="signal") if sample_rate is None else as_number(sample_rate, "Hz")
     signal = _checked(values, rate, "signal")
-    count = _piece(signal, rate, segment, window)
+    count = _segment_length(signal, rate, segment, window)
     frequency, density = _cross(signal, signal, rate, count, window)
     resolution = WINDOWS[window] * rate / count
     return Spectrum(frequency, density.real.copy(), resolution, _averages(signal.size, count, window))
@@ -170,7 +170,7 @@ def transfer_function(
     segment: float | str | None = None,
     window: str = "hann",
 ) -> Transfer:
-    """Transfer function with coherence from two signals over time (H1: right when only the output is noisy).
+    """Transfer function with coherence from two signals over time (H1: unbiased when only the output is noisy).
 
     Parameters
     ----------
@@ -181,21 +181,21 @@ def transfer_function(
     sample_rate : float, optional
         Samples per second, Hz; not needed for channels of a recording, which carry their time.
     segment : float or str, optional
-        Length of the pieces that are averaged, s or text with a unit; by default an eighth of the record. It must be
-        longer than the system rings, otherwise the peaks come out too low and the coherence drops.
+        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record. It must
+        be longer than the system rings; otherwise the peaks are too low and the coherence drops.
     window : {"hann", "boxcar"}
         As in `power_spectrum`.
 
     Returns
     -------
     Transfer
-        Unit of ``answer`` over unit of ``given``. Where the input has nothing, there is no coherence either.
+        Unit of ``answer`` over unit of ``given``. Response and coherence are zero where the input has no power.
 
     Raises
     ------
     RecordingError
-        For signals of different lengths, too short or not finite, and fewer than two pieces: their coherence is 1
-        whatever they hold.
+        If the signals differ in length, are too short or not finite, or make fewer than two segments: the coherence
+        of a single segment is always 1.
 
     Examples
     --------
@@ -205,14 +205,14 @@ def transfer_function(
     >>> bool(np.allclose(abs(late.response), 2.0, rtol=0.05)), bool(late.coherence.min() > 0.99)
     (True, True)
     """
-    carried = sample_rate is None
-    rate = rate_of_channels([given, answer], where="transfer function") if carried else as_number(sample_rate, "Hz")
+    is_sampled = sample_rate is None
+    rate = rate_of_channels([given, answer], where="transfer function") if is_sampled else as_number(sample_rate, "Hz")
     x, y = _checked(given, rate, "input"), _checked(answer, rate, "output")
     if x.shape != y.shape:
         raise RecordingError(
             "input and output have different lengths", where="transfer function", found=f"{x.size} and {y.size} samples"
         )
-    count = _piece(x, rate, segment, window)
+    count = _segment_length(x, rate, segment, window)
     averages = _averages(x.size, count, window)
     if averages <= 1.0:
         raise RecordingError(
@@ -235,8 +235,7 @@ def channel_transfer(
 ) -> Transfer:
     """Transfer function (SI) between two channels of a recording on uniform time, see `transfer_function`.
 
-    ``segment`` is the length of the pieces (s or text with a unit), ``settling`` the time at the start that does not
-    count (s).
+    ``segment`` is the length of the segments (s or text with a unit); the first ``settling`` seconds are skipped.
     """
     names = [str(name) for name in run.data_vars]
     for name in (output, given):
@@ -248,13 +247,13 @@ def channel_transfer(
     if check_time(time, where="recording")[1]:
         raise RecordingError("time is not uniform", where="recording", hint="Resample the recording first.")
     rate = (time.size - 1) / float(time[-1] - time[0])
-    first = math.ceil(settling * rate - 1e-6)
+    first = math.ceil(settling * rate - 1e-6)  # rounding must not skip one sample more
     x, y = (np.asarray(run[name].values, dtype=float)[first:] for name in (given, output))
     return transfer_function(x, y, rate, segment=segment)
 
 
 def model_transfer(model: LinearModel, frequency: ArrayLike, output: str, given: str = "road.z") -> Transfer:
-    """Transfer function (SI) of a linearised model at frequencies in Hz, like those of `transfer_function`."""
+    """Transfer function (SI) of a linearised model at frequencies in Hz, comparable with `transfer_function`."""
     f = np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
     response = np.asarray(model.frequency_response(f, output, given), dtype=np.complex128)
     return Transfer(f, response, np.ones_like(f), math.inf)
@@ -284,11 +283,11 @@ def response_spectrum(
 def third_octaves(spectrum: Spectrum) -> Bands:
     """Root mean squares in third-octave bands with ideal edges, base ten.
 
-    The bands are those at least as wide as the spectrum's resolution and below half the sample rate; a spectrum that
-    resolves none at all is refused.
+    Bands narrower than the spectrum's resolution or above half the sample rate are left out. A spectrum without any
+    band is refused.
     """
     width = _HALF_BAND - 1.0 / _HALF_BAND
-    lowest = math.ceil(10.0 * math.log10(spectrum.resolution / width) - 1e-9)
+    lowest = math.ceil(10.0 * math.log10(spectrum.resolution / width) - 1e-9)  # 1e-9: rounding of the logarithms
     highest = math.floor(10.0 * math.log10(float(spectrum.frequency[-1]) / _HALF_BAND) + 1e-9)
     if highest < lowest:
         raise RecordingError(
@@ -316,8 +315,8 @@ def _checked(values: ArrayLike, sample_rate: float, what: str) -> Array:
     return signal
 
 
-def _piece(signal: Array, sample_rate: float, segment: float | str | None, window: str) -> int:
-    """Samples in each piece."""
+def _segment_length(signal: Array, sample_rate: float, segment: float | str | None, window: str) -> int:
+    """Number of samples of a segment."""
     if window not in WINDOWS:
         raise unknown(str(window), WINDOWS, what="window", where="spectrum")
     if segment is None:
@@ -346,7 +345,7 @@ def _cross(x: Array, y: Array, sample_rate: float, count: int, window: str) -> t
 
 
 def _averages(samples: int, count: int, window: str) -> float:
-    """Number of independent pieces; Hann pieces that overlap by half count 0.947 of a piece each."""
+    """Number of independent segments; a Hann segment that overlaps by half counts as 0.947."""
     if window != "hann":
         return float(samples // count)
     pieces = (samples - count) // (count - count // 2) + 1

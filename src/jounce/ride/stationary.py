@@ -1,4 +1,4 @@
-"""Stationary responses to random roads from the linear model: standard deviations without a simulation."""
+"""Stationary responses to random roads from the linear model: standard deviations without simulation."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ _ABSENT = {
     WANDERS: f'{WANDERS}; give band="iso" or a cut_off',
     KICKED: f'{KICKED}; give band="iso"',
 }
-_LIFTS = 3.0  # standard deviations
-_TINY = 1e-12
-_FARTHEST = 6.0  # standard deviations
-_USUAL_SPEED = 0.3  # m/s, of a damper where nothing says how fast it moves
-_BENDS = 0.1  # share of its coefficient by which a damper's slope at rest may be off unsaid
+_LIFTS = 3.0  # standard deviations: a Gaussian signal exceeds them for 0.13 % of the time
+_TINY = 1e-12  # SI: rounding of zero
+_FARTHEST = 6.0  # standard deviations: the Gaussian weight beyond is 2e-9
+_USUAL_SPEED = 0.3  # m/s, assumed without a channel; cars of the library have 0.22 to 0.25 r.m.s. on class C at 20 m/s
+_BENDS = 0.1  # relative error of a damper's slope that is reported; standard deviations change by about half of it
 
 
 @dataclass(frozen=True)
@@ -44,24 +44,24 @@ class StationaryResponse(Plain):
     standard_deviation : dict
         Channel to the standard deviation about its static value.
     weighted : dict
-        The same of the channels for which a weighting was given, weighted.
+        The same, weighted, for the channels with a weighting.
     static : dict
         Channel to the static value.
     absent : dict
-        Channel without a stationary variance to the reason.
+        Reason by channel, for those without a stationary variance.
     units : dict
         Channel to SI unit.
     slopes : dict
-        Number's path to channel to the slope of the standard deviation, per SI unit of the number. Channels that would
-        begin to wander with the road when the number moves have none.
+        Parameter path to channel to slope of the standard deviation, per SI unit of the parameter. Channels that would
+        follow the road's height if the parameter changed have none.
     weighted_slopes : dict
-        The same of the weighted ones.
+        The same for the weighted standard deviations.
     surface : Surface
         Road and speed.
     findings : tuple of Finding
-        Where the linear model says more than the rig could do.
+        Warnings where the linear model leaves the limits of the rig.
     spectra : Mapping of str to ndarray
-        Channel to its one-sided density at ``frequency`` (Hz), SI unit squared per Hz; empty where none was asked for.
+        Channel to its one-sided density at ``frequency`` (Hz), SI unit squared per Hz; empty unless requested.
     frequency : ndarray or None
         Hz.
     """
@@ -82,10 +82,10 @@ class StationaryResponse(Plain):
     frequency: Array | None = None
 
     def chance(self, channel: str, duration: float) -> float | None:
-        """By what share (1) the standard deviation over a ``duration`` (s) differs by chance: half its 95 % interval.
+        """Relative scatter (1) by chance of the standard deviation over a ``duration`` (s): half its 95 % interval.
 
-        The variance of a Gaussian signal scatters by the integral of its squared density over the time. None where the
-        spectrum is not known.
+        The variance of a Gaussian signal scatters by the integral of its squared density over the time. None if the
+        spectrum is unknown.
         """
         if self.frequency is None or channel not in self.spectra:
             return None
@@ -100,7 +100,7 @@ class StationaryResponse(Plain):
         Raises
         ------
         DescriptionError
-            For a channel that is unknown or absent, with the reason.
+            If a channel is unknown or absent; the message has the reason.
         """
         if channel in self.standard_deviation:
             return self.standard_deviation[channel]
@@ -151,8 +151,8 @@ def stationary(
 ) -> StationaryResponse:
     """Standard deviations of all channels on a random road, from the linear model about rest.
 
-    Without a band the road's vertical velocity is white noise, and the covariance comes from Lyapunov equations, the
-    rear wheels' delay and all, exactly. With a band it is an integral over the road's spectrum.
+    Without a band the road's vertical velocity is white noise, and Lyapunov equations give the exact covariance,
+    including the delay of the rear wheels. With a band it is an integral over the road's spectrum.
 
     Parameters
     ----------
@@ -164,37 +164,37 @@ def stationary(
     speed : float or str
         m/s.
     band : tuple of float or "iso", optional
-        Lowest and highest spatial frequency in 1/m; "iso" is 0.011 to 2.83, where ISO 8608 recommends to measure.
+        Lowest and highest spatial frequency in 1/m; "iso" is 0.011 to 2.83, the range that ISO 8608 recommends.
     cut_off : float, optional
         Spatial frequency n00 in 1/m below which the road is flat: ``dz/dt = -2 pi n00 v z + w``.
     waviness : float
         Exponent w of the spectrum (1); other than 2 needs a band.
     sides : {"uncorrelated", "same", "isotropic", "exponential"}, optional
-        What left and right wheels share; the last two (:func:`jounce.roads.rough.track_coherence`) need a band.
+        Relation of left and right wheels; the last two (:func:`jounce.roads.rough.track_coherence`) need a band.
         By default uncorrelated without a band and isotropic with one.
     contact_length : float or str
         Length over which the tyre averages the road, m; needs a band.
     weighting : mapping, optional
-        Channel, or its last words for those of all corners ("sprung.az"), to a weighting by ISO 2631-1 ("Wk") or to a
-        function that gives the magnitude at frequencies (Hz); needs a band.
+        Weighting by channel, or by the last words of a channel of all corners ("sprung.az"): a weighting of ISO 2631-1
+        ("Wk"), or a function that returns the magnitude at frequencies (Hz); needs a band.
     parameters : sequence of str
-        Paths of numbers along which slopes are wanted.
+        Paths of parameters whose slopes are computed.
 
     Returns
     -------
     StationaryResponse
-        SI. Channels that follow the road's height wander without limit on white noise and are absent.
+        SI. On white noise, channels that follow the road's height wander without limit and are absent.
 
     Raises
     ------
     DescriptionError
-        For unknown classes, channels, paths, and choices that do not fit each other.
+        If a class, channel or path is unknown, or choices contradict each other.
     SimulationError
-        When there is no equilibrium, or the model about it is not asymptotically stable.
+        If there is no equilibrium, or the model about it is not asymptotically stable.
 
     Notes
     -----
-    Small motions about static equilibrium: lift-off, stops and friction are not in it; findings say when they matter.
+    Small motions about static equilibrium: lift-off, stops and friction are left out; findings say when they matter.
 
     Examples
     --------
@@ -203,46 +203,46 @@ def stationary(
     >>> round(response["body.az"], 3), round(response.load_coefficients["front.tyre.force"], 3)
     (0.575, 0.104)
     """
-    chosen = surface(
+    road_surface = surface(
         road, speed, waviness=waviness, band=band, cut_off=cut_off, sides=sides, contact_length=contact_length
     )
     family = LinearFamily(as_rig(rig), tuple(parameters))
     outputs = family.compiled.facts.outputs
     names = [output.name for output in outputs]
     gains = _gains(weighting or {}, names)
-    if gains and chosen.band is None:
+    if gains and road_surface.band is None:
         raise DescriptionError(
             "this needs a band of frequencies", where="weighting", hint='Give band="iso" (0.011 to 2.83 1/m).'
         )
     count = len(names)
     signals = [Signal(i) for i in range(count)] + [Signal(names.index(name), gain) for name, gain in gains.items()]
-    found = Analysis(Families((family,)), chosen, tuple(signals)).at()
-    sigma = np.sqrt(np.maximum(found.variances[0], 0.0))
-    slopes = found.variance_slopes[0] / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
-    there = [i for i in range(count) if i not in found.absent]
-    static = dict(zip(names, map(float, found.static[0, :count]), strict=True))
-    values = {names[i]: float(sigma[i]) for i in there}
+    moments = Analysis(Families((family,)), road_surface, tuple(signals)).at()
+    sigma = np.sqrt(np.maximum(moments.variances[0], 0.0))
+    slopes = moments.variance_slopes[0] / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
+    present = [i for i in range(count) if i not in moments.absent]
+    static = dict(zip(names, map(float, moments.static[0, :count]), strict=True))
+    values = {names[i]: float(sigma[i]) for i in present}
     return StationaryResponse(
         values,
         {name: float(sigma[count + i]) for i, name in enumerate(gains)},
         static,
-        {names[i]: _ABSENT[reason] for i, reason in sorted(found.absent.items())},
+        {names[i]: _ABSENT[reason] for i, reason in sorted(moments.absent.items())},
         {output.name: output.unit for output in outputs},
         {
-            path: {names[i]: float(slopes[k, i]) for i in there if np.isfinite(slopes[k, i])}
+            path: {names[i]: float(slopes[k, i]) for i in present if np.isfinite(slopes[k, i])}
             for k, path in enumerate(family.paths)
         },
         {
             path: {name: float(slopes[k, count + i]) for i, name in enumerate(gains)}
             for k, path in enumerate(family.paths)
         },
-        chosen,
+        road_surface,
         tuple(linear_findings(family.rig, values, static)),
     )
 
 
 def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -> StationaryResponse:
-    """Add the densities of a rig's channels over the band of the road, at so many frequencies."""
+    """Add the densities of a rig's channels over the band of the road, at ``points`` frequencies."""
     surface_ = response.surface
     if surface_.band is None:
         return response
@@ -258,25 +258,25 @@ def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -
 
 
 def weighting_gain(weighting: str | Gain) -> Gain:
-    """Give the magnitude of a weighting as a function of frequency (Hz)."""
+    """Return the magnitude of a weighting as a function of frequency (Hz)."""
     if callable(weighting):
         return weighting
     return lambda frequency: np.abs(weighting_response(weighting, frequency))
 
 
 def _gains(weighting: Mapping[str, str | Gain], names: Sequence[str]) -> dict[str, Gain]:
-    found: dict[str, Gain] = {}
+    gains: dict[str, Gain] = {}
     for name, chosen in weighting.items():
         channels = channels_of(name, names)
         if not channels:
             raise unknown(name, names, what="channel", where="weighting")
-        found.update(dict.fromkeys(channels, weighting_gain(chosen)))
-    return found
+        gains.update(dict.fromkeys(channels, weighting_gain(chosen)))
+    return gains
 
 
 def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
-    """Say where a linear model about rest says more than the rig can do; standard deviations and static values, SI."""
-    found = []
+    """Report where the linear model leaves the limits of the rig, from standard deviations and static values (SI)."""
+    findings = []
     for name, value in sigma.items():
         if is_channel(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
             times = static[name] / value
@@ -285,27 +285,28 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
                 f"the wheel would lose contact for {100 * share:.2g} % of the time (its static load is {times:.2g} "
                 "standard deviations of the dynamic load), which the linear model does not capture."
             )
-            found.append(Finding(name, "warning", text, share))
+            findings.append(Finding(name, "warning", text, share))
     numbers = rig.parameters()
-    found += _stop_findings(rig, sigma, static)
+    findings += _stop_findings(rig, sigma, static)
     frictions = [path for path, value in numbers.items() if path.endswith("friction.force") and value > _TINY]
     for path in frictions:
         text = "friction is linearised at rest, where it is far stiffer than on a road; leave it out or simulate."
-        found.append(Finding(path, "warning", text, numbers[path]))
+        findings.append(Finding(path, "warning", text, numbers[path]))
     for path in (path for path in numbers if path.endswith("damper.hysteretic_force")):
         text = (
             "hysteresis is linearised at rest, where it is a spring; large motions see less stiffness and more damping."
         )
-        found.append(Finding(path, "warning", text, numbers[path]))
+        findings.append(Finding(path, "warning", text, numbers[path]))
     for path in (path for path in numbers if path.endswith("bump_coefficient")):
-        found.append(Finding(path, "note", "the mean of bump and rebound coefficients is used.", numbers[path]))
-    return [*found, *_bent_dampers(numbers, sigma)]
+        findings.append(Finding(path, "note", "the mean of bump and rebound coefficients is used.", numbers[path]))
+    return [*findings, *_nonlinear_dampers(numbers, sigma)]
 
 
-def _bent_dampers(numbers: Mapping[str, float], sigma: Mapping[str, float]) -> Iterator[Finding]:
-    """Dampers whose slope at rest is not what they damp on this road: the coefficient of a Gaussian velocity is.
+def _nonlinear_dampers(numbers: Mapping[str, float], sigma: Mapping[str, float]) -> Iterator[Finding]:
+    """Report dampers whose slope at rest differs from their equivalent coefficient on this road.
 
-    That is the mean of force times velocity over that of the velocity squared (statistical linearisation).
+    The equivalent coefficient of a Gaussian velocity is the mean of force times velocity over that of the velocity
+    squared (statistical linearisation).
     """
     for damper in (path.removesuffix(".coefficient") for path in numbers if path.endswith("damper.coefficient")):
         if f"{damper}.slope" not in numbers:
@@ -335,25 +336,26 @@ def _of_table(knots: Array, slopes: Array, forces: Array, velocity: Array) -> Ar
 
 def _bent(damper: str, sigma: Mapping[str, float], law: Callable[[Array], Array], at_rest: float) -> Iterator[Finding]:
     place = damper.partition(".")[0]  # "strut", or the axle
-    own = [sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place)]
-    speed, whence = max(own, default=_USUAL_SPEED), "standard deviation" if own else "assumed"
+    speeds = [sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place)]
+    speed, whence = max(speeds, default=_USUAL_SPEED), "standard deviation" if speeds else "assumed"
     if "third_spring" in damper or speed <= 0.0:
         return
     z = np.linspace(-_FARTHEST, _FARTHEST, 4001)
     weight = np.exp(-0.5 * z**2)
-    felt = float(weight @ (law(speed * z) * z) / (weight @ z**2) / speed)
-    if abs(felt - at_rest) > _BENDS * abs(felt):
+    equivalent = float(weight @ (law(speed * z) * z) / (weight @ z**2) / speed)
+    if abs(equivalent - at_rest) > _BENDS * abs(equivalent):
         text = (
-            f"the curve bends: at {speed:.2g} m/s ({whence}) it damps like {felt:.4g} N*s/m, but its slope "
-            f"at rest, {at_rest:.4g} N*s/m, is used; give {felt:.4g} N*s/m as coefficient and look again, or simulate."
+            f"the curve bends: at {speed:.2g} m/s ({whence}) it damps like {equivalent:.4g} N*s/m, but its slope "
+            f"at rest, {at_rest:.4g} N*s/m, is used; give {equivalent:.4g} N*s/m as coefficient "
+            "and look again, or simulate."
         )
-        yield Finding(damper, "warning", text, felt)
+        yield Finding(damper, "warning", text, equivalent)
 
 
 def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
     struts = [name for name in sigma if is_channel(name, "strut.deflection") and sigma[name] > 0.0]
     gaps = gaps_of(rig, [name.removesuffix("strut.deflection").removesuffix(".") for name in struts])
-    found = []
+    findings = []
     for name, (rebound, bump) in zip(struts, gaps.values(), strict=True):
         for stop, gap, sign in (("bump", bump, 1.0), ("rebound", rebound, -1.0)):
             if gap is None:
@@ -361,5 +363,5 @@ def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, fl
             room = (gap - sign * static[name]) / sigma[name]
             if room < _LIFTS:
                 text = f"the {stop} stop is {room:.2g} standard deviations away from rest; the linear model ignores it."
-                found.append(Finding(name, "warning", text, room))
-    return found
+                findings.append(Finding(name, "warning", text, room))
+    return findings

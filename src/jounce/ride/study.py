@@ -1,4 +1,4 @@
-"""Ride studies: one rig or vehicle over a road with several controllers, comfort beside travel and road holding."""
+"""Ride studies: one rig or vehicle on one road with several controllers; comfort, travel and road holding compared."""
 
 from __future__ import annotations
 
@@ -35,21 +35,21 @@ if TYPE_CHECKING:
 
 
 DEFAULT_DURATION = 60.0
-"""s, of a run over a synthetic road; a measured one is driven to its end."""
+"""s, of a run over a synthetic road; a measured road is driven to its end."""
 _SAMPLE = 1e-3  # s
-_RUN_IN = 10.0  # m over which a synthetic road fades in, and out behind the end of the run
+_RUN_IN = 10.0  # m over which a synthetic road fades in, and out after the end of the run
 
 
 @dataclass(frozen=True)
 class RideTrial(Shown):
-    """A trial and the part of it that counts.
+    """A trial and the time at its start that the metrics skip.
 
     Attributes
     ----------
     trial : Trial
         Road under the left and the right wheels, speed and duration.
     settling : float
-        s at the start that metrics leave out: the road fades in, and the last axle has not yet met it.
+        Time skipped at the start, s: the road fades in, and the last axle has not yet reached it.
     """
 
     trial: Trial
@@ -65,7 +65,7 @@ def iso_trial(
     seed: int = 0,
     step: float = 0.05,
 ) -> RideTrial:
-    """Drive over a random road of ISO 8608; full cars meet its two coherent tracks.
+    """Drive over a random road of ISO 8608; full cars follow its two coherent tracks.
 
     Parameters
     ----------
@@ -76,21 +76,21 @@ def iso_trial(
     speed : float or str
         m/s, or text with a unit.
     duration : float or str
-        Time over the rough road, s; the time it takes to come in is added in front.
+        Time over the rough road, s; the fade-in comes in addition.
     seed : int
-        Which of all roads of that class.
+        Seed of the random road.
     step : float
-        Distance of the road's points, m.
+        Spacing of the road's points, m.
 
     Returns
     -------
     RideTrial
-        The trial, longer than ``duration`` by what it leaves out at its start.
+        The trial; it is longer than ``duration`` by its settling time.
 
     Raises
     ------
     DescriptionError
-        For an unknown class, and numbers out of range.
+        If the class is unknown or a number out of range.
 
     Examples
     --------
@@ -102,30 +102,30 @@ def iso_trial(
     check_rig(rig)
     velocity, rough = positive_si(speed, "m/s", where="speed"), positive_si(duration, "s", where="duration")
     settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / velocity)
-    lasting = settling + _whole_samples(rough)
-    left = Iso8608(class_=class_, length=velocity * lasting + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
+    run_time = settling + _whole_samples(rough)
+    left = Iso8608(class_=class_, length=velocity * run_time + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
     right: Road | None = None
     if isinstance(rig, FullCar | FullCar3D):
         left = left.model_copy(update={"track": track_width(rig)})
         right = left.other_track()
-    return RideTrial(Trial(road=left, right=right, speed=velocity, duration=lasting), settling)
+    return RideTrial(Trial(road=left, right=right, speed=velocity, duration=run_time), settling)
 
 
 def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | str | None = None) -> RideTrial:
-    """Drive over a given road; a measured course with a width is read under both tracks of a full car.
+    """Drive over a given road; a full car follows both tracks of a measured course with a width.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
     road : Road
-        What is driven over.
+        Road to drive over.
     speed : float or str
         m/s, or text with a unit.
     duration : float or str, optional
         s; by default, and at most, until the last axle reaches the road's end: the front axle is then one wheelbase
-        beyond it. On a road that does not end at the height at which it begins nobody knows how it goes on: there it
-        is until the front axle reaches the end.
+        beyond it. If the road does not end at the height at which it begins, its continuation is unknown; the run then
+        ends when the front axle reaches the end.
 
     Returns
     -------
@@ -135,7 +135,7 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     Raises
     ------
     DescriptionError
-        For numbers out of range, a run longer than the road, and points too far apart for the speed.
+        If a number is out of range, the run longer than the road, or the points too far apart for the speed.
 
     Examples
     --------
@@ -149,31 +149,31 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     velocity = positive_si(speed, "m/s", where="speed")
     left, right = _tracks(rig, road)
     beyond = behind if all(side.ends_level() for side in (left, right) if side is not None) else 0.0
-    whole = (road.end() + beyond) / velocity
-    if duration is None and whole <= 0.0:
+    longest = (road.end() + beyond) / velocity
+    if duration is None and longest <= 0.0:
         raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
-    lasting = whole if duration is None else positive_si(duration, "s", where="duration")
-    road.check_covers(velocity * lasting, behind=beyond, where="duration")
+    run_time = longest if duration is None else positive_si(duration, "s", where="duration")
+    road.check_covers(velocity * run_time, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
-    trial = Trial(road=left, right=right, speed=velocity, duration=_whole_samples(lasting))
+    trial = Trial(road=left, right=right, speed=velocity, duration=_whole_samples(run_time))
     return RideTrial(trial, behind / velocity)
 
 
 def _check_fine_enough(road: Road, speed: float) -> None:
-    """Refuse points so far apart that a drive over them shows no wheel hop."""
-    apart = road.point_spacing()
-    if apart is not None and speed / (2.0 * apart) < FASTEST:
+    """Refuse a road whose points are too far apart to excite wheel hop at this speed."""
+    spacing = road.point_spacing()
+    if spacing is not None and speed / (2.0 * spacing) < FASTEST:
         raise DescriptionError(
             "the road's points are too far apart for the speed",
             where="road",
-            found=f"{apart:.3g} m, which shows nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s",
+            found=f"{spacing:.3g} m, which shows nothing above {speed / (2.0 * spacing):.3g} Hz at {speed:g} m/s",
             allowed=f"at most {speed / (2.0 * FASTEST):.3g} m: wheels hop at about {FASTEST:g} Hz",
             hint="Take a finer profile, or drive faster.",
         )
 
 
 def _whole_samples(time: float) -> float:
-    """Time (s) made up to whole output steps, so that signals are uniform to their end."""
+    """Time (s) rounded up to whole output steps, so that signals are uniform to their end."""
     return float(np.ceil(time / _SAMPLE - 1e-6) * _SAMPLE)
 
 
@@ -182,14 +182,14 @@ def _wheelbase(rig: Rig) -> float:
 
 
 def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
-    """The road under the left and the right wheels."""
+    """The roads under the left and the right wheels; None where both share one."""
     if isinstance(rig, FullCar | FullCar3D) and isinstance(road, Crg):
         half = 0.5 * track_width(rig)
         try:
             left, right = (road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0))
             left.profile()
             right.profile()
-        except RecordingError:  # too narrow for the car: both sides roll along the given offset
+        except RecordingError:  # too narrow for the car: both sides follow the given offset
             return road, None
         return left, right
     return road, None
@@ -208,12 +208,12 @@ Progress = Callable[[str], None]
 AnyControl = Controller | str | Path | Callable[..., Any]
 PASSIVE = "passive"
 _BODY = ("body.az", "sprung.az")
-_SEGMENT = 8.0  # s: resolves the body's bounce
+_SEGMENT = 8.0  # s: a resolution of 0.2 Hz separates bounce and pitch of the body (1 to 2 Hz)
 
 
 @dataclass(frozen=True)
 class Merit:
-    """One column of the comparison: a metric at its place, or the worst of all corners (smaller is better)."""
+    """One column of the comparison: a metric at its place, or its worst corner (smaller is better)."""
 
     name: str
     unit: str
@@ -230,7 +230,7 @@ MERITS: tuple[Merit, ...] = (
     Merit("load_coefficient", "1", "dynamic wheel load coefficient, worst corner", "dynamic_load_coefficient"),
     Merit("lift_off", "1", "time lifted off, worst corner", "lift_off_time"),
 )
-"""Comfort, travel and road holding as the comparison shows them."""
+"""Comfort, travel and road holding, the columns of the comparison."""
 
 
 @dataclass(frozen=True)
@@ -244,11 +244,11 @@ class Ride(Plain):
     run : xarray.Dataset
         Signals, SI.
     metrics : RideMetrics
-        What they amount to.
+        Ride metrics of those signals.
     merits : dict
-        The columns of the comparison that the rig has, SI.
+        Values of the comparison's columns that the rig has, SI.
     settling : float
-        Time at the start that is left out of everything, s.
+        Time skipped at the start, s.
     """
 
     control: str
@@ -259,42 +259,42 @@ class Ride(Plain):
 
     @property
     def settled(self) -> xr.Dataset:
-        """Signals from the settling time on, SI."""
+        """Signals after the settling time, SI."""
         return self.run.sel(time=slice(self.settling, None))
 
     @property
     def duration(self) -> float:
-        """Time that counts, s."""
+        """Evaluated time, s."""
         time = self.settled["time"].to_numpy()
         return float(time[-1] - time[0])
 
     def spectra(self) -> dict[str, Spectrum]:
-        """Power spectral densities by channel: body acceleration, and the load of every wheel where there are tyres.
+        """Power spectral densities by channel: body acceleration, and the load of every wheel with a tyre.
 
-        Pieces are an eighth of the run, at least 8 s, so that they resolve the body's bounce, and at most half of it.
+        Segments are an eighth of the run, at least 8 s to resolve the body's bounce, and at most half of the run.
         """
         signals = self.settled
         rate = 1.0 / float(signals["time"][1] - signals["time"][0])
         channels = list(map(str, signals.data_vars))
-        found = [channels_of(name, channels) for name in (*_BODY, "tyre.force")]
-        names = [*(found[0] or found[1])[:1], *found[2]]
+        matches = [channels_of(name, channels) for name in (*_BODY, "tyre.force")]
+        names = [*(matches[0] or matches[1])[:1], *matches[2]]
         segment = min(max(self.duration / 8.0, _SEGMENT), self.duration / 2.0)
         return {name: power_spectrum(signals[name].to_numpy(), rate, segment=segment) for name in names}
 
     def standard_deviation(self, channel: str) -> float:
-        """Of a channel after settling, in its SI unit."""
+        """Standard deviation of a channel after settling, in its SI unit."""
         return float(self.settled[channel].std())
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI; signals stay out."""
-        found: dict[str, dict[str, float]] = {}
+        """Return plain values in SI, without signals."""
+        by_metric: dict[str, dict[str, float]] = {}
         for item in self.metrics.values:
-            found.setdefault(item.metric, {})[item.place] = item.value
+            by_metric.setdefault(item.metric, {})[item.place] = item.value
         table = {
             "control": self.control,
             "status": str(self.run.attrs["status"]),
             "merits": self.merits,
-            "metrics": found,
+            "metrics": by_metric,
             "comfort": self.metrics.comfort,
             "absent": self.metrics.absent,
             "findings": self.metrics.findings,
@@ -309,13 +309,13 @@ class RideStudy(Plain):
     Attributes
     ----------
     trial : RideTrial
-        Road, speed, duration and what is left out at the start.
+        Road, speed, duration, and the time skipped at the start.
     rides : tuple of Ride
         One for each controller that reached the end.
     failed : dict
-        Controller to the reason why there is no ride.
+        Reason by controller, for those without a ride.
     stationary : StationaryResponse or None
-        For passive rides over ISO roads what the linear model says without simulation.
+        Response of the linear model, without simulation, for passive rides over ISO roads.
     """
 
     trial: RideTrial
@@ -325,9 +325,9 @@ class RideStudy(Plain):
 
     @property
     def by_chance(self) -> dict[str, float | None]:
-        """By what share (1) standard deviations of the passive ride differ by chance from the linear model's.
+        """Relative scatter (1) by chance of the passive ride's standard deviations about the linear model's.
 
-        Channel to half of the 95 % interval, None where the spectrum is not known; empty without such a ride.
+        Channel to half of the 95 % interval, None if the spectrum is unknown; empty without such a ride.
         """
         passive = next((ride for ride in self.rides if ride.control == "passive"), None)
         if self.stationary is None or passive is None:
@@ -335,7 +335,7 @@ class RideStudy(Plain):
         return {name: self.stationary.chance(name, passive.duration) for name in self.stationary.standard_deviation}
 
     def ride(self, control: str) -> Ride:
-        """Give the ride of a controller by its name."""
+        """Return the ride of a controller by its name."""
         for ride in self.rides:
             if ride.control == control:
                 return ride
@@ -343,7 +343,7 @@ class RideStudy(Plain):
         raise DescriptionError("no ride of that controller", where=control, allowed=allowed)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values in SI."""
         table: dict[str, Any] = {
             "speed": self.trial.trial.speed,
             "duration": self.trial.trial.duration,
@@ -357,17 +357,17 @@ class RideStudy(Plain):
 
 
 def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None) -> Ride:
-    """Drive once and say what it amounts to.
+    """Simulate one ride and compute its metrics.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
     trial : RideTrial or Trial
-        From :func:`jounce.ride.study.iso_trial` or ``road_trial``; of a plain trial, what comes before the last axle
-        has reached its begin does not count.
+        From :func:`jounce.ride.study.iso_trial` or ``road_trial``; of a plain trial, the time until the last axle
+        reaches the start of the road is skipped.
     control : Controller, str, Path, callable or None
-        As for :func:`jounce.simulate`; the rig as it is without one.
+        As for :func:`jounce.simulate`; None keeps the rig passive.
 
     Returns
     -------
@@ -377,17 +377,17 @@ def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None)
     Raises
     ------
     SimulationError
-        When the run does not reach its end.
+        If the run stops before its end.
     RecordingError
-        When the trial is too short for its settling time.
+        If the trial is too short for its settling time.
 
     Examples
     --------
     >>> import jounce as jn
     >>> from jounce.ride.study import iso_trial
     >>> car = jn.load("audi-a6-half-car-4dof")
-    >>> driven = drive(car, iso_trial(car, "B", 20.0, duration=5.0))
-    >>> driven.control, 0.2 < driven.merits["comfort"] < 0.8
+    >>> ride = drive(car, iso_trial(car, "B", 20.0, duration=5.0))
+    >>> ride.control, 0.2 < ride.merits["comfort"] < 0.8
     ('passive', True)
     """
     trial = _as_ride(rig, trial)
@@ -407,30 +407,30 @@ def compare_rides(
     *,
     progress: Progress = lambda _: None,
 ) -> RideStudy:
-    """Drive the same trial with several controllers; what cannot be driven is listed with its reason.
+    """Drive the same trial with several controllers; those that fail are listed with the reason.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
     trial : RideTrial or Trial
-        What is driven.
+        Road, speed and duration.
     controls : sequence of Controller, str, Path or callable
-        Controllers, their names or files, or Python functions; ``"passive"`` is the rig as it is.
+        Controllers, their names or files, or Python functions; ``"passive"`` is the rig without a controller.
     progress : callable
-        Told what goes on.
+        Receives a message for each ride.
 
     Returns
     -------
     RideStudy
-        Rides, and what failed.
+        Rides, and the reasons of those that failed.
 
     Raises
     ------
     DescriptionError
-        For an unknown controller.
+        If a controller is unknown.
     JounceError
-        Where not a single controller reached the end: the error of the first.
+        If no controller reaches the end: the error of the first.
 
     Examples
     --------
@@ -443,26 +443,26 @@ def compare_rides(
     trial = _as_ride(rig, trial)
     chosen = [as_controller(control) for control in controls]
     rides, failed = [], {}
-    problem: JounceError | None = None
+    first_error: JounceError | None = None
     for k, (given, control) in enumerate(zip(controls, chosen, strict=True), 1):
         name = control_name(given)
         progress(f"driving {k} of {len(chosen)}: {name}")
         try:
             rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
         except JounceError as error:
-            failed[name], problem = str(error), problem or error
-    if problem is not None and not rides:
-        raise problem
+            failed[name], first_error = str(error), first_error or error
+    if first_error is not None and not rides:
+        raise first_error
     return RideStudy(trial, tuple(rides), failed, _stationary(rig, trial, [ride.control for ride in rides]))
 
 
 def all_controls() -> tuple[str, ...]:
-    """Names of all controllers that come with jounce, the passive rig first."""
+    """Names of all built-in controllers, the passive rig first."""
     return (PASSIVE, *(name for name in CONTROLS if name != PASSIVE))
 
 
 def control_name(control: AnyControl | None) -> str:
-    """Give the name under which a controller is reported."""
+    """Return the name under which a controller is reported."""
     if control is None:
         return PASSIVE
     if isinstance(control, Controller):
@@ -473,21 +473,21 @@ def control_name(control: AnyControl | None) -> str:
 
 
 def _merits(metrics: RideMetrics) -> dict[str, float]:
-    """Columns of the comparison that a recording gives."""
-    found = {}
+    """Columns of the comparison that a recording supports."""
+    merits = {}
     for merit in MERITS:
         values = {item.place: item.value for item in metrics.values if item.metric == merit.metric}
         if merit.worst and values:
-            found[merit.name] = max(values.values())
+            merits[merit.name] = max(values.values())
         elif not merit.worst:
             body = next((place for place in _BODY if place in values), None)
             if body is not None:
-                found[merit.name] = values[body]
-    return found
+                merits[merit.name] = values[body]
+    return merits
 
 
 def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryResponse | None:
-    """What the linear model says of an ISO road, for the rig as it is."""
+    """Stationary response of the passive rig on an ISO road, None for others."""
     road, speed = trial.trial.road, trial.trial.speed
     if PASSIVE not in names or not isinstance(road, Iso8608) or speed is None:
         return None

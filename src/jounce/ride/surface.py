@@ -1,4 +1,4 @@
-"""What a linear model is driven over: the spectrum of a road, a speed, and what left and right wheels share."""
+"""The road under a linear model: its spectrum, the speed, and the coherence of left and right."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from jounce.roads.rough import BAND, REFERENCE, as_roughness, track_coherence
 Density = Callable[[Array], Array]
 Sides = Literal["uncorrelated", "same", "isotropic", "exponential"]
 SIDES: tuple[Sides, ...] = ("uncorrelated", "same", "isotropic", "exponential")
-_TWO = 2.0
+_TWO = 2.0  # waviness of ISO 8608
 
 
 @dataclass(frozen=True)
@@ -30,18 +30,18 @@ class Surface(Plain):
     roughness : float or None
         G_d(n0), m^3; None for a spectrum given as a function.
     density : callable or None
-        One-sided density of the height (m^3) of spatial frequency (1/m), where there is no roughness.
+        One-sided density of the height (m^3) as a function of spatial frequency (1/m), in place of a roughness.
     speed : float
         m/s.
     waviness : float
         Exponent w (1).
-    band : tuple of float or None
+    Spatial frequencies of the road, 1/m; None for all of them (white noise).
         Spatial frequencies that are there, 1/m; None for all of them (white noise).
     cut_off : float or None
         Spatial frequency n00 (1/m) below which the road is flat: ``dz/dt = -2 pi n00 v z + w``.
-    sides : str
+    Relation of left and right wheels.
         What left and right wheels share.
-    contact_length : float
+    Contact length of the tyre, m: shorter waves are averaged out.
         Of the tyre, m: shorter waves are averaged out.
     """
 
@@ -68,25 +68,25 @@ class Surface(Plain):
         return None if self.cut_off is None else 2.0 * math.pi * self.cut_off * self.speed
 
     def heights(self, n: Array) -> Array:
-        """Density (m^3) of the height that the tyre feels, at spatial frequencies (1/m)."""
+        """Density (m^3) of the height as averaged by the tyre, at spatial frequencies (1/m)."""
         if self.density is not None:
-            found = np.asarray(self.density(n), dtype=float)
-            if found.shape != n.shape or not np.all(np.isfinite(found)) or np.any(found < 0.0):
+            density = np.asarray(self.density(n), dtype=float)
+            if density.shape != n.shape or not np.all(np.isfinite(density)) or np.any(density < 0.0):
                 raise DescriptionError(
                     "the spectrum does not give densities", where="road", allowed="finite and at least 0 m^3"
                 )
         elif self.cut_off is not None:
-            found = float(self.roughness or 0.0) * REFERENCE**2 / (n**2 + self.cut_off**2)
+            density = float(self.roughness or 0.0) * REFERENCE**2 / (n**2 + self.cut_off**2)
         else:
-            found = float(self.roughness or 0.0) * (n / REFERENCE) ** -self.waviness
-        return np.asarray(found * np.sinc(n * self.contact_length) ** 2)
+            density = float(self.roughness or 0.0) * (n / REFERENCE) ** -self.waviness
+        return np.asarray(density * np.sinc(n * self.contact_length) ** 2)
 
     def shared(self, n: Array, track: float | Array) -> Array | None:
-        """Root of the coherence (1) of left and right heights at distances (m); None where they are independent."""
+        """Root of the coherence (1) of left and right heights at distances (m); None for independent sides."""
         if self.sides not in ("isotropic", "exponential"):
             return None
-        found = track_coherence(n, track, model=self.sides, waviness=self.waviness)
-        return np.asarray(np.sqrt(found))
+        coherence = track_coherence(n, track, model=self.sides, waviness=self.waviness)
+        return np.asarray(np.sqrt(coherence))
 
 
 def surface(
@@ -99,14 +99,14 @@ def surface(
     sides: Sides | None = None,
     contact_length: float | str = 0.0,
 ) -> Surface:
-    """Read a road, SI: a class ("C", "iso:C"), a roughness (m^3, or text with its unit) or a density as a function.
+    """Read a road, SI: a class ("C", "iso:C"), a roughness (m^3 or text with a unit) or a density function.
 
-    ``band`` in 1/m ("iso" is that of ISO 8608); by default all waves, for a density that of ISO 8608.
+    ``band`` is in 1/m ("iso" is that of ISO 8608). Default: all waves; for a density function that of ISO 8608.
 
     Raises
     ------
     DescriptionError
-        For values out of range and choices that do not fit each other.
+        If a value is out of range or choices contradict each other.
     """
     velocity = to_si(speed, "m/s", where="speed")
     if velocity <= 0.0:
@@ -124,13 +124,13 @@ def surface(
         raise unknown(str(chosen), SIDES, what="relation of left and right", where="sides")
     slope = as_number(waviness, "1", where="waviness")
     cut = None if cut_off is None else as_number(cut_off, "1/m", where="cut_off")
-    found = Surface(roughness, density, velocity, slope, limits, cut, chosen, length)
-    _check(found)
-    return found
+    road_surface = Surface(roughness, density, velocity, slope, limits, cut, chosen, length)
+    _check(road_surface)
+    return road_surface
 
 
 def read_roughness(road: str | float) -> float:
-    """Degree of roughness (m^3) of a class ("C", "iso:C"), a text with its unit, or a number in m^3."""
+    """Degree of roughness (m^3) of a class ("C", "iso:C"), a text with a unit, or a number in m^3."""
     if not isinstance(road, str):
         return as_roughness(road, where="road")
     text = road.strip()
@@ -155,20 +155,20 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
     return low, high
 
 
-def _check(found: Surface) -> None:
-    if not (math.isfinite(found.waviness) and 0.0 < found.waviness < 4.0):
-        raise DescriptionError("out of range", where="waviness", found=found.waviness, allowed="above 0, below 4")
-    if found.cut_off is not None and not (math.isfinite(found.cut_off) and found.cut_off > 0.0):
-        raise DescriptionError("out of range", where="cut_off", found=found.cut_off, allowed="above 0 1/m")
-    if found.cut_off is not None and (found.waviness != _TWO or found.density is not None):
-        raise DescriptionError("a cut-off belongs to a road of waviness 2", where="cut_off", found=found.cut_off)
-    if found.band is not None:
+def _check(surface: Surface) -> None:
+    if not (math.isfinite(surface.waviness) and 0.0 < surface.waviness < 4.0):
+        raise DescriptionError("out of range", where="waviness", found=surface.waviness, allowed="above 0, below 4")
+    if surface.cut_off is not None and not (math.isfinite(surface.cut_off) and surface.cut_off > 0.0):
+        raise DescriptionError("out of range", where="cut_off", found=surface.cut_off, allowed="above 0 1/m")
+    if surface.cut_off is not None and (surface.waviness != _TWO or surface.density is not None):
+        raise DescriptionError("a cut-off belongs to a road of waviness 2", where="cut_off", found=surface.cut_off)
+    if surface.band is not None:
         return
     hint = 'Give band="iso" (0.011 to 2.83 1/m).'
     for name, value, is_fit in (
-        ("waviness", found.waviness, found.waviness == _TWO),
-        ("contact_length", found.contact_length, found.contact_length == 0.0),
-        ("sides", found.sides, found.sides in ("uncorrelated", "same")),
+        ("waviness", surface.waviness, surface.waviness == _TWO),
+        ("contact_length", surface.contact_length, surface.contact_length == 0.0),
+        ("sides", surface.sides, surface.sides in ("uncorrelated", "same")),
     ):
         if not is_fit:
             raise DescriptionError("this needs a band of frequencies", where=name, found=value, hint=hint)

@@ -16,12 +16,12 @@ from jounce.core.units import as_number
 
 Start = Literal["rest", "first", "mean"]
 STARTS: tuple[Start, ...] = ("rest", "first", "mean")
-_Q = 1.0 / math.sqrt(2.0)  # of both band limits
-_FORGOTTEN = 26.0  # time constants after which nothing is left: exp(-26) = 5e-12
-_GUARD = 4096  # samples beside each block that take up the ringing at half the sample rate
-_FADE = 512  # samples over which the record fades out behind its end
-_SMALLEST_BLOCK = 1 << 16
-_BLOCKS_AT_ONCE = 8
+_Q = 1.0 / math.sqrt(2.0)  # Butterworth quality factor of both band limits: ISO 8041-1, 5.6
+_MEMORY = 26.0  # time constants after which a response has decayed to exp(-26) = 5e-12
+_GUARD = 4096  # samples beside each block for the ringing at half the sample rate
+_FADE = 512  # samples over which the record fades out after its end
+_SMALLEST_BLOCK = 1 << 16  # samples: one FFT for most records
+_BLOCKS_AT_ONCE = 8  # limits memory; no effect on the result
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,11 @@ class Weighting:
     f1, f2 : float
         Corner frequencies of high pass and low pass, Hz.
     f3, f4 : float
-        Of the transition, Hz; infinite where there is none.
+        Corner frequencies of the transition, Hz; infinite for a weighting without it.
     q4 : float
         Quality factor (1) of the transition.
     f5, f6 : float
-        Of the upward step, Hz; infinite where there is none.
+        Corner frequencies of the upward step, Hz; infinite for a weighting without it.
     q5, q6 : float
         Quality factors (1) of the step.
     limits : tuple of float
@@ -63,19 +63,19 @@ class Weighting:
 
     @property
     def shortest(self) -> float:
-        """Shortest record it makes sense for: one period of the lower band limit, s."""
+        """Shortest useful record: one period of the lower band limit, s."""
         return 1.0 / self.f1
 
     @property
     def slowest_rate(self) -> float:
-        """Sample rate below which too much of its band is missing, Hz."""
+        """Lowest sample rate, Hz: half the upper band limit."""
         return 0.5 * self.f2
 
     @property
     def memory(self) -> float:
-        """Time after which its response to an impulse is over, s."""
+        """Duration of its impulse response, s."""
         slowest = min(2.0 * math.pi * self.f1 * 0.5 / _Q, 2.0 * math.pi * min(self.f4, self.f6) * 0.5)
-        return _FORGOTTEN / slowest
+        return _MEMORY / slowest
 
 
 WEIGHTINGS: dict[str, Weighting] = {
@@ -95,14 +95,14 @@ WEIGHTINGS: dict[str, Weighting] = {
 
 
 def weighting(name: str) -> Weighting:
-    """Give the row of a weighting; a name that is none is refused with the nearest."""
+    """Return the row of a weighting; refuse an unknown name and suggest the nearest."""
     if name not in WEIGHTINGS:
         raise unknown(name, WEIGHTINGS, what="weighting")
     return WEIGHTINGS[name]
 
 
 def check_duration(name: str, duration: float, *, where: str) -> None:
-    """Refuse a record (s) too short for a weighting: what it gives then says nothing of comfort."""
+    """Refuse a record (duration in s) too short for a weighting: its result would say nothing about comfort."""
     row = weighting(name)
     if duration < row.shortest * (1.0 - 1e-9):
         raise RecordingError(
@@ -148,7 +148,7 @@ def _high_pass(s: NDArray[np.complex128], frequency: float) -> NDArray[np.comple
 
 
 def tolerance(name: str, frequency: ArrayLike) -> tuple[Array, Array]:
-    """Smallest and largest ratio (1) of a filter's gain to the design value that ISO 8041-1 allows, at Hz."""
+    """Smallest and largest ratio (1) of a filter's gain to the design value allowed by ISO 8041-1, at Hz."""
     first, second, third, last = weighting(name).limits
     f = as_samples(frequency, "Hz", where="frequency", error=DescriptionError)
     outer, inner = (f <= first) | (f >= last), (f >= second) & (f <= third)
@@ -159,8 +159,8 @@ def tolerance(name: str, frequency: ArrayLike) -> tuple[Array, Array]:
 def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start = "rest") -> Array:
     """Weight a sampled acceleration as the standard's analog filter would, phase included.
 
-    The response is exact at every frequency up to half the sample rate (no bilinear transform, nothing is warped), and
-    causal: no part of it runs backwards.
+    The response is exact at every frequency up to half the sample rate (no bilinear transform, no warping), and
+    causal: no part of the filter runs backwards.
 
     Parameters
     ----------
@@ -171,9 +171,9 @@ def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start =
     name : str
         ``"Wk"``, ``"Wd"``, ``"Wf"``, ``"Wc"`` or ``"We"``.
     start : {"rest", "first", "mean"}
-        What was before the record: nothing, so that an offset acts as a step; the first value, held for ever; or the
-        mean of the record, held for ever (e.g. gravity in the signal). The filter remembers what came before for
-        some seconds (Wk 1 s, Wf 10 s): leave them out of what is evaluated unless the record begins at rest.
+        State before the record: zero, so that an offset acts as a step; the first value, constant; or the mean of
+        the record, constant (e.g. gravity in the signal). The filter remembers the time before for some seconds (Wk
+        1 s, Wf 10 s): skip them in the evaluation unless the record begins at rest.
 
     Returns
     -------
@@ -183,15 +183,15 @@ def weighted(values: ArrayLike, sample_rate: float, name: str, *, start: Start =
     Raises
     ------
     DescriptionError
-        For an unknown weighting.
+        If the weighting is unknown.
     RecordingError
-        For fewer than two samples, values that are not finite, or a rate too low for the weighting.
+        If there are fewer than two samples or values that are not finite, or the rate is too low.
 
     Notes
     -----
-    Blocks of the signal are multiplied by `weighting_response` in the frequency domain, padded for longer than the
-    filter remembers. Behind its end the record is continued by its mirror image and faded out, so that the end does
-    not ring.
+    Blocks of the signal are multiplied by `weighting_response` in the frequency domain, padded by more than the
+    filter's memory. After its end the record is continued by its mirror image and faded out, so that the end does not
+    ring.
 
     Examples
     --------
@@ -231,32 +231,32 @@ def _checked(values: ArrayLike, sample_rate: float, row: Weighting, start: str) 
 
 
 def _continuation(signal: Array) -> Array:
-    """Mirror image of the end through its last point, fading to zero."""
+    """Mirror image of the end about its last point, fading to zero."""
     count = min(_FADE, signal.size - 1)
     image = 2.0 * signal[-1] - signal[-2 : -2 - count : -1]
     return np.asarray(image * (0.5 + 0.5 * np.cos(math.pi * np.arange(1, count + 1) / count)), dtype=float)
 
 
 def _convolved(signal: Array, name: str, sample_rate: float, memory: int) -> Array:
-    """Overlap-save: each block sees ``memory`` samples before it and a guard behind it."""
-    needed = memory + _GUARD
-    block = _block_length(signal.size, needed)
-    step = block - needed
+    """Overlap-save: each block includes ``memory`` samples before it and a guard after it."""
+    margin = memory + _GUARD
+    block = _block_length(signal.size, margin)
+    step = block - margin
     count = -(-signal.size // step)
     padded = np.zeros(memory + count * step + _GUARD)
     padded[memory : memory + signal.size] = signal
     windows = np.lib.stride_tricks.sliding_window_view(padded, block)[::step]
     response = weighting_response(name, np.fft.rfftfreq(block, 1.0 / sample_rate))
-    found = np.empty((count, step))
+    filtered = np.empty((count, step))
     for first in range(0, count, _BLOCKS_AT_ONCE):
         spectra = np.fft.rfft(windows[first : first + _BLOCKS_AT_ONCE], axis=1)
         spectra *= response
-        found[first : first + _BLOCKS_AT_ONCE] = np.fft.irfft(spectra, block, axis=1)[:, memory : memory + step]
-    return found.ravel()[: signal.size]
+        filtered[first : first + _BLOCKS_AT_ONCE] = np.fft.irfft(spectra, block, axis=1)[:, memory : memory + step]
+    return filtered.ravel()[: signal.size]
 
 
-def _block_length(samples: int, needed: int) -> int:
-    """Power of two that holds the whole signal, or some times what is needed beside it."""
-    whole = 1 << math.ceil(math.log2(samples + needed))
-    usual = max(_SMALLEST_BLOCK, 1 << math.ceil(math.log2(4 * needed)))
+def _block_length(samples: int, margin: int) -> int:
+    """Power of two that holds the whole signal, or at least four times the margin beside each block."""
+    whole = 1 << math.ceil(math.log2(samples + margin))
+    usual = max(_SMALLEST_BLOCK, 1 << math.ceil(math.log2(4 * margin)))
     return min(whole, usual)
