@@ -1,4 +1,4 @@
-"""Data that carry their own time and units: channels and recordings of xarray, tables of pandas and Polars."""
+"""Data with their own time and units: channels and recordings of xarray, tables of pandas and Polars."""
 
 from __future__ import annotations
 
@@ -25,16 +25,15 @@ def recording(
     *,
     attributes: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
-    """Put signals together as a recording.
+    """Make a recording of signals.
 
     Parameters
     ----------
     time : array_like, shape (n,), or DataFrame
-        Time of the samples in s; or alone, a table of pandas or Polars with columns ``name [unit]``, one of them or the
-        index ``time [s]``.
+        Time of the samples in s; or, as the only argument, a table of pandas or Polars with columns ``name [unit]``,
+        of which a column or the index is ``time [s]``.
     channels : mapping of str to (array_like of shape (n,), str, str)
-        Values in SI, SI unit, and name in words (empty: derived from the name) of each channel. Float arrays are kept
-        without a copy.
+        Values in SI, SI unit, and label (empty: derived from the name) of each channel. Float arrays are not copied.
     attributes : mapping, optional
         Facts about the whole recording.
 
@@ -46,7 +45,7 @@ def recording(
     Raises
     ------
     RecordingError
-        When a channel has not as many samples as ``time``.
+        If a channel has not as many samples as ``time``.
 
     Examples
     --------
@@ -60,14 +59,14 @@ def recording(
 
 
 def is_table(given: object) -> bool:
-    """Whether something is a table of pandas or Polars."""
+    """Whether an object is a table of pandas or Polars."""
     return hasattr(given, "columns") and hasattr(given, "to_numpy")
 
 
 def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
-    """Give a recording, made of a channel or of a table with columns ``name [unit]`` where it is none yet.
+    """Return a recording; convert a channel, or a table with columns ``name [unit]``.
 
-    The index of a table of pandas is a column if it has a name. Columns of known quantities come in SI; others keep
+    A named index of a pandas table counts as a column. Columns of known quantities are converted to SI; others keep
     their unit. Durations and instants of a recording become seconds.
 
     >>> import pandas as pd
@@ -90,8 +89,8 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
         )
     columns = table_columns(given, where)
     if "time" not in columns:
-        found = ", ".join(columns)
-        raise RecordingError("no column 'time'", where=where, found=found, allowed="a column or index 'time [s]'")
+        labels = ", ".join(columns)
+        raise RecordingError("no column 'time'", where=where, found=labels, allowed="a column or index 'time [s]'")
     time = columns.pop("time").in_si("s")
     channels = {}
     for name, column in columns.items():
@@ -101,35 +100,35 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
 
 
 def _spelled(run: xr.Dataset, where: str) -> xr.Dataset:
-    """The recording with durations and instants as seconds, and with SI units in our own spelling."""
+    """The recording with durations and instants in seconds, and with SI units in jounce's spelling."""
     if "time" in run.coords and run["time"].dtype.kind in "mM":
         seconds = as_samples(run["time"], "s", where=f"{where}: time")
         run = run.assign_coords(time=(run["time"].dims, seconds, {"units": "s", "long_name": "time"}))
-    found = {}
-    for name, one in run.variables.items():
+    respelled = {}
+    for name, variable in run.variables.items():
         if quantity_of(str(name)) in ("", "command"):
             continue
-        unit, si = one.attrs.get("units"), channel_unit(str(name))
+        unit, si = variable.attrs.get("units"), channel_unit(str(name))
         if unit != si and is_spelling(unit, si):
-            found[name] = one.dims, one.values, {**one.attrs, "units": si}
-    return run.assign(found) if found else run
+            respelled[name] = variable.dims, variable.values, {**variable.attrs, "units": si}
+    return run.assign(respelled) if respelled else run
 
 
 def table_columns(table: Any, where: str) -> dict[str, Column]:
     """Columns of a table of pandas or Polars by their names without units, a named index first."""
     index = getattr(getattr(table, "index", None), "name", None)
-    given = {} if index is None else {str(index): table.index}
-    given |= {str(header): table[header] for header in table.columns}
-    found = {}
-    for header, values in given.items():
+    values_of = {} if index is None else {str(index): table.index}
+    values_of |= {str(header): table[header] for header in table.columns}
+    columns = {}
+    for header, values in values_of.items():
         name, unit = name_and_unit(header)
         unit = "s" if np.asarray(values).dtype.kind in "mM" else unit
-        found[name] = Column(name, unit, as_samples(values, where=f"{where}: {header}"), where)
-    return found
+        columns[name] = Column(name, unit, as_samples(values, where=f"{where}: {header}"), where)
+    return columns
 
 
 def by_path(given: Any) -> Any:
-    """Give columns of a table by their names, numbers with a unit in the header as texts; all else as it is.
+    """Columns of a table by name, numbers with a unit in the header as text; anything else unchanged.
 
     >>> import pandas as pd
     >>> by_path(pd.DataFrame({"strut.spring.rate [N/mm]": [25.0, 26.0]}))
@@ -137,28 +136,30 @@ def by_path(given: Any) -> Any:
     """
     if not is_table(given):
         return given
-    found = {}
+    columns = {}
     for header in given.columns:
         (name, unit), values = name_and_unit(str(header)), given[header]
         texts = [f"{value!r} {unit}" for value in as_samples(values, where=header).tolist()] if unit else []
-        found[name] = texts or values
-    return found
+        columns[name] = texts or values
+    return columns
 
 
 def carries_time(given: object) -> bool:
-    """Whether something is a channel, a recording or a table that has its own time."""
+    """Whether an object is a channel, a recording or a table with its own time."""
     return is_table(given) or "time" in getattr(given, "coords", ())
 
 
 def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
-    """Time of channels that were recorded together; None stands for no channel.
+    """Time of channels that were recorded together; None in ``given`` stands for a missing channel.
 
     Raises
     ------
     RecordingError
-        Where none of them has a time, or they have different ones.
+        If none of them has a time, or their times differ.
     """
-    times: list[xr.DataArray] = [one["time"] for one in given if hasattr(one, "coords") and "time" in one.coords]
+    times: list[xr.DataArray] = [
+        channel["time"] for channel in given if hasattr(channel, "coords") and "time" in channel.coords
+    ]
     if not times:
         raise _no_time(where)
     if any(not np.array_equal(time.values, times[0].values) for time in times[1:]):
@@ -175,7 +176,7 @@ def rate_of_channels(given: Sequence[Any], *, where: str) -> float:
 
 
 def carried_channel(given: Any, unit: str, *, where: str) -> xr.DataArray:
-    """Give a channel with its own time as it is, and of a recording or a table the only one in a unit.
+    """Return a channel with its own time unchanged, or the only channel in a unit of a recording or table.
 
     >>> run = recording([0.0, 0.1], {"body.z": ([0.0, 1.0], "m", ""), "tyre.force": ([2.0, 3.0], "N", "")})
     >>> carried_channel(run, "m", where="decay").name
@@ -188,29 +189,30 @@ def carried_channel(given: Any, unit: str, *, where: str) -> xr.DataArray:
     if isinstance(given, xr.DataArray):
         return given
     run = as_recording(given, where=where)
-    names = [str(name) for name, one in run.data_vars.items() if one.attrs.get("units") == unit]
+    names = [str(name) for name, channel in run.data_vars.items() if channel.attrs.get("units") == unit]
     if len(names) == 1:
         return run[names[0]]
     raise _ambiguous(f"a channel in {unit}", names or run.data_vars, where, bool(names))
 
 
 def damper_channels(run: xr.Dataset, *, where: str) -> tuple[xr.DataArray, xr.DataArray | None, xr.DataArray]:
-    """Displacement, velocity (None for none) and force of the only place of a recording that has them.
+    """Displacement, velocity (or None) and force at the only place of a recording that has displacement and force.
 
-    Of places with displacement and force, one that has the velocity as well comes first: a strut before a tyre.
+    Places that also have the velocity take precedence: a strut over a tyre.
     """
     places: dict[str, dict[str, str]] = {}
     units = {"m": "displacement", "m/s": "velocity", "N": "force"}
-    for name, one in run.data_vars.items():
-        kind = units.get(one.attrs.get("units", ""))
-        if kind is not None and one.dims == ("time",):
+    for name, channel in run.data_vars.items():
+        kind = units.get(channel.attrs.get("units", ""))
+        if kind is not None and channel.dims == ("time",):
             place = places.setdefault(str(name).rpartition(".")[0], {})
             place[kind] = "" if kind in place else str(name)
-    whole = {place: names for place, names in places.items() if names.get("displacement") and names.get("force")}
-    best = {place: names for place, names in whole.items() if names.get("velocity")} or whole
-    if len(best) != 1:
-        raise _ambiguous("a displacement and a force of one place", best or run.data_vars, where, bool(best))
-    (names,) = best.values()
+    complete = {place: names for place, names in places.items() if names.get("displacement") and names.get("force")}
+    candidates = {place: names for place, names in complete.items() if names.get("velocity")} or complete
+    if len(candidates) != 1:
+        what = "a displacement and a force of one place"
+        raise _ambiguous(what, candidates or run.data_vars, where, bool(candidates))
+    (names,) = candidates.values()
     velocity = names.get("velocity")
     return run[names["displacement"]], run[velocity] if velocity else None, run[names["force"]]
 

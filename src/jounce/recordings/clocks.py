@@ -1,7 +1,7 @@
-"""Tables whose channels are sampled at several rates: each channel on the instants at which it was measured.
+"""Tables whose channels are sampled at several rates: each channel at the instants of its samples.
 
-Loggers write slower channels with blank cells in the rows between their samples, or give each group of channels a time
-column of its own. Both become what formats with groups (MDF, TDMS) have already: a table a clock.
+Loggers write slower channels with blank cells between their samples, or give each group of channels its own time
+column. Both are split as formats with groups (MDF, TDMS) do: one table for each clock.
 """
 
 from __future__ import annotations
@@ -21,26 +21,25 @@ from jounce.core.units import conversion_factor
 from jounce.recordings.quality import FEWEST_SAMPLES
 from jounce.recordings.reader import SignalTable
 
-_GAP = 1.5  # usual steps above which a sample is missing: what is between is no channel of a lower rate
-_ROUNDING = 1e-9
+_GAP = 1.5  # usual steps; between one step (jitter) and two (a missing sample)
 
 Rows = NDArray[np.intp]
 
 
 def by_clock(signals: SignalTable, time: str, step: float | None, *, bridges_gaps: bool) -> tuple[SignalTable, bool]:
-    """Give each clock of a file its table, and say whether ``time`` is now that of all of them.
+    """Split the tables of a file by clock; also return whether ``time`` now is the time of every table.
 
-    ``time`` is the column that the user calls time, empty for none; ``step`` (s) the given one of rows without time.
-    Channels with gaps stay where they are, with the fault that says so, unless the gaps are bridged later.
+    ``time`` is the user's name of the time column, empty for none; ``step`` (s) the given step of rows without time.
+    Channels with gaps stay where they are, with a fault that says so, unless the gaps are bridged later.
     """
     first = _of_table(signals.columns, time, step, bridges_gaps)
     others = [part for table in signals.others for part in _of_table(table, "", None, bridges_gaps)]
-    is_made = first[0] is not signals.columns and "time" in first[0].names
-    return replace(signals, columns=first[0], others=(*first[1:], *others)), is_made
+    has_time = first[0] is not signals.columns and "time" in first[0].names
+    return replace(signals, columns=first[0], others=(*first[1:], *others)), has_time
 
 
 def is_steady(instants: Array) -> bool:
-    """Whether these are instants (s) of a clock without gaps: enough of them, and none further apart than usual."""
+    """Whether instants (s) are those of a clock without gaps: enough of them, and no step much larger than usual."""
     if instants.size < FEWEST_SAMPLES or not np.isfinite(instants).all():
         return False
     steps = np.diff(instants)
@@ -58,7 +57,7 @@ def rate_of(instants: Array) -> float:
 
 @dataclass(frozen=True)
 class _Clock:
-    """Rows that have a stamp, their instants in s, and the place of its column (-1 where a step is given)."""
+    """Rows with a time stamp, their instants in s, and the index of the time column (-1 for a given step)."""
 
     rows: Rows
     instants: Array
@@ -71,9 +70,9 @@ def _of_table(table: ColumnTable, time: str, step: float | None, bridges_gaps: b
     if step is not None:
         if not any(_gappy(column) for column in table):
             return [table]
-        kept = tuple(column for column in table if column.name != "time")
+        channels = tuple(column for column in table if column.name != "time")
         clock = _Clock(np.arange(count), np.asarray(np.arange(count) * step, dtype=float), -1)
-        table = replace(table, columns=(Column("time", "s", clock.instants, table.file), *kept))
+        table = replace(table, columns=(Column("time", "s", clock.instants, table.file), *channels))
         clocks = {0: clock}
     else:
         clocks = dict(_clocks(table, time, count))
@@ -88,7 +87,7 @@ def _of_table(table: ColumnTable, time: str, step: float | None, bridges_gaps: b
 
 
 def _with_time(table: ColumnTable, clocks: Mapping[int, _Clock], time: str) -> ColumnTable:
-    """The table, its only clock named ``time`` where nobody has said which column is."""
+    """The table; its only clock is named ``time`` unless the user named the time column."""
     if len(clocks) != 1 or time or "time" in table.names:
         return table
     (place,) = clocks
@@ -102,7 +101,7 @@ def _gappy(column: Column) -> bool:
 
 
 def _rows_of(column: Column) -> tuple[Rows, Array] | None:
-    """Rows of a column that hold a number, and the numbers; None where all do, or some hold what is no number."""
+    """Rows and numbers of a column with blank cells; None if all cells are numbers, or some cells are invalid."""
     if column.part is not None or column.fault is not None:
         return column.part
     missing = np.isnan(column.values)
@@ -113,26 +112,26 @@ def _rows_of(column: Column) -> tuple[Rows, Array] | None:
 
 
 def _clocks(table: ColumnTable, time: str, count: int) -> Iterator[tuple[int, _Clock]]:
-    """Columns of time that have channels behind them, by their place."""
+    """Time columns that are followed by channels, by index."""
     wanted = (time, name_and_unit(time)[0]) if time else ("time",)
-    found: list[tuple[int, _Clock]] = []
+    clocks: list[tuple[int, _Clock]] = []
     for place, column in enumerate(table):
         is_named = _is_called(column, wanted)
         if is_named or names_time(column.name):
             clock = _clock(column, place, count, unit=name_and_unit(time)[1] if is_named else "")
             if clock is not None:
-                found.append((place, clock))
-    named = [one for one in found if _is_called(table.columns[one[0]], wanted)]
-    first = (named if len(named) == 1 else found)[:1]
-    kept = list(first)
-    for place, clock in found:
-        alike = [_is_named_alike(table, place, before) for before, _ in kept]
-        if all(_is_other(clock, before, is_named=alike[i]) for i, (_, before) in enumerate(kept)):
-            kept.append((place, clock))
-    kept.sort(key=lambda one: one[0])
-    ends = [place for place, _ in [*kept, (len(table), None)]][1:]
-    for (place, clock), end in zip(kept, ends, strict=True):
-        if end - place > 1 or len(kept) == 1:
+                clocks.append((place, clock))
+    named = [item for item in clocks if _is_called(table.columns[item[0]], wanted)]
+    preferred = (named if len(named) == 1 else clocks)[:1]
+    distinct = list(preferred)
+    for place, clock in clocks:
+        alike = [_is_named_alike(table, place, before) for before, _ in distinct]
+        if all(_is_other(clock, before, is_named=alike[i]) for i, (_, before) in enumerate(distinct)):
+            distinct.append((place, clock))
+    distinct.sort(key=lambda item: item[0])
+    ends = [place for place, _ in [*distinct, (len(table), None)]][1:]
+    for (place, clock), end in zip(distinct, ends, strict=True):
+        if end - place > 1 or len(distinct) == 1:
             yield place, clock
 
 
@@ -141,7 +140,7 @@ def _is_called(column: Column, names: Sequence[str]) -> bool:
 
 
 def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
-    """The column as a clock: its stamps stand from the first row on, and ascend."""
+    """The column as a clock: its stamps start in the first row, leave no row out, and ascend."""
     part = _rows_of(column)
     if part is None and column.fault is not None:
         return None
@@ -150,7 +149,7 @@ def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
         factor = conversion_factor(column.unit or unit, "s")
     except JounceError:
         return None
-    if unit and column.unit and unit != column.unit:  # which is refused where it is asked for
+    if unit and column.unit and unit != column.unit:  # refused later, where the column is read
         return None
     if stamps.size < 2 or rows.size != stamps.size or rows[-1] != rows.size - 1 or not np.all(np.diff(stamps) > 0.0):
         return None
@@ -158,7 +157,7 @@ def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
 
 
 def _is_named_alike(table: ColumnTable, place: int, first: int) -> bool:
-    """Whether two columns of time are called alike (``Time 1``, ``Time 2``), or the second after the one behind it."""
+    """Whether two time columns have similar names (``Time 1``, ``Time 2``), or the second that of the next column."""
     stems = [_NUMBERED.sub("", table.columns[at].name).casefold() for at in (place, first)]
     behind = table.columns[place + 1].name if place + 1 < len(table) else ""
     return stems[0] == stems[1] or (behind != "" and table.columns[place].name.endswith(behind))
@@ -168,23 +167,23 @@ _NUMBERED = re.compile(r"[\s_.:-]*\d.*$")
 
 
 def _is_other(clock: _Clock, first: _Clock, *, is_named: bool) -> bool:
-    """Whether a clock has instants of its own: not the same ones, nor the same with another zero (a time of day).
+    """Whether a clock has its own instants: neither the same instants nor these with another zero (a time of day).
 
-    One of as many samples must also be named as a clock beside the other (``is_named``): a time of a lap is none.
+    A clock with as many samples must also be named as a second clock (``is_named``); a lap time is none.
     """
     if clock.rows.size != first.rows.size:
         return True
     if not is_named:
         return False
-    apart = clock.instants - first.instants
+    offset = clock.instants - first.instants
     step = float(np.median(np.diff(first.instants)))
-    if np.ptp(apart) > 0.01 * step:
+    if np.ptp(offset) > 0.01 * step:
         return True
-    return 0.01 * step < abs(float(apart[0])) < 0.5 * float(np.ptp(first.instants))
+    return 0.01 * step < abs(float(offset[0])) < 0.5 * float(np.ptp(first.instants))
 
 
 def _homes(table: ColumnTable, clocks: Mapping[int, _Clock]) -> list[int]:
-    """The clock of each column: the one before it, or the first."""
+    """Index of the clock of each column: the last one before it, or the first."""
     places = sorted(clocks)
     return [max([place for place in places if place <= at], default=places[0]) for at in range(len(table))]
 
@@ -198,40 +197,35 @@ def _of_group(
     time: str,
     bridges: bool,
 ) -> list[ColumnTable]:
-    """Tables of the columns behind one clock: those with a number at each stamp, and those of each lower rate."""
+    """Tables of the columns of one clock: one with a number at each stamp, and one for each lower rate."""
     place = max(clock.place, 0)
     own = table.columns[place]
-    whole: list[Column] = []
+    complete: list[Column] = []
     slower: dict[bytes, tuple[Rows, list[Column]]] = {}
     for column in members:
         part = _rows_of(column)
         rows, values = (np.arange(column.values.size), column.values) if part is None else part
         if column.fault is not None and part is None:
-            whole.append(column)
+            complete.append(column)
         elif np.array_equal(rows, clock.rows):
-            whole.append(replace(column, values=values, fault=None, part=None))
-        elif (
-            rows.size
-            and rows[-1] < clock.rows.size
-            and rows.size > 1
-            and (bridges or (rows[-1] - rows[0] >= rows.size and is_steady(clock.instants[rows])))
-        ):
-            kept = replace(column, values=values, fault=None, part=None)
-            slower.setdefault(rows.tobytes(), (rows, []))[1].append(kept)
+            complete.append(replace(column, values=values, fault=None, part=None))
+        elif rows.size > 1 and rows[-1] < clock.rows.size and (bridges or _is_slower(clock, rows)):
+            sampled = replace(column, values=values, fault=None, part=None)
+            slower.setdefault(rows.tobytes(), (rows, []))[1].append(sampled)
         else:
-            whole.append(column)  # whoever asks for it is told what is missing
+            complete.append(column)  # its fault is reported when the channel is read
     head = replace(own, values=own.values if own.part is None else own.part[1], fault=None, part=None)
     if own.name != "time":
         unit = own.unit or name_and_unit(time)[1]
         head = replace(head, name="time", unit=unit, written=own.written or own.label)
     lines = table.lines[: clock.rows.size] if clock.rows.size < count else table.lines
     remarks = table.remarks if place == min(places) else ()
-    base = ColumnTable((head, *whole), table.comments, table.file, lines, remarks)
+    base = ColumnTable((head, *complete), table.comments, table.file, lines, remarks)
     return [base, *(_slower(base, clock, rows, columns) for rows, columns in slower.values())]
 
 
 def _is_slower(clock: _Clock, rows: Rows) -> bool:
-    """Whether rows are those of a lower rate: not all in a stretch of the record, and none missing."""
+    """Whether rows are those of a lower rate: spread over the whole record, without missing samples."""
     return bool(rows[-1] - rows[0] >= rows.size) and is_steady(clock.instants[rows])
 
 
@@ -241,10 +235,10 @@ def _slower(base: ColumnTable, clock: _Clock, rows: Rows, columns: Sequence[Colu
     return ColumnTable((time, *columns), (), base.file, lines)
 
 
-def told(names: Sequence[str], instants: Array, values: Array, step: float, where: str) -> Finding:
-    """What was done with channels of a lower rate; a warning where they move as fast as their samples can tell.
+def lower_rate_finding(names: Sequence[str], instants: Array, values: Array, step: float, where: str) -> Finding:
+    """Report the interpolation of channels of a lower rate; a warning if they move too fast for their samples.
 
-    ``values`` (a column a channel) are those at their own ``instants`` (s); ``step`` (s) is that of the recording.
+    ``values`` (a column for each channel) are samples at ``instants`` (s); ``step`` (s) is that of the recording.
     """
     rate = rate_of(instants)
     share = _fast_share(values)
@@ -260,17 +254,17 @@ def told(names: Sequence[str], instants: Array, values: Array, step: float, wher
     return Finding(f"{where}: {', '.join(names)}", "warning" if share > _FAST else "note", text, rate)
 
 
-_FAST = 0.01  # share of a channel's power above a quarter of its rate from which its samples are too few
+_FAST = 0.01  # share of power above a quarter of the rate, where a spline errs most: 10 % in amplitude
 
 
 def _fast_share(values: Array) -> float:
-    """Largest share of power above a quarter of the rate, of the columns' movements."""
+    """Largest share of power above a quarter of the rate among the columns, without their trends."""
     from scipy import signal
 
     if values.shape[0] < 2 * FEWEST_SAMPLES:
         return 0.0
-    moved = signal.detrend(values, axis=0) * np.hanning(values.shape[0])[:, None]
-    power = np.abs(np.fft.rfft(moved, axis=0)) ** 2
+    windowed = signal.detrend(values, axis=0) * np.hanning(values.shape[0])[:, None]
+    power = np.abs(np.fft.rfft(windowed, axis=0)) ** 2
     whole = power.sum(axis=0)
     fast = power[power.shape[0] // 2 :].sum(axis=0)
     return float(np.max(np.divide(fast, whole, out=np.zeros_like(whole), where=whole > 0.0), initial=0.0))

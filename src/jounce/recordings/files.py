@@ -17,7 +17,7 @@ from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
 from jounce.recordings.carried import as_recording
-from jounce.recordings.clocks import by_clock, is_steady, rate_of, told
+from jounce.recordings.clocks import by_clock, is_steady, lower_rate_finding, rate_of
 from jounce.recordings.plausibility import implausible
 from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
 from jounce.recordings.reader import ReaderOptions, SignalTable
@@ -49,38 +49,38 @@ def read_recording(
     path : Path or str
         File of a format in ``READERS``, chosen by its suffix.
     columns : mapping of str to str, or str, optional
-        Where channels are in the file: jounce name to name of the column, with a unit where the file gives none, e.g.
-        ``{"time": "t_ms [ms]", "sprung.az": "AccBody [g]"}``. Columns that are not mentioned are found by their own
-        names. As one text: names and units of the file's columns (or of a matrix) in their order.
+        Columns of channels in the file: jounce's name to the column's name, with a unit if the file gives none, e.g.
+        ``{"time": "t_ms [ms]", "sprung.az": "AccBody [g]"}``. Other columns are recognised by their own names. As one
+        text: names and units of the file's columns (or of a matrix) in their order.
     sample_time : float or str, optional
-        Constant step in s (or text with unit) of a file without time; replaces the file's time where there is one.
+        Constant step in s (or text with unit) of a file without time; overrides the file's time.
     variable : str
         Matrix variable or struct (``.mat``) or group (``.tdms``, ``.nc``) to read.
     resample : float or str, optional
-        Constant step in s (or text with unit) that the recording shall have: time may be irregular then, also that of
-        signals at other instants (slow channels, bus messages), and samples may be missing. Where the step is larger
-        than that of the file, the signals are band-limited first, without phase, at 0.4 of the new rate.
+        Constant step in s (or text with unit) of the recording: time may be irregular then, also that of signals at
+        other instants (slow channels, bus messages), and samples may be missing. If the step is larger than that of the
+        file, the signals are band-limited first, without phase, at 0.4 of the new rate.
     database : Path or str, optional
-        Database of bus messages (``.dbc``) with which the bus frames of an MDF file are decoded.
+        Database of bus messages (``.dbc``) used to decode the bus frames of an MDF file.
 
     Returns
     -------
     dataset : xarray.Dataset
-        Channels in SI on uniform ``time`` (s), that of the fastest channel where all were recorded. A channel of a
-        lower rate is a cubic spline through its samples, and has its rate in Hz as the attribute ``recorded_rate``.
+        Channels in SI on uniform ``time`` (s), that of the fastest channel over the time common to all. A channel of
+        a lower rate is a cubic spline through its samples; its attribute ``recorded_rate`` is its rate in Hz.
     findings : list of Finding
-        Columns that are no channel, what was understood (decimal commas), lower rates and above which frequency nothing
-        was measured, time that only some channels have, resampling with the largest gap, a sample
-        time that contradicts the recorded time, constant and clipped channels, and as a problem magnitudes that no
-        suspension reaches, with the unit that was likely meant.
+        Columns that are no channel, interpretations (decimal commas), lower rates and the frequencies up to which
+        they are valid, time that only some channels cover, resampling with the largest gap, a sample time that
+        contradicts the recorded time, constant and clipped channels, and as a problem magnitudes that no suspension
+        reaches, with the unit that was likely meant.
 
     Raises
     ------
     RecordingError
-        For a missing, unreadable or empty file, a missing column or unit, time that does not ascend or (without
-        ``resample``) jitters, values that are not finite, or no channel at all.
+        If the file is missing, unreadable or empty, a column or unit is missing, time does not ascend or (without
+        ``resample``) jitters, values are not finite, or there is no channel at all.
     DescriptionError
-        For a unit that does not fit the channel.
+        If a unit does not fit the channel.
 
     Examples
     --------
@@ -93,21 +93,21 @@ def read_recording(
     """
     file = existing_file(path, RecordingError)
     if is_read_in_child(file):
-        isolated.prepare()  # it starts while this process loads what recordings are made of
+        isolated.prepare()  # the child starts while this process imports xarray
         import xarray  # noqa: F401
     signals = _read_table(file, columns, variable, database)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
     recorded = _own_time(signals, mapping) if given_step is not None else None
-    is_made = False
+    has_own_time = False
     if given_step is None or not signals.others:
         gaps = new_step is not None
-        signals, is_made = by_clock(signals, mapping.get("time", ""), given_step, bridges_gaps=gaps)
-    if is_made:  # each table has its time, of the file or from the given step of the rows
+        signals, has_own_time = by_clock(signals, mapping.get("time", ""), given_step, bridges_gaps=gaps)
+    if has_own_time:  # each table has its time, from the file or from the given step of the rows
         mapping.pop("time", None)
     main = _main_table(signals, mapping)
-    has_clocks = given_step is None or is_made  # a given step is that of one clock only
+    has_clocks = given_step is None or has_own_time  # a given step belongs to one clock only
     tables = _usable(signals, main, mapping, is_resampled=new_step is not None) if has_clocks else (main,)
     located, findings = _locate_channels(signals, main, tables, mapping, has_step=not has_clocks)
     remarks = [text for table in signals.tables for text in table.remarks if table in tables]
@@ -120,7 +120,7 @@ def read_recording(
         clocks[home] = column
     rows = next((column.values.size for column, table in located.values() if table is main), 0)
     if given_step is not None:
-        if rows < FEWEST_SAMPLES and not is_made:
+        if rows < FEWEST_SAMPLES and not has_own_time:
             allowed = f"at least {FEWEST_SAMPLES}"
             raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=allowed)
         findings += _contradiction(recorded, given_step, rows if recorded is None else recorded.values.size, str(file))
@@ -130,14 +130,14 @@ def read_recording(
         assert given_step is not None
         instants = {main: np.asarray(np.arange(rows) * given_step, dtype=float)}
     units = {
-        # a command is in the unit of its actuator, which only the file knows
+        # a command has the unit of its actuator, which only the file gives
         name: column.unit or "1" if quantity_of(name) == "command" else channel_unit(name)
         for name, (column, _) in located.items()
     }
     values = {name: in_si(located[name][0], unit) for name, unit in units.items()}
     homes = {name: table for name, (_, table) in located.items()}
     for table in dict.fromkeys(homes.values()):
-        own = {name: one for name, one in values.items() if homes[name] is table}
+        own = {name: array for name, array in values.items() if homes[name] is table}
         if new_step is None and table in instants:
             check_instants(instants[table], where=str(file), name_row=table.name_row)
         findings += check_channels(own, where=str(file), name_row=table.name_row)
@@ -150,12 +150,12 @@ def read_recording(
     slower = _slower(instants, measured, homes, step, str(file))
     findings += uneven
     findings += [finding for finding, _, _ in slower]
-    written = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
+    read_units = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
     findings += implausible(
-        {name: values[name] for name in written},
+        {name: values[name] for name in read_units},
         step,
         where=str(file),
-        written=written,
+        written=read_units,
         headers={name: column.label for name, (column, _) in located.items()},
     )
     channels = {
@@ -174,7 +174,7 @@ def read_recording(
 
 
 def _own_time(signals: SignalTable, mapping: Mapping[str, str]) -> Column | None:
-    """The file's own time, which a given step replaces; None where there is none, or it cannot be read."""
+    """The file's own time, which a given step replaces; None if there is none or it cannot be read."""
     try:
         return locate(_main_table(signals, mapping), mapping.get("time", "time"))
     except JounceError:
@@ -184,7 +184,7 @@ def _own_time(signals: SignalTable, mapping: Mapping[str, str]) -> Column | None
 def _usable(
     signals: SignalTable, main: ColumnTable, mapping: Mapping[str, str], *, is_resampled: bool
 ) -> tuple[ColumnTable, ...]:
-    """Tables whose channels can come onto one time; those that nobody names only where they cut little of it."""
+    """Tables whose channels can share one time; unnamed tables only if they shorten it little."""
     if is_resampled:
         return signals.tables
     usable = []
@@ -192,7 +192,7 @@ def _usable(
         clock = next((column for column in table if column.name == "time" and column.fault is None), None)
         if table is main or (clock is not None and clock.unit and is_steady(in_si(clock, "s"))):
             usable.append(table)
-    asked = [
+    named = [
         table for table in usable if any(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
     ]
     own = mapping.get("time", "time")
@@ -206,16 +206,16 @@ def _usable(
         cut = max(time[0] - first[0], first[-1] - time[-1])
         return bool(cut <= (1.0 / rate_of(time) if mapping else _MOST_CUT * (first[-1] - first[0])))
 
-    return tuple(table for table in usable if table is main or table in asked or is_harmless(table))
+    return tuple(table for table in usable if table is main or table in named or is_harmless(table))
 
 
-_MOST_CUT = 0.1  # share of the main clock's time that channels which nobody named may cut
+_MOST_CUT = 0.1  # share of the main clock's time that unnamed channels may cost: a late start, not half the record
 
 
 def _together(
     instants: Mapping[ColumnTable, Array], values: Mapping[str, Array], homes: Mapping[str, ColumnTable], file: str
 ) -> tuple[Array, dict[str, Array], list[Finding]]:
-    """All signals on the fastest clock, where all of them were recorded."""
+    """All signals on the fastest clock, over the time common to all of them."""
     used = list(dict.fromkeys(homes.values()))
     fastest = min(
         used, key=lambda table: float(np.median(np.diff(instants[table]))) if instants[table].size > 1 else 0.0
@@ -225,18 +225,18 @@ def _together(
     span = float(time[0]), float(time[-1])
     first, last = max(instants[table][0] for table in used), min(instants[table][-1] for table in used)
     slack = 1e-6 / rate
-    kept = (time >= first - slack) & (time <= last + slack)
-    if np.count_nonzero(kept) < FEWEST_SAMPLES:
+    inside = (time >= first - slack) & (time <= last + slack)
+    if np.count_nonzero(inside) < FEWEST_SAMPLES:
         raise RecordingError("the signals have no time in common", where=file)
-    wanted, found = time[kept], dict[str, Array]()
+    wanted, common = time[inside], dict[str, Array]()
     for table in used:
         names = [name for name in values if homes[name] is table]
-        together = np.stack([values[name] for name in names], axis=1)
+        stacked = np.stack([values[name] for name in names], axis=1)
         if table is not fastest or findings:
-            together = read_at(instants[table], together, wanted, rate)
+            stacked = read_at(instants[table], stacked, wanted, rate)
         else:
-            together = together[kept]
-        found |= {name: np.ascontiguousarray(column) for name, column in zip(names, together.T, strict=True)}
+            stacked = stacked[inside]
+        common |= {name: np.ascontiguousarray(column) for name, column in zip(names, stacked.T, strict=True)}
     slowest = max(float(np.median(np.diff(instants[table]))) for table in used)
     cut = max(float(wanted[0]) - span[0], span[1] - float(wanted[-1]))
     if cut > slack:
@@ -245,7 +245,7 @@ def _together(
             f"{span[0]:.6g} s to {span[1]:.6g} s); the rest was left out"
         )
         findings = [*findings, Finding(f"{file}: time", "warning" if cut > 1.5 * slowest else "note", text, cut)]
-    return wanted, {name: found[name] for name in values}, findings
+    return wanted, {name: common[name] for name in values}, findings
 
 
 def _slower(
@@ -255,14 +255,15 @@ def _slower(
     step: float,
     file: str,
 ) -> list[tuple[Finding, list[str], float]]:
-    """Channels that were recorded at a lower rate than the recording has: what is said of them, and their rate."""
-    found = []
+    """Channels recorded at a lower rate than the recording's: their finding, names and rate."""
+    slower = []
     for table in dict.fromkeys(homes.values()):
         names = [name for name in values if homes[name] is table]
         if len(set(homes.values())) > 1 and step * rate_of(instants[table]) < 1.0 - LARGEST_JITTER:
             together = np.stack([values[name] for name in names], axis=1)
-            found.append((told(names, instants[table], together, step, file), names, rate_of(instants[table])))
-    return found
+            finding = lower_rate_finding(names, instants[table], together, step, file)
+            slower.append((finding, names, rate_of(instants[table])))
+    return slower
 
 
 def _positive(given: float | str | None, where: str, what: str) -> float | None:
@@ -278,14 +279,14 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
     return step
 
 
-_SHORTEST_STEP = 1e-12  # s: no logger is faster
+_SHORTEST_STEP = 1e-12  # s: shorter than the step of any logger
 
 
 def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -> list[Finding]:
-    """A warning where a given sample time puts a sample half a step or more from where its own time does."""
+    """Warn if a given sample time puts a sample half a step or more from its recorded time."""
     try:
         time = in_si(recorded, "s") if recorded is not None else np.empty(0)
-    except JounceError:  # the file's time cannot be read: that is why a step is given
+    except JounceError:  # unreadable time is the usual reason for a given step
         return []
     if time.size < 2:
         return []
@@ -307,7 +308,7 @@ def _resampled(
     step: float,
     file: str,
 ) -> tuple[Array, dict[str, Array], list[Finding]]:
-    """All signals at uniform instants of the time that they have in common; what became of it, with the largest gap."""
+    """All signals at uniform instants of their common time, with a finding on the largest gap."""
     used = {table: time for table, time in instants.items() if table in homes.values()}
     for table, time in used.items():
         check_instants(time, where=file, name_row=table.name_row)
@@ -318,26 +319,27 @@ def _resampled(
     if wanted.size < FEWEST_SAMPLES:
         found, allowed = f"{wanted.size} in steps of {step:g} s", f"at least {FEWEST_SAMPLES}"
         raise RecordingError("too few samples", where=f"{file}: resample", found=found, allowed=allowed)
-    at_once: dict[str, Array] = {}
+    resampled: dict[str, Array] = {}
     notes = []
     for table, time in used.items():
         names = [name for name in values if homes[name] is table]
-        together = read_at(time, np.stack([values[name] for name in names], axis=1), wanted, 1.0 / step)
-        at_once |= {name: np.ascontiguousarray(column) for name, column in zip(names, together.T, strict=True)}
+        stacked = read_at(time, np.stack([values[name] for name in names], axis=1), wanted, 1.0 / step)
+        resampled |= {name: np.ascontiguousarray(column) for name, column in zip(names, stacked.T, strict=True)}
         notes.append(_gap_finding(time, wanted, step, names if len(used) > 1 else [], file))
-    return wanted, {name: at_once[name] for name in values}, notes
+    return wanted, {name: resampled[name] for name in values}, notes
 
 
 def _gap_finding(time: Array, wanted: Array, step: float, names: list[str], file: str) -> Finding:
     gaps = np.diff(time)
     widest = int(np.argmax(gaps))
     gap, usual = float(gaps[widest]), float(np.median(gaps))
-    of = f" of {', '.join(names)}" if names else ""
+    owner = f" of {', '.join(names)}" if names else ""
     limit = f", band-limited to {0.4 / step:.3g} Hz" if step * (1.0 - 1e-9) > usual else ""
     text = (
-        f"resampled to {wanted.size} instants in steps of {step:g} s{limit}; the largest gap in the recorded time{of} "
-        f"is {gap:.6g} s, from {time[widest]:.6g} s"
+        f"resampled to {wanted.size} instants in steps of {step:g} s{limit}; the largest gap in the recorded "
+        f"time{owner} is {gap:.6g} s, from {time[widest]:.6g} s"
     )
+    # a warning from three steps on: two samples missing in a row
     return Finding(f"{file}: time", "warning" if gap > 3.0 * max(step, usual) else "note", text, gap)
 
 
@@ -348,15 +350,15 @@ def read_columns(
     columns: Columns = None,
     variable: str = "",
 ) -> tuple[dict[str, Array], list[Finding]]:
-    r"""Read named columns from a file that need not have time, e.g. force against displacement.
+    r"""Read named columns from a file that may have no time, e.g. force against displacement.
 
     Parameters
     ----------
     path : Path or str
         File of a format in ``READERS``, chosen by its suffix.
     wanted : mapping of str to str, or sequence of such mappings
-        Name and SI unit of each column needed, e.g. ``{"displacement": "m", "force": "N"}``; or several such sets, of
-        which the first is read that the file, or ``columns``, names in full, or else the first.
+        Name and SI unit of each required column, e.g. ``{"displacement": "m", "force": "N"}``; or several such sets:
+        the first set whose names are all in the file, or in ``columns``, is read, or else the first.
     columns : mapping of str to str, or str, optional
         As in ``read_recording``.
     variable : str
@@ -367,14 +369,14 @@ def read_columns(
     values : dict of str to ndarray of shape (n,)
         Columns in SI, in the order of ``wanted``.
     findings : list of Finding
-        What was understood (decimal commas), constant columns, and as a problem magnitudes that no suspension reaches.
+        Interpretations (decimal commas), constant columns, and as a problem magnitudes that no suspension reaches.
 
     Raises
     ------
     RecordingError
-        For a missing, unreadable or empty file, a missing column or unit, or values that are not finite.
+        If the file is missing, unreadable or empty, a column or unit is missing, or values are not finite.
     DescriptionError
-        For a unit that does not fit.
+        If a unit does not fit.
 
     Examples
     --------
@@ -389,10 +391,11 @@ def read_columns(
     signals = _read_table(file, columns, variable)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
     sets = [wanted] if isinstance(wanted, Mapping) else list(wanted)
-    wanted = next((one for one in sets if all(n in mapping or has_column(signals.columns, n) for n in one)), sets[0])
+    complete = (names for names in sets if all(n in mapping or has_column(signals.columns, n) for n in names))
+    wanted = next(complete, sets[0])
     for name in mapping:
         if name not in wanted:
-            allowed = [one for names in sets for one in names]
+            allowed = [allowed_name for names in sets for allowed_name in names]
             raise RecordingError(
                 f"columns names {name!r}, which is not read here",
                 where=str(file),
@@ -402,12 +405,12 @@ def read_columns(
     located = {name: locate(signals.columns, mapping.get(name, name)) for name in wanted}
     values = {name: in_si(column, wanted[name]) for name, column in located.items()}
     remarks = [Finding(str(file), "note", text) for text in signals.columns.remarks]
-    found = check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
-    written = {name: column.unit for name, column in located.items() if quantity_of(name)}
+    findings = check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
+    read_units = {name: column.unit for name, column in located.items() if quantity_of(name)}
     headers = {name: column.label for name, column in located.items()}
-    known = {name: values[name] for name in written}
-    reached = implausible(known, None, where=str(file), written=written, headers=headers)
-    return values, [*signals.findings, *remarks, *found, *reached]
+    known = {name: values[name] for name in read_units}
+    magnitudes = implausible(known, None, where=str(file), written=read_units, headers=headers)
+    return values, [*signals.findings, *remarks, *findings, *magnitudes]
 
 
 def _read_table(path: Path, columns: Columns, variable: str, database: Path | str | None = None) -> SignalTable:
@@ -421,7 +424,7 @@ def _read_table(path: Path, columns: Columns, variable: str, database: Path | st
 
 
 def locate(table: ColumnTable, spec: str) -> Column:
-    """Find the column ``"name"`` or ``"name [unit]"``; the given unit counts where the file has none."""
+    """Find the column ``"name"`` or ``"name [unit]"``; the given unit applies if the file has none."""
     if has_column(table, spec):
         return table[spec]
     name, unit = name_and_unit(spec)
@@ -436,12 +439,12 @@ def locate(table: ColumnTable, spec: str) -> Column:
 
 
 def has_column(table: ColumnTable, spec: str) -> bool:
-    """Whether a column is called so, with or without its unit."""
+    """Whether the table has a column of that name, with or without its unit."""
     return any(spec in (column.label, column.name, column.written) for column in table)
 
 
 def in_si(column: Column, si: str) -> Array:
-    """Give a column in SI; text such as ``-`` or a missing unit is accepted for plain numbers."""
+    """Return a column in SI; plain numbers may have no unit, or text such as ``-``."""
     if not column.unit and si != "1":
         raise RecordingError(
             "the column has no unit",
@@ -461,13 +464,13 @@ def in_si(column: Column, si: str) -> Array:
 
 
 def _main_table(signals: SignalTable, mapping: Mapping[str, str]) -> ColumnTable:
-    """The table that holds the most of what is asked for, and of channels by their own names."""
+    """The table with most of the requested columns, then with most channels."""
 
-    def asked(table: ColumnTable) -> tuple[int, int]:
+    def score(table: ColumnTable) -> tuple[int, int]:
         mapped = sum(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
         return mapped, sum(bool(quantity_of(column.name)) and column.name != "time" for column in table)
 
-    return max(signals.tables, key=asked)
+    return max(signals.tables, key=score)
 
 
 def _is_home(table: ColumnTable, spec: str) -> bool:
@@ -482,7 +485,7 @@ def _locate_channels(
     *,
     has_step: bool,
 ) -> tuple[dict[str, tuple[Column, ColumnTable]], list[Finding]]:
-    """Columns by channel with their tables: the mapped ones, then those whose own name is a channel's."""
+    """Columns by channel with their tables: the mapped ones, then those named as channels."""
     located: dict[str, tuple[Column, ColumnTable]] = {}
     without = " and without a sample time" if has_step else ""
     for name, spec in mapping.items():
@@ -497,14 +500,14 @@ def _locate_channels(
             )
         located[name] = locate(home, spec), home
     used = {(column.name, id(table)) for column, table in located.values()}
-    ignored, again = list[str](), list[str]()
+    ignored, duplicates = list[str](), list[str]()
     empty: list[Column] = []
     bare: list[Column] = []
     for table in tables:
         for column in table:
             if (column.name, id(table)) in used or column.name in located:
                 if column.name != "time" and located.get(column.name, (column, table))[1] is not table:
-                    again.append(column.label)
+                    duplicates.append(column.label)
                 continue
             if column.name == "time" and (table is not main or (has_step and column.fault is not None)):
                 continue
@@ -521,7 +524,7 @@ def _locate_channels(
     ]
     if not has_step and "time" not in located:
         if "time" in main.names:
-            main["time"].readable()  # or why it is not
+            main["time"].readable()  # raises the reason
         raise RecordingError(
             "no column 'time'",
             where=main.file,
@@ -531,9 +534,9 @@ def _locate_channels(
         )
     if not set(located) - {"time"}:
         for column in empty:
-            column.readable()  # why none of its cells is a number
+            column.readable()  # raises the reason
         for column in bare:
-            in_si(column, channel_unit(column.name))  # that it has no unit
+            in_si(column, channel_unit(column.name))  # raises: no unit
         raise RecordingError(
             "no channel was found",
             where=main.file,
@@ -546,11 +549,11 @@ def _locate_channels(
         text = f"columns that are no known channel were left out: {', '.join(ignored)}; map them with columns if needed"
         findings.append(Finding(main.file, "note", text))
     if empty:
-        labels = ", ".join(one.label for one in empty)
+        labels = ", ".join(column.label for column in empty)
         text = f"channels without a single number were left out: {labels}; were they connected?"
         findings.append(Finding(main.file, "warning", text))
     if bare:
-        labels = ", ".join(f"{one.name} = '{one.name} [{channel_unit(one.name)}]'" for one in bare)
+        labels = ", ".join(f"{column.name} = '{column.name} [{channel_unit(column.name)}]'" for column in bare)
         text = f"channels without a unit were left out; state it with columns where they are needed: {labels}"
         findings.append(Finding(main.file, "warning", text))
     written = {name.casefold() for name in located}
@@ -558,8 +561,8 @@ def _locate_channels(
         same = [name for name in located if sum(name.casefold() == other.casefold() for other in located) > 1]
         text = f"channels whose names differ by case only: {', '.join(same)}; only the one that a model has is compared"
         findings.append(Finding(main.file, "warning", text))
-    if again:
-        text = f"channels that are there once more, at other instants, were left out: {', '.join(again)}"
+    if duplicates:
+        text = f"channels that are there once more, at other instants, were left out: {', '.join(duplicates)}"
         findings.append(Finding(main.file, "warning", text))
     if signals.left_out or others:
         text = (
@@ -575,7 +578,7 @@ _HOW_TIME = "Map it with columns, {'time': 'NAME [s]'}, or give the sample time.
 
 
 def write_recording(dataset: xr.Dataset | pd.DataFrame, path: Path | str, *, force: bool = False) -> Path:
-    """Write a recording so that ``read_recording`` gives it back.
+    """Write a recording to a file that ``read_recording`` reads back unchanged.
 
     Parameters
     ----------
@@ -596,8 +599,8 @@ def write_recording(dataset: xr.Dataset | pd.DataFrame, path: Path | str, *, for
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, another suffix, names that collide (``.mat``) or that
-        the format cannot hold, what is no number over time (all but ``.nc``), and more rows than a sheet has.
+        If the file exists and ``force`` is not set, the folder is missing, the suffix unknown, names collide
+        (``.mat``) or do not fit the format, data are not numbers over time (all but ``.nc``), or rows exceed a sheet.
 
     Examples
     --------
@@ -612,7 +615,7 @@ def write_recording(dataset: xr.Dataset | pd.DataFrame, path: Path | str, *, for
 
 
 def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
-    """Give a recording as a table of pandas.
+    """Convert a recording to a table of pandas.
 
     Parameters
     ----------
@@ -622,13 +625,13 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Indexed by that dimension (``time [s]``), a column a channel, named with its SI unit as in CSV files. Of many
-        variants the numbers that vary come first.
+        Indexed by that dimension (``time [s]``), one column for each channel, named with its SI unit as in CSV
+        files. For many variants the parameters that vary come first.
 
     Raises
     ------
     RecordingError
-        For a dataset over several dimensions.
+        If the dataset has several dimensions.
 
     Examples
     --------
@@ -645,7 +648,7 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     def headed(name: object) -> str:
         return f"{name} [{dataset[name].attrs.get('units', '1')}]"
 
-    names = [name for name, one in {**dataset.coords, **dataset.data_vars}.items() if one.dims == (along,)]
+    names = [name for name, data in {**dataset.coords, **dataset.data_vars}.items() if data.dims == (along,)]
     table = dataset.reset_coords()[[name for name in names if name != along]]
     frame = table.to_dataframe().rename(columns={name: headed(name) for name in table.data_vars})
     frame.index.name = headed(along) if along in dataset.coords else str(along)

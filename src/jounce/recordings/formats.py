@@ -1,4 +1,4 @@
-"""What a measured file does not say itself, as keys of descriptions: where its columns are, its clock, its steps."""
+"""Keys of descriptions for what a measured file does not say: its columns, its clock, its time step."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ class TableFormat(Description):
 
 
 class RecordingFormat(TableFormat):
-    """Keys of recordings: ``sample_time``, ``resample`` and ``database`` as in `read_recording`, too."""
+    """Keys of recordings: ``sample_time``, ``resample`` and ``database`` as in `read_recording`."""
 
     sample_time: PositiveTime | None = None
     resample: PositiveTime | None = None
     database: str = ""
 
     def read(self, file: Path, folder: Path) -> tuple[xr.Dataset, list[Finding]]:
-        """Read a recording; the database is looked for in the folder of the description."""
+        """Read a recording; a relative database path starts at the folder of the description."""
         from jounce.recordings.files import read_recording
 
         return read_recording(
@@ -52,7 +52,7 @@ class RecordingFormat(TableFormat):
         )
 
     def signal(self, file: Path, folder: Path, channel: str) -> tuple[Array, Array, list[Finding]]:
-        """Read one channel of a recording: time (s), values (SI), and what its reader found."""
+        """Read one channel of a recording: time (s), values (SI), and the reader's findings."""
         data, findings = self.read(file, folder)
         if channel not in data:
             raise RecordingError(

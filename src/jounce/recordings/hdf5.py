@@ -1,4 +1,4 @@
-"""HDF5 (netCDF-4, MATLAB 7.3): what a file announces and never wrote comes back as zeros."""
+"""HDF5 (netCDF-4, MATLAB 7.3): detect samples that a file announces but never wrote (they would read as zeros)."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 
-_MOST = 5e8
+_MOST = 5e8  # numbers, 4 GB as doubles: more do not fit a common computer
 
 
 def held_rows(dataset: Any) -> tuple[int, int]:
-    """The longest axis of an h5py dataset, and how many of its rows were written, apart from gaps within."""
+    """Longest axis of an h5py dataset, and the number of its rows that were written, apart from gaps within."""
     _check_kind(dataset)
     shape = dataset.shape
     axis = int(np.argmax(shape)) if shape else 0
@@ -25,9 +25,9 @@ def held_rows(dataset: Any) -> tuple[int, int]:
         written = dataset.id.get_storage_size()
         return axis, announced if written or dataset.nbytes == 0 else 0
     expected = math.prod(-(-size // chunk) for size, chunk in zip(shape, dataset.chunks, strict=True))
-    listed: list[Any] = []
-    dataset.id.chunk_iter(listed.append)
-    ends = [piece.chunk_offset[axis] + dataset.chunks[axis] for piece in listed if _is_found(dataset, piece)]
+    chunks: list[Any] = []
+    dataset.id.chunk_iter(chunks.append)
+    ends = [piece.chunk_offset[axis] + dataset.chunks[axis] for piece in chunks if _is_readable(dataset, piece)]
     count = len(ends)
     if count >= expected:
         return axis, announced
@@ -41,8 +41,8 @@ def held_rows(dataset: Any) -> tuple[int, int]:
     return axis, min(announced, max(ends, default=0))
 
 
-def _is_found(dataset: Any, piece: Any) -> bool:
-    """Whether a piece that is listed lies somewhere and is found where it is read from: damage can hide it."""
+def _is_readable(dataset: Any, piece: Any) -> bool:
+    """Whether a listed chunk has a place and is found when read from there: damage can hide it."""
     if piece.byte_offset is None:
         return False
     try:
@@ -52,7 +52,7 @@ def _is_found(dataset: Any, piece: Any) -> bool:
 
 
 def _check_kind(dataset: Any) -> None:
-    """Refuse numbers that lie in other files, and those that no program writes: one damaged bit makes others of all."""
+    """Refuse external data, and number types that no program writes: one damaged bit changes the type of all."""
     import h5py
 
     where = f"{dataset.file.filename}: {dataset.name.lstrip('/')}"
@@ -78,7 +78,7 @@ def _known_kinds() -> tuple[Any, ...]:
 
 
 def held_part(dataset: Any, where: str) -> tuple[Array, list[Finding]]:
-    """The numbers that were written, and a problem where the dataset announces more."""
+    """Read the written part, with a problem if the dataset announces more."""
     axis, held = held_rows(dataset)
     findings = announcement(dataset.name.lstrip("/"), dataset.shape[axis], held, where) if dataset.shape else []
     across = math.prod(dataset.shape) // max(1, dataset.shape[axis] if dataset.shape else 1)
@@ -95,7 +95,7 @@ def check_size(numbers: int, where: str) -> None:
 
 
 def announcement(name: str, announced: int, held: int, where: str, *, refused: bool = True) -> list[Finding]:
-    """A problem where a file announces more samples than it holds; where it holds none an error, if ``refused``."""
+    """Report a problem if a file holds fewer samples than announced; raise if it holds none and ``refused``."""
     if held >= announced:
         return []
     text = f"the file announces {announced} samples and holds {held}: it was cut off; what is there was read"
@@ -106,9 +106,9 @@ def announcement(name: str, announced: int, held: int, where: str, *, refused: b
     return [Finding(f"{where}: {name}", "problem", text, float(held))]
 
 
-def surplus(known: int, there: int, where: str) -> list[Finding]:
-    """A doubt about a file with more bytes than it accounts for."""
-    if known >= there:
+def surplus(known: int, present: int, where: str) -> list[Finding]:
+    """Warn if a file has more bytes than its parts account for."""
+    if known >= present:
         return []
-    text = f"its columns take {known} bytes and {there} are there: is it damaged? Compare it with the original."
-    return [Finding(where, "warning", text, float(there - known))]
+    text = f"its columns take {known} bytes and {present} are there: is it damaged? Compare it with the original."
+    return [Finding(where, "warning", text, float(present - known))]

@@ -1,8 +1,8 @@
-"""LabVIEW measurement files: text with tagged headers, made into the plain table that it holds.
+"""LabVIEW measurement files: text with tagged headers, converted to a plain table.
 
-Of the grammar that National Instruments publish one segment is read: names, units, start and step of its channels, with
-one column of X values, with one for each channel where these are the same, or with none. What the header says of a
-channel stands in the column of its samples; above a column of X values it says nothing.
+Of the grammar published by National Instruments one segment is read: names, units, start and step of its channels,
+with one column of X values, one for each channel if these are equal, or none. The header of a channel stands in the
+column of its samples; it must be empty above a column of X values.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from jounce.core.units import LARGEST
 FIRST = "LabVIEW Measurement"
 _END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
 _OF_CHANNELS = ("Samples", "Date", "Time", "Y_Unit_Label", "X_Dimension", "X0", "Delta_X")
-_DIGITS = 13  # of a count
-_SAME_TIME = 1e-3  # of the step
-_SAME_START = 0.1  # of the step, by clocks that LabVIEW asked one after the other
-_HALF, _ROUNDING = 0.51, 0.51e-6  # of the last decimal, and of six of them in s
+_DIGITS = 13  # of a count: a longer number is damage
+_SAME_TIME = 1e-3  # of the step: time stamps of a row that differ by less belong to one clock
+_SAME_START = 0.1  # of the step: LabVIEW reads the clock of each channel in turn
+_HALF, _ROUNDING = 0.51, 0.51e-6  # half of the last decimal, and of six decimals in s, with a margin for floats
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
 def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
-    r"""Give the table of a LabVIEW measurement file as text, each row on its line: ``time [s]`` and the channels.
+    r"""Convert a LabVIEW measurement file to a table as text, each row on its line: ``time [s]`` and the channels.
 
-    With it how many samples of each channel the header announces, where it does.
+    Also returns the number of samples of each channel in the header, None without it.
     Raises RecordingError for a file that was cut off, has several segments, or whose channels differ in their times.
 
     >>> head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\n\nChannels\t1\n"
@@ -55,17 +55,17 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
         where, hint = f"{file}, line {ends[1] + 2}", "Is the file whole?"
         raise RecordingError("no names of columns", where=where, found=names[0], allowed="X_Value first", hint=hint)
     clocks = [i for i, name in enumerate(names) if name == "X_Value"]
-    kept = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
+    channels = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
     header = _header(lines[ends[0] + 1 : ends[1]], separator, len(names))
     _check_columns(header, clocks, file)
-    measured = [i for i in kept if header["Samples"][i] != "0"]
+    measured = [i for i in channels if header["Samples"][i] != "0"]
     if others := {header["X_Dimension"][i] for i in measured} - {"", "Time"}:
         found = ", ".join(sorted(others))
         raise RecordingError("no signals over time", where=f"{file}: X_Dimension", found=found, allowed="Time")
     start, step = (_common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X"))
-    units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in kept]
-    heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(kept, units, strict=True)]
-    rows, written, last = _rows(lines, ends[1] + 2, separator, clocks, kept, step, file)
+    units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in channels]
+    heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(channels, units, strict=True)]
+    rows, written, last = _rows(lines, ends[1] + 2, separator, clocks, channels, step, file)
     _check_stamps([(header["Date"][i], header["Time"][i]) for i in measured], _step_of(written, step), file)
     mark = "," if not has_commas and any("," in row for row in rows.values()) else "."
     table = [*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *[""] * (len(lines) - ends[1] - 2)]
@@ -80,18 +80,18 @@ def _cells(line: str, separator: str) -> list[str]:
 
 
 def _header(lines: Sequence[str], separator: str, width: int) -> dict[str, list[str]]:
-    """What the header says of each column, empty where it says nothing; what special blocks say is left out."""
-    found, special = dict[str, list[str]](), False
+    """Header cells of each column, "" without one; special blocks are skipped."""
+    cells_of, special = dict[str, list[str]](), False
     for line in lines:
         special = (special or line.startswith(_SPECIAL)) and not line.startswith(_SPECIAL_END)
         tag, *cells = _cells(line, separator)
         if not special:
-            found.setdefault(tag, ["", *cells])
-    return {tag: [*found.get(tag, []), *[""] * width][:width] for tag in _OF_CHANNELS}
+            cells_of.setdefault(tag, ["", *cells])
+    return {tag: [*cells_of.get(tag, []), *[""] * width][:width] for tag in _OF_CHANNELS}
 
 
 def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Path) -> None:
-    """Refuse what stands above a column of X values: nobody knows of which channel it speaks."""
+    """Refuse header cells above a column of X values: their channel is unknown."""
     for tag, cells in header.items():
         for column in clocks:
             if cells[column]:
@@ -105,15 +105,15 @@ def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Pa
 
 
 def _check_stamps(stamps: Sequence[tuple[str, str]], step: float, file: Path) -> None:
-    """Refuse channels that began at different times of the day; those that say none have no say."""
-    told = {" ".join(stamp): _moment(*stamp) for stamp in stamps if all(stamp)}
-    moments = [moment for moment in told.values() if moment is not None]
-    if len(told) > 1 and (len(moments) < len(told) or max(moments) - min(moments) > _SAME_START * step):
-        raise _apart(f"{file}: Date, Time", told)
+    """Refuse channels that began at different times of day; channels without a stamp are ignored."""
+    moment_of = {" ".join(stamp): _moment(*stamp) for stamp in stamps if all(stamp)}
+    moments = [moment for moment in moment_of.values() if moment is not None]
+    if len(moment_of) > 1 and (len(moments) < len(moment_of) or max(moments) - min(moments) > _SAME_START * step):
+        raise _apart(f"{file}: Date, Time", moment_of)
 
 
 def _moment(day: str, time: str) -> Fraction | None:
-    """Seconds up to a moment since some day, which floats do not hold to a microsecond; none for what is no moment."""
+    """Seconds from day 1 to a moment, exact (floats lose microseconds); None for invalid text."""
     try:
         hours, minutes, seconds = map(Fraction, time.replace(",", ".").split(":"))
         days = date.fromisoformat(day.replace("/", "-")).toordinal()
@@ -136,7 +136,7 @@ def _number(cell: str, where: str, line: int = 0) -> float:
 
 
 def _common(where: str, cells: Sequence[str]) -> float:
-    """Give the one number that the header says of all channels; 0 where it says none."""
+    """Return the number that the header gives for all channels; 0 without one, an error if they differ."""
     numbers = {_number(cell, where): cell for cell in cells if cell}
     if len(numbers) > 1:
         raise _apart(where, [f"{cell} s" for cell in numbers.values()])
@@ -154,44 +154,44 @@ def _rows(
     first: int,
     separator: str,
     clocks: Sequence[int],
-    kept: Sequence[int],
+    channels: Sequence[int],
     step: float,
     file: Path,
 ) -> tuple[dict[int, str], Array, float]:
-    """Cells of the channels in each row that is not empty, by its place in the lines, and its time, NaN without one.
+    """Channel cells of each non-empty row by line number, and its time (NaN without one).
 
-    With them what one of the last decimal is worth that is written of any time. Refuses times of a row that are apart
-    by more than a thousandth of the step between rows, or of the header's ``step`` where one row only has times.
+    Also returns the value of the last decimal of the times. Refuses times within a row that differ by more than a
+    thousandth of the step between rows, or of the header's ``step`` if a single row has times.
     """
-    rows, times, several, last = dict[int, str](), list[float](), dict[int, dict[float, str]](), 0
+    rows, times, stamps, last = dict[int, str](), list[float](), dict[int, dict[float, str]](), 0
     for place, line in enumerate(lines[first:], start=first):
         cells = _cells(line, separator)
         if any(cells):
             own = {_number(cells[i], str(file), place + 1): cells[i] for i in clocks if i < len(cells) and cells[i]}
-            rows[place] = separator.join(cells[i] for i in kept if i < len(cells))
+            rows[place] = separator.join(cells[i] for i in channels if i < len(cells))
             times.append(next(iter(own), math.nan))
             last = min([last, *(int(Decimal(cell.replace(",", ".")).as_tuple().exponent) for cell in own.values())])
             if len(own) > 1:
-                several[place] = own
+                stamps[place] = own
     written = np.array(times)
     same = _SAME_TIME * _step_of(written, step)
-    for place, own in several.items():
+    for place, own in stamps.items():
         if max(own) - min(own) > same:
             raise _apart(f"{file}, line {place + 1}", [f"{cell} s" for cell in own.values()])
     return rows, written, 10.0**last
 
 
 def _step_of(written: Array, step: float) -> float:
-    """The step between rows as it is written, or as the header says it."""
+    """Step between rows as written, or else that of the header."""
     steps = np.diff(written[np.isfinite(written)])
     return abs(float(np.median(steps)) if steps.size else step)
 
 
 def _times(written: Array, last: float, start: float, step: float) -> Array:
-    """Time of each row (s): as written, or from start and step where none is.
+    """Time of each row (s): as written, or else from start and step.
 
-    What is written may be start and step, rounded to its ``last`` decimal as LabVIEW does: then it is these. A start so
-    far from zero that floats do not hold the steps behind it is left out.
+    Written times may be start and step rounded to the ``last`` decimal, as LabVIEW does; the exact times are used then.
+    A start so far from zero that floats cannot hold the steps after it is dropped.
     """
     counted = step * np.arange(written.size, dtype=float)
     rounding = min(_HALF * last, _ROUNDING) + math.ulp(start)

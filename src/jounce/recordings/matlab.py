@@ -1,4 +1,4 @@
-"""Numbers of MATLAB files: vectors and matrices, also in the structs and cells that testers and Simulink write."""
+"""Numeric data of MATLAB files: vectors and matrices, also in the structs and cells that testers and Simulink write."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ _VALUES = ("data", "values", "value", "signal", "samples", "y")
 _NAMES = ("name", "label", "title", "signalname", "channel")
 _UNITS = ("unit", "units")
 _LISTS = ("names", "labels", "channels", "channelnames", "channel_names", "headers", "header", "columns", "signals")
-_DEEPEST = 20
+_DEEPEST = 20  # structs and cells within each other; only damage nests deeper
 
 
 @dataclass(frozen=True)
 class Matrix:
     """A numeric variable, or one within structs and cells: rows are samples.
 
-    ``path`` is what MATLAB calls it, ``heads`` names and units of its columns (empty where the file has none).
+    ``path`` is its MATLAB expression, ``heads`` names and units of its columns (empty if the file has none).
     """
 
     path: str
@@ -40,7 +40,7 @@ class Matrix:
 
     @property
     def columns(self) -> list[tuple[str, str, str]]:
-        """Name, unit and what MATLAB calls it, of each column."""
+        """Name, unit and MATLAB expression of each column."""
         width = self.values.shape[1]
         own = [self.path] if width == 1 else [f"{self.path}(:,{index})" for index in range(1, width + 1)]
         heads = self.heads or tuple((name, "") for name in own)
@@ -48,7 +48,7 @@ class Matrix:
 
 
 def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Finding], dict[str, Any]]:
-    """Numeric matrices of a file by what MATLAB calls them; what could not be read; doubts; its texts by variable."""
+    """Numeric matrices of a file by MATLAB expression; names of unreadable data; findings; texts by variable."""
     from scipy.io import loadmat
 
     findings: list[Finding] = []
@@ -57,28 +57,28 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
             hint = "Save it with `save -v7 FILE.mat` in Octave, or `save FILE.mat -v7.3` in MATLAB."
             raise RecordingError("a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint)
     try:
-        with caught_warnings() as doubts:
+        with caught_warnings() as warnings:
             content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
-        told = (" ".join(str(doubt.message).split(chr(10))[0].split()) for doubt in doubts)
-        findings += [Finding(str(path), "problem", text) for text in dict.fromkeys(told)]
+        messages = (" ".join(str(warning.message).split(chr(10))[0].split()) for warning in warnings)
+        findings += [Finding(str(path), "problem", text) for text in dict.fromkeys(messages)]
     except NotImplementedError:  # version 7.3 is HDF5
         content = _content_of_hdf5(path, findings)
     plain = {name: value for name, value in content.items() if not name.startswith(("__", "#"))}
-    found: dict[str, Matrix] = {}
+    matrices: dict[str, Matrix] = {}
     left_out: list[str] = []
-    _walk("", plain, found, left_out, 0)
+    _walk("", plain, matrices, left_out, 0)
     texts = {name: value for name, value in plain.items() if _is_text(value) or isinstance(value, Mapping)}
-    return found, left_out, findings, texts
+    return matrices, left_out, findings, texts
 
 
-_HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of one that is compressed
-_MOST_INFLATED = 4_000_000_000  # bytes
+_HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of a compressed one
+_MOST_INFLATED = 4_000_000_000  # bytes: the numbers that a recording may have (hdf5._MOST), as doubles
 
 
 def _inflated(path: Path) -> io.BytesIO:
-    """A file of version 5 with its variables inflated and what they announce checked; others as they are.
+    """A file of version 5 with its variables inflated and their announced sizes checked; others unchanged.
 
-    The library takes a variable before its checksum is reached, and reads those behind which the file was cut off.
+    scipy accepts a variable before its checksum is read, and reads variables before the end of a file that was cut off.
     """
     content = path.read_bytes()
     order = {b"IM": "<", b"MI": ">"}.get(content[126:_HEAD])
@@ -111,11 +111,11 @@ _SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}
 
 
 def _elements(content: bytes | memoryview, order: str) -> Iterator[tuple[int, memoryview]]:
-    """Kind and content of the data elements that lie one behind the other; ValueError where one is cut off."""
+    """Kind and content of consecutive data elements; ValueError if one is cut off."""
     view, at = memoryview(content), 0
     while at + 8 <= len(view):
         (kind,) = struct.unpack_from(f"{order}I", view, at)
-        if kind >> 16:  # four bytes or fewer stand in the tag itself
+        if kind >> 16:  # up to four bytes are stored in the tag itself
             kind, size, start, after = kind & 0xFFFF, kind >> 16, at + 4, at + 8
         else:
             (size,) = struct.unpack_from(f"{order}I", view, at + 4)
@@ -127,7 +127,7 @@ def _elements(content: bytes | memoryview, order: str) -> Iterator[tuple[int, me
 
 
 def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
-    """Refuse a matrix of numbers, also within structs and cells, that announces another count than it holds."""
+    """Refuse a numeric matrix, also within structs and cells, whose count of numbers differs from the announced one."""
     parts = list(_elements(matrix, order))
     if len(parts) < 4 or depth > _DEEPEST or len(parts[0][1]) < 4:
         return
@@ -144,48 +144,50 @@ def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
             raise ValueError(f"a matrix announces {announced} numbers and holds {count}")
 
 
-def _walk(path: str, value: Any, found: dict[str, Matrix], left_out: list[str], depth: int) -> None:
+def _walk(path: str, value: Any, matrices: dict[str, Matrix], left_out: list[str], depth: int) -> None:
     if depth > _DEEPEST:
         left_out.append(path)
     elif isinstance(value, dict):
-        _walk_struct(path, value, found, left_out, depth)
+        _walk_struct(path, value, matrices, left_out, depth)
     elif isinstance(value, list) or (isinstance(value, np.ndarray) and value.dtype == object):
         items = list(np.ravel(np.array(value, dtype=object)) if isinstance(value, np.ndarray) else value)
         marks = "()" if items and all(isinstance(item, dict) for item in items) else "{}"
         for index, item in enumerate(items, 1):
-            _walk(f"{path}{marks[0]}{index}{marks[1]}", item, found, left_out, depth + 1)
+            _walk(f"{path}{marks[0]}{index}{marks[1]}", item, matrices, left_out, depth + 1)
     elif (values := _numbers(value)) is not None:
-        found[path] = Matrix(path, values)
+        matrices[path] = Matrix(path, values)
     elif not _is_text(value) and np.size(value):
         left_out.append(path)
 
 
-def _walk_struct(path: str, struct: dict[str, Any], found: dict[str, Matrix], left_out: list[str], depth: int) -> None:
+def _walk_struct(
+    path: str, struct: dict[str, Any], matrices: dict[str, Matrix], left_out: list[str], depth: int
+) -> None:
     """Fields of a struct (or the variables of the file): one signal with name and unit, or many."""
     before = f"{path}." if path else ""
     keys = {str(key).lower(): str(key) for key in struct}
     data = [keys[key] for key in _VALUES if key in keys and _numbers(struct[keys[key]]) is not None]
     name, unit = (_text_under(struct, keys, options) for options in (_NAMES, _UNITS))
-    one_signal = path and len(data) == 1 and (name or unit)
+    is_signal = path and len(data) == 1 and (name or unit)
     units = next((struct[keys[key]] for key in _UNITS if key in keys), None)
     for key, value in struct.items():
         at = f"{before}{key}"
         values = _numbers(value)
         if values is None:
-            _walk(at, value, found, left_out, depth + 1)
-        elif one_signal and key == data[0]:
-            named, own = name_and_unit(name) if name else (path, "")
+            _walk(at, value, matrices, left_out, depth + 1)
+        elif is_signal and key == data[0]:
+            label, own = name_and_unit(name) if name else (path, "")
             width = values.shape[1]
-            names = [named] if width == 1 else [f"{named}(:,{index})" for index in range(1, width + 1)]
-            found[at] = Matrix(at, values, tuple((one, unit or own) for one in names))
+            names = [label] if width == 1 else [f"{label}(:,{index})" for index in range(1, width + 1)]
+            matrices[at] = Matrix(at, values, tuple((label_, unit or own) for label_ in names))
         else:
-            found[at] = Matrix(at, values, _heads(str(key), at, values, struct, keys, units))
+            matrices[at] = Matrix(at, values, _heads(str(key), at, values, struct, keys, units))
 
 
 def _heads(
     key: str, path: str, values: Array, struct: Mapping[str, Any], keys: Mapping[str, str], units: Any
 ) -> tuple[tuple[str, str], ...]:
-    """Names and units beside a matrix: a list of as many names as it has columns, units by its name or by column."""
+    """Names and units stored beside a matrix: a list with a name for each column, units by name or by column."""
     width = values.shape[1]
     lists = [list(map(str, np.ravel(np.array(struct[keys[name]])))) for name in _LISTS if name in keys
              and _is_texts(struct[keys[name]])]  # fmt: skip
@@ -218,7 +220,7 @@ def _is_texts(value: Any) -> bool:
 
 
 def _numbers(value: Any) -> Array | None:
-    """Real numbers as (rows, columns), row vectors stood up; None for everything else."""
+    """Real numbers as (rows, columns), row vectors transposed; None for anything else."""
     if not isinstance(value, (np.ndarray, np.generic, int, float)) or isinstance(value, bool):
         return None
     array = np.asarray(value)
@@ -240,14 +242,14 @@ def _content_of_hdf5(path: Path, findings: list[Finding]) -> dict[str, Any]:
 
 
 def _plain(item: Any, file: Any, findings: list[Finding], where: str, depth: int) -> Any:
-    """Struct, cell, text or numbers of a version 7.3 file, as the older versions give them."""
+    """Struct, cell, text or numbers of a version 7.3 file, in the form of older versions."""
     import h5py
 
     if depth > _DEEPEST or "MATLAB_object_decode" in item.attrs:
         return b"object"
     if isinstance(item, h5py.Group):
         fields = {name: _plain(field, file, findings, where, depth + 1) for name, field in item.items()}
-        lists = [value for value in fields.values() if isinstance(value, _Several)]
+        lists = [value for value in fields.values() if isinstance(value, _FieldOfStructs)]
         if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:  # an array of structs
             return [dict(zip(fields, row, strict=True)) for row in zip(*fields.values(), strict=True)]
         return fields
@@ -257,12 +259,12 @@ def _plain(item: Any, file: Any, findings: list[Finding], where: str, depth: int
     if kind == b"char":
         return "".join(map(chr, np.asarray(item[()]).T.ravel(order="F").tolist())) if item.size < 10_000 else ""
     if item.dtype == h5py.ref_dtype:
-        items = [_plain(file[one], file, findings, where, depth + 1) for one in np.asarray(item[()]).ravel() if one]
-        return items if kind == b"cell" else _Several(items)
+        items = [_plain(file[ref], file, findings, where, depth + 1) for ref in np.asarray(item[()]).ravel() if ref]
+        return items if kind == b"cell" else _FieldOfStructs(items)
     values, finding = held_part(item, where)
     findings.extend(finding)
     return np.asarray(values).T  # MATLAB stores columns first
 
 
-class _Several(list[Any]):
-    """One field of an array of structs: a value for each of them."""
+class _FieldOfStructs(list[Any]):
+    """One field of an array of structs: a value for each element."""

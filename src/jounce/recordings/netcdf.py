@@ -1,4 +1,4 @@
-"""Variables of netCDF files: netCDF-4, which is HDF5, and netCDF-3 with its three widths of numbers."""
+"""Variables of netCDF files: netCDF-4 (HDF5), and netCDF-3 with its three number widths."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from jounce.recordings.hdf5 import held_rows, surplus
 
 @dataclass(frozen=True)
 class Variable:
-    """A variable: its dimensions, the kind of its numbers, how many rows are announced and how many are there."""
+    """A variable: its dimensions, its number type, and its announced and written rows."""
 
     dimensions: tuple[str, ...]
     shape: tuple[int, ...]
@@ -31,49 +31,50 @@ class Variable:
 
     @property
     def along(self) -> str:
-        """The dimension of a vector of numbers, beside which all others have the length 1; empty for what is none."""
+        """Dimension of a numeric vector (all others have length 1); empty for anything else."""
         long = [name for name, size in zip(self.dimensions, self.shape, strict=True) if size != 1]
         is_vector = self.kind in "fiu" and self.dimensions and len(long) < 2
         return (long or list(self.dimensions))[0] if is_vector else ""
 
     def values(self, rows: int) -> Array:
-        """Give the first rows of a vector: unpacked, NaN for gaps, times since an instant from the first one."""
+        """Return the first rows of a vector: unpacked, NaN for gaps; times count from the first one."""
         raw = np.asarray(self.raw(rows)).reshape(-1)
         values = np.asarray(_unpacked(raw, self.attributes))
         if values.dtype.kind == "f":
             values = np.where(np.abs(values) == values.dtype.type(_FILLED), np.nan, values)
         if self.unit[1]:
-            values = values - values[:1]  # of integers before they are rounded: instants are large
+            values = values - values[:1]  # as integers, before rounding: instants are large numbers
         return np.ascontiguousarray(values, dtype=float)
 
     @property
     def unit(self) -> tuple[str, str]:
-        """The unit, and for a time the instant that it counts from (CF 4.4)."""
+        """The unit, and for a time its reference instant (CF 4.4)."""
         unit, _, since = str(self.attributes.get("units", "")).partition(" since ")
         return unit.strip(), since.strip()
 
 
 @dataclass(frozen=True)
-class Group:
-    """Variables and attributes of a file, or of a group within it, and the groups below it."""
+class VariableGroup:
+    """Variables and attributes of a file or of a group within it, and its subgroups."""
 
     variables: Mapping[str, Variable]
     attributes: Mapping[str, Any]
-    groups: Mapping[str, Group] = field(default_factory=dict)
+    groups: Mapping[str, VariableGroup] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
 
-    def signals(self, path: str = "") -> Iterator[tuple[str, Group]]:
-        """Give each group that holds numbers over something, with those that lie above it along the same."""
-        if any(one.along and name != "time" for name, one in self.variables.items()):
+    def signals(self, path: str = "") -> Iterator[tuple[str, VariableGroup]]:
+        """Yield each group with numbers along a dimension, together with inherited variables along the same."""
+        if any(variable.along and name != "time" for name, variable in self.variables.items()):
             yield path, self
         for name, group in self.groups.items():
-            inherited = {key: one for key, one in self.variables.items() if key in one.dimensions}
-            below = Group({**inherited, **group.variables}, {**self.attributes, **group.attributes}, group.groups)
+            inherited = {key: variable for key, variable in self.variables.items() if key in variable.dimensions}
+            attributes = {**self.attributes, **group.attributes}
+            below = VariableGroup({**inherited, **group.variables}, attributes, group.groups)
             yield from below.signals(f"{path}/{name}".lstrip("/"))
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[Group]:
+def open_netcdf(path: Path) -> Iterator[VariableGroup]:
     """Open a netCDF file of any kind; its numbers can be read until the block ends."""
     with path.open("rb") as stream:
         is_classic = stream.read(3) == b"CDF"
@@ -86,22 +87,24 @@ def opened(path: Path) -> Iterator[Group]:
         yield _hdf5_group(file)
 
 
-def _hdf5_group(group: Any) -> Group:
-    return Group(
-        {str(name): _hdf5_variable(one) for name, one in group.variables.items()},
+def _hdf5_group(group: Any) -> VariableGroup:
+    return VariableGroup(
+        {str(name): _hdf5_variable(variable) for name, variable in group.variables.items()},
         _plain_attributes(group.attrs),
-        {str(name): _hdf5_group(one) for name, one in group.groups.items()},
+        {str(name): _hdf5_group(below) for name, below in group.groups.items()},
     )
 
 
-def _hdf5_variable(one: Any) -> Variable:
+def _hdf5_variable(variable: Any) -> Variable:
     def raw(rows: int) -> Any:
-        return one[tuple(slice(None) if size == 1 else slice(rows) for size in one.shape)]
+        return variable[tuple(slice(None) if size == 1 else slice(rows) for size in variable.shape)]
 
-    kind = getattr(one.dtype, "kind", "O")
-    return Variable(
-        one.dimensions, one.shape, kind, _plain_attributes(one.attrs), lambda: held_rows(one._h5ds)[1], raw
-    )  # fmt: skip
+    kind, attributes = getattr(variable.dtype, "kind", "O"), _plain_attributes(variable.attrs)
+
+    def held() -> int:
+        return held_rows(variable._h5ds)[1]
+
+    return Variable(variable.dimensions, variable.shape, kind, attributes, held, raw)
 
 
 def _plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
@@ -109,14 +112,14 @@ def _plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def plain_attribute(value: Any) -> Any:
-    """Text as text, however it is stored, and one value in place of a list of one.
+    """Text as str, however it is stored, and a list of one value as that value.
 
     >>> plain_attribute(b"m/s"), plain_attribute(["N"]), plain_attribute(np.array([2.5]))
     ('m/s', 'N', np.float64(2.5))
     """
     if isinstance(value, bytes):
         return _text(value)
-    if isinstance(value, str):  # HDF5 says that it is ASCII where it is not
+    if isinstance(value, str):  # HDF5 declares ASCII where it is not
         return _text(value.encode(errors="surrogateescape"))
     if isinstance(value, (list, tuple, np.ndarray)):
         items = np.asarray(value)
@@ -135,12 +138,12 @@ def _text(content: bytes) -> str:
 
 
 _FILLED = 9.9692099683868690e36
-"""What the netCDF library puts where no number was written, and no attribute says so."""
+"""Fill value of the netCDF library for numbers that were never written, without an attribute."""
 _CODES, _GAPS = ("scale_factor", "add_offset", "_Unsigned", "dtype"), ("_FillValue", "missing_value")
 
 
 def _unpacked(raw: Array, about: Mapping[str, Any]) -> Array:
-    """Values of numbers that are packed or stand for gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
+    """Values of packed numbers and gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
     gaps = [np.asarray(about[key]) for key in _GAPS if key in about]
     none = raw.dtype.kind == "f" and all(gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps)
     if not any(key in about for key in _CODES) and (none or not gaps):
@@ -157,11 +160,11 @@ def _unpacked(raw: Array, about: Mapping[str, Any]) -> Array:
 
 _DIMENSION, _VARIABLE, _ATTRIBUTE = 10, 11, 12
 _KINDS = {1: "i1", 2: "S1", 3: ">i2", 4: ">i4", 5: ">f4", 6: ">f8", 7: "u1", 8: ">u2", 9: ">u4", 10: ">i8", 11: ">u8"}
-_WORD = 4  # bytes: everything begins at a multiple of it
+_WORD = 4  # bytes: every part begins at a multiple
 
 
 class _Header:
-    """What is read from the header, one after the other; ValueError and struct.error where it cannot be true."""
+    """Reads the header item by item; ValueError or struct.error for impossible values."""
 
     def __init__(self, content: bytes) -> None:
         self.content, self.at = content, _WORD
@@ -171,9 +174,9 @@ class _Header:
         self.count, self.place = ">q" if version == 5 else ">i", ">i" if version == 1 else ">q"
 
     def number(self, kind: str = "") -> int:
-        (found,) = struct.unpack_from(kind or self.count, self.content, self.at)
+        (value,) = struct.unpack_from(kind or self.count, self.content, self.at)
         self.at += struct.calcsize(kind or self.count)
-        return int(found)
+        return int(value)
 
     def size(self) -> int:
         size = self.number()
@@ -182,17 +185,17 @@ class _Header:
         return size
 
     def numbers(self, kind: str, count: int) -> Any:
-        found = np.frombuffer(self.content, kind, count, self.at)
-        self.at += -(-found.nbytes // _WORD) * _WORD
-        return found
+        values = np.frombuffer(self.content, kind, count, self.at)
+        self.at += -(-values.nbytes // _WORD) * _WORD
+        return values
 
     def name(self) -> str:
         return str(self.numbers("S1", self.size()).tobytes().decode())
 
     def items(self, tag: int, read: Callable[[], Any]) -> list[Any]:
-        told, count = self.number(">i"), self.size()
-        if told != tag and (told or count):
-            raise ValueError(f"a list of kind {told}")
+        kind, count = self.number(">i"), self.size()
+        if kind != tag and (kind or count):
+            raise ValueError(f"a list of kind {kind}")
         return [read() for _ in range(count)]
 
     def attribute(self) -> tuple[str, Any]:
@@ -209,7 +212,7 @@ class _Header:
 
 @dataclass(frozen=True)
 class _Placed:
-    """A variable of the header, its place in the file; the length of the record dimension is 0."""
+    """A variable of the header with its place in the file; the record dimension has length 0."""
 
     name: str
     dimensions: tuple[tuple[str, int], ...]
@@ -227,35 +230,37 @@ class _Placed:
         return math.prod(size for _, size in self.dimensions[self.is_record :]) * self.kind.itemsize
 
 
-def _classic(content: bytes, where: str) -> Group:
+def _classic(content: bytes, where: str) -> VariableGroup:
     header, size = _Header(content), len(content)
     records = header.number()
     dimensions = header.items(_DIMENSION, lambda: (header.name(), header.number()))
     attributes = dict(header.items(_ATTRIBUTE, header.attribute))
     variables = header.items(_VARIABLE, lambda: header.variable(dimensions))
-    widths = [one.width for one in variables if one.is_record]
+    widths = [variable.width for variable in variables if variable.is_record]
     step = widths[0] if len(widths) == 1 else sum(-(-width // _WORD) * _WORD for width in widths)
-    first = min((one.begin for one in variables if one.is_record), default=size)
-    if records == -1:  # written as a stream, whose end was not known
+    first = min((variable.begin for variable in variables if variable.is_record), default=size)
+    if records == -1:  # written as a stream of unknown length
         records = (size - first) // max(step, 1)
-    parts = sorted([(0, header.at), *((one.begin, one.begin + one.width) for one in variables)])
+    parts = sorted([(0, header.at), *((item.begin, item.begin + item.width) for item in variables)])
     if min(records, *(length for _, length in dimensions), 0) < 0 or any(
         begin < end for (_, end), (begin, _) in pairwise(parts)
     ):
         raise ValueError("variables lie over each other")
     end = max(first + records * step if widths else 0, *(end for _, end in parts))
     findings = surplus(end, size, where) if size - end >= _WORD else []
-    return Group({one.name: _placed(one, content, records, step) for one in variables}, attributes, {}, tuple(findings))
+    by_name = {variable.name: _placed(variable, content, records, step) for variable in variables}
+    return VariableGroup(by_name, attributes, {}, tuple(findings))
 
 
-def _placed(one: _Placed, content: bytes, records: int, step: int) -> Variable:
-    shape = tuple(size for _, size in one.dimensions[one.is_record :])
-    shape = (records, *shape) if one.is_record else shape
-    apart = step if one.is_record and records != 1 else one.kind.itemsize
-    room = max(0, len(content) - one.begin - one.kind.itemsize + apart) // max(apart, 1)
+def _placed(variable: _Placed, content: bytes, records: int, step: int) -> Variable:
+    shape = tuple(size for _, size in variable.dimensions[variable.is_record :])
+    shape = (records, *shape) if variable.is_record else shape
+    stride = step if variable.is_record and records != 1 else variable.kind.itemsize
+    room = max(0, len(content) - variable.begin - variable.kind.itemsize + stride) // max(stride, 1)
     held = min(max(shape, default=1), room)
 
     def raw(rows: int) -> Any:
-        return np.ndarray(rows, one.kind, content, one.begin, (apart,))
+        return np.ndarray(rows, variable.kind, content, variable.begin, (stride,))
 
-    return Variable(tuple(name for name, _ in one.dimensions), shape, one.kind.kind, one.attributes, lambda: held, raw)
+    names = tuple(name for name, _ in variable.dimensions)
+    return Variable(names, shape, variable.kind.kind, variable.attributes, lambda: held, raw)

@@ -1,4 +1,4 @@
-"""Parquet files held against themselves: how many rows they tell, and where their footer says that everything ends."""
+"""Consistency of Parquet files: their row counts, and the end of the data according to their footer."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
 from jounce.recordings.hdf5 import surplus
 
-_END = 8  # bytes behind the footer: its length, and the mark of the format
-_LONGEST_FOOTER = 5_000_000  # bytes; a longer one would be walked through for seconds
+_END = 8  # bytes after the footer: its length, and the magic number
+_LONGEST_FOOTER = 5_000_000  # bytes; a longer footer would take seconds to parse
 
 
 def check_counts(metadata: Any, path: Path) -> None:
-    """Refuse a Parquet file that tells its rows in several places, and not alike."""
+    """Refuse a Parquet file whose row counts contradict each other."""
     groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
     flat = [i for i in range(metadata.num_columns) if metadata.schema.column(i).max_repetition_level == 0]
-    told = [sum(group.num_rows for group in groups)]
-    told += [sum(group.column(i).num_values for group in groups) for i in flat]
-    if any(count != metadata.num_rows for count in told) or any(
+    counts = [sum(group.num_rows for group in groups)]
+    counts += [sum(group.column(i).num_values for group in groups) for i in flat]
+    if any(count != metadata.num_rows for count in counts) or any(
         group.column(i).num_values != group.num_rows for group in groups for i in flat
     ):
         what = "the file tells other numbers of rows in other places: it is damaged"
-        counts = ", ".join(map(str, sorted({metadata.num_rows, *told})))
-        raise RecordingError(what, where=str(path), found=counts, hint="Use an original copy.")
+        listed = ", ".join(map(str, sorted({metadata.num_rows, *counts})))
+        raise RecordingError(what, where=str(path), found=listed, hint="Use an original copy.")
 
 
 def check_end(metadata: Any, path: Path) -> list[Finding]:
-    """Doubt a file whose footer does not follow what it says lies last: bytes were added before it, or taken away.
+    """Warn if the footer does not follow the last data: bytes were added before it, or removed.
 
-    Between columns anything may lie: filters, indexes, padding. Whatever changes the length of the file moves its end.
+    Filters, indexes and padding may lie between columns. Any change of the file's length moves its end.
     """
     size = path.stat().st_size
     start = size - _END - metadata.serialized_size
@@ -50,16 +50,16 @@ def check_end(metadata: Any, path: Path) -> list[Finding]:
 
 
 _FILE_OFFSET, _META, _OFFSET_INDEX, _COLUMN_INDEX = 2, 3, 4, 6  # fields of a column in a group of rows
-_COMPRESSED, _PAGES, _DICTIONARY, _FILTER = 7, 9, 11, 14  # fields of what is told of it
+_COMPRESSED, _PAGES, _DICTIONARY, _FILTER = 7, 9, 11, 14  # fields of a column's metadata
 
 
 def _ends(content: bytes, footer: dict[int, Any]) -> Iterator[int]:
-    """Where each part of the file ends that its footer names."""
+    """End of each part of the file that its footer names."""
     for chunk in (chunk for group in footer[4] for chunk in group[1]):
         about = chunk[_META]
         end = min(about[_PAGES], about.get(_DICTIONARY) or about[_PAGES]) + about[_COMPRESSED]
         yield end
-        if chunk.get(_FILE_OFFSET) == end:  # what is told of it, once more
+        if chunk.get(_FILE_OFFSET) == end:  # a copy of the column's metadata
             again, behind = _struct(content, end, 0)
             if about in (again, again.get(_META)):
                 yield behind
@@ -71,18 +71,18 @@ def _ends(content: bytes, footer: dict[int, Any]) -> Iterator[int]:
             yield behind + head[1]
 
 
-# --- Thrift's compact protocol, in which Parquet tells what is where
+# --- Thrift's compact protocol, the encoding of Parquet's metadata
 
 
 _TRUE, _FALSE, _BYTE, _DOUBLE, _TEXT, _LIST, _SET, _MAP, _STRUCT = 1, 2, 3, 7, 8, 9, 10, 11, 12
-_DEEPEST = 20
+_DEEPEST = 20  # structs within each other; only damage nests deeper
 
 
 def _struct(content: bytes, at: int, depth: int) -> tuple[dict[int, Any], int]:
-    """The fields of a struct by their numbers, and where it ends."""
+    """Fields of a struct by number, and the offset of its end."""
     if depth > _DEEPEST:
         raise ValueError("structs lie too deep in each other")
-    found: dict[int, Any] = {}
+    fields: dict[int, Any] = {}
     field = 0
     while head := content[at]:
         at += 1
@@ -91,10 +91,10 @@ def _struct(content: bytes, at: int, depth: int) -> tuple[dict[int, Any], int]:
             field, at = _number(content, at)
         field += step
         if kind in (_TRUE, _FALSE):
-            found[field] = kind == _TRUE
+            fields[field] = kind == _TRUE
         else:
-            found[field], at = _value(content, at, kind, depth)
-    return found, at + 1
+            fields[field], at = _value(content, at, kind, depth)
+    return fields, at + 1
 
 
 def _value(content: bytes, at: int, kind: int, depth: int) -> tuple[Any, int]:

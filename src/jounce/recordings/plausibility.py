@@ -1,4 +1,4 @@
-"""Whether the numbers of a record can come from a suspension at all, and which unit was meant where they cannot."""
+"""Whether numbers of a record can come from a suspension, and which unit was likely meant if they cannot."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from jounce.recordings.schema import channel_unit, place_of, quantity_of
 
 @dataclass(frozen=True)
 class Reach:
-    """What a quantity reaches on suspensions, from a kart's corner to a truck's, in SI.
+    """Range of a quantity on suspensions, from a kart's corner to a truck's, in SI.
 
-    ``most`` is beyond all of them; ``usual`` is where the same number lies on nearly all, so that the unit that would
-    bring it there is the likely one.
+    ``most`` is beyond all of them; ``usual`` covers nearly all, so the likely unit is the one that brings the number
+    there. The limits are wide: they are to find wrong units, which err by a factor of 10 or more.
     """
 
     number: str  # of "mean", "r.m.s.", "peak", "range", "rate"
     most: float
     usual: tuple[float, float]
-    least: float = 0.0  # a number below it that is not 0 is suspicious
+    least: float = 0.0  # a smaller value other than 0 is suspicious
 
 
 _MOTION = (
@@ -58,7 +58,7 @@ REACHES: dict[str, tuple[Reach, ...]] = {
     "adhesion": (Reach("peak", 1.5, (0.05, 1.0)),),
     **dict.fromkeys(("moment", "torque"), _MOMENT),
 }
-"""What no suspension exceeds, by quantity; quantities that are not here may have any magnitude."""
+"""Limits that no suspension exceeds, by quantity; other quantities may have any magnitude."""
 
 _UNITS = {
     "m/s^2": ("g", "mm/s^2", "mg"),
@@ -74,10 +74,11 @@ _UNITS = {
     "N*m": ("N*m", "kN*m", "N*mm"),
 }
 _BODY = ("body", "sprung", "seat", "chassis")
-_FASTEST_STEP, _FAST_STEP, _SHORT, _SOME = 1.05e-5, 1.05e-4, 0.3, 100
-"""Steps (s) at which nobody samples a suspension, and at which nobody samples so short a record (s), samples in it."""
-SLOWEST_STEP = 0.2  # s; a body bounces once a second, so fewer samples tell nothing
-MOST_POWER = 2e4  # W; what the largest dampers turn into heat for a moment
+_FASTEST_STEP = 1.05e-5  # s: a shorter one is below 10 us, faster than any logger of suspensions (5 % for rounding)
+_FAST_STEP, _SHORT, _SOME = 1.05e-4, 0.3, 100
+"""Step (s) that is suspicious in a record shorter than the next number (s) with more samples than the last."""
+SLOWEST_STEP = 0.2  # s; bounce is about 1 Hz, which needs five samples a period
+MOST_POWER = 2e4  # W; peak of the largest dampers
 MOST_WORK = 8e3  # J a cycle
 
 
@@ -89,7 +90,7 @@ def implausible(
     written: Mapping[str, str] | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> list[Finding]:
-    """Look for numbers that no suspension reaches.
+    """Report numbers that no suspension reaches.
 
     Parameters
     ----------
@@ -102,28 +103,28 @@ def implausible(
     written : mapping of str to str, optional
         Unit that the file gives for each channel; by default its SI unit.
     headers : mapping of str to str, optional
-        Header of each channel in the file, with which a finding says how another unit is stated.
+        Header of each channel in the file; a finding quotes it to show how to state another unit.
 
     Returns
     -------
     list of Finding
         A problem for each channel beyond ``REACHES``, with the unit that was likely meant; for steps at which no
         suspension moves; for a force that does more work over its stroke than any damper; for a velocity that is not
-        the rate of the displacement beside it, or its absolute value. Where ``written`` is given, a warning for
-        what hardly moves (strokes below 0.1 mm, forces below 10 N) and for a mean of 1 m/s^2 (gravity?).
+        the rate of the displacement at its place, or its absolute value. Where ``written`` is given, also a warning
+        for tiny signals (strokes below 0.1 mm, forces below 10 N) and for a mean of 1 m/s^2 (gravity?).
 
     Examples
     --------
     >>> import numpy as np
     >>> wave = np.sin(2.0 * np.pi * 1.5 * np.arange(1000) * 0.001)
-    >>> [found.message for found in implausible({"stroke": 12.45 * wave}, 0.001, where="a.csv")]
+    >>> [finding.message for finding in implausible({"stroke": 12.45 * wave}, 0.001, where="a.csv")]
     ['the range is 24.9 m, and no suspension reaches 1.5 m; is its unit mm or cm rather than m?']
     """
     units = {name: (written or {}).get(name) or channel_unit(name) for name in channels}
     length = max((values.size for values in channels.values()), default=0)
-    found = list(_of_time(step, length, where)) if step is not None else []
+    findings = list(_of_time(step, length, where)) if step is not None else []
     for name, values in channels.items():
-        found += _of_channel(
+        findings += _of_channel(
             name,
             values,
             step,
@@ -132,10 +133,10 @@ def implausible(
             (headers or {}).get(name, ""),
             is_read=written is not None,
         )
-    if not found and step is not None:
-        found += _of_work(channels, step, where)
-        found += _of_rates(channels, step, where)
-    return found
+    if not findings and step is not None:
+        findings += _of_work(channels, step, where)
+        findings += _of_rates(channels, step, where)
+    return findings
 
 
 def _of_time(step: float, samples: int, where: str) -> Iterator[Finding]:
@@ -198,14 +199,14 @@ def _of_channel(
 
 
 def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> str:
-    """Name the one or two units in which the number would be the most usual."""
+    """Ask for the one or two units in which the number would be most usual."""
     likely: list[tuple[float, str]] = []
     middle = math.sqrt(reach.usual[0] * reach.usual[1])
     try:
         raw = number / conversion_factor(unit, si)
         for other in _UNITS.get(si, ()):
             factor = conversion_factor(other, si)
-            if reach.usual[0] <= raw * factor <= reach.usual[1]:  # where the number as it was read does not lie
+            if reach.usual[0] <= raw * factor <= reach.usual[1]:  # the number as read lies outside
                 likely.append((abs(math.log(raw * factor / middle)), other))
     except DescriptionError:
         return "check its unit"
@@ -219,7 +220,7 @@ def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> str
 def _beside(
     channels: Mapping[str, Array], first: tuple[str, ...], second: tuple[str, ...]
 ) -> Iterator[tuple[str, str]]:
-    """Channels of the same place with quantities of the first and of the second kind."""
+    """Channels of the same place, the first with a quantity of one kind, the second of the other."""
     for name in channels:
         if name.rpartition(".")[2] in first:
             for other in channels:
@@ -245,8 +246,8 @@ def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator
             yield Finding(f"{where}: {force}" if where else force, "problem", text, work / cycles)
 
 
-_ROUNDING = 1e-12  # range of a channel that does not change, as a share of its size
-_SAME = 0.95  # correlation from which two signals are one
+_ROUNDING = 1e-12  # range of a constant channel, as a share of its size
+_SAME = 0.95  # correlation above which two signals are the same but for noise
 
 
 def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterator[Finding]:
@@ -260,10 +261,10 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
         if "road" in place_of(name).split(".") or is_at_rest:
             continue
         yield from _of_sign(channels[name], channels[rate], name, f"{where}: {rate}" if where else rate)
-        moved, turns = (
+        first, second = (
             _without_line(v) for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
         )
-        sizes = float(moved.std()), float(turns.std())
+        sizes = float(first.std()), float(second.std())
         if min(sizes) > 0.0 and not 0.1 < sizes[1] / sizes[0] < 10.0:
             text = f"it is {sizes[1] / sizes[0]:.3g} times the rate of {name}; check the units of both, and of time"
             yield Finding(f"{where}: {rate}" if where else rate, "problem", text, sizes[1] / sizes[0])
@@ -275,9 +276,9 @@ def _without_line(values: Array) -> Array:
     return np.asarray(centred - place * float(place @ centred) / float(place @ place), dtype=float)
 
 
-def _of_sign(moved: Array, rate: Array, name: str, at: str) -> Iterator[Finding]:
-    """Tell a rate whose sign is not that of the steps of what moved to and fro."""
-    steps = np.gradient(moved)
+def _of_sign(values: Array, rate: Array, name: str, at: str) -> Iterator[Finding]:
+    """Report a rate with the opposite sign, or without the sign, of the steps of a signal that moves both ways."""
+    steps = np.gradient(values)
     if np.ptp(rate) == 0.0 or min(np.max(steps), -np.min(steps)) < 0.1 * np.max(np.abs(steps)):
         return
     if np.min(rate) >= 0.0 and _correlation(np.abs(steps), rate) > _SAME:
@@ -288,6 +289,6 @@ def _of_sign(moved: Array, rate: Array, name: str, at: str) -> Iterator[Finding]
 
 
 def _correlation(first: Array, second: Array) -> float:
-    """Coefficient of correlation of two rows; not a number where one of them does not change."""
+    """Correlation coefficient of two signals; NaN if one of them is constant."""
     with np.errstate(invalid="ignore", divide="ignore"):
         return float(np.corrcoef(first, second)[0, 1])

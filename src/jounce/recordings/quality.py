@@ -1,4 +1,4 @@
-"""Whether a measured record can be trusted: its time, and each of its channels."""
+"""Whether a measured record can be trusted: its time and each of its channels."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.recordings.schema import quantity_of
 
-LARGEST_JITTER = 0.01
-OVER_RANGE = 1e20  # SI; loggers write 9.9e37 or 1e30 where they have no value
-ROUNDING = 1e-6
+LARGEST_JITTER = 0.01  # of the step: a phase error of 2 degrees at half the rate
+OVER_RANGE = 1e20  # SI; loggers write 9.9e37 or 1e30 for missing values
+ROUNDING = 1e-6  # of the step: time written with six digits
 FEWEST_SAMPLES = 8
-CLIPPED_RUN = 3
-FEWEST_CLIPPED = 6
+CLIPPED_RUN = 3  # equal samples at a limit: two also occur at a turning point
+FEWEST_CLIPPED = 6  # samples at a limit, two such runs: one may be chance
 _NEVER_CLIPPED = {"slope", "command", "adhesion"}
 _DRIVEN_PLACES = ("road", "platform")
 _MAY_REST = (".road.z", "pitch_moment", "deceleration", "lateral_acceleration")
-"""Ends of channels that are 0 throughout on a level road, and without braking or bends."""
+"""Suffixes of channels that stay 0 on a level road, and without braking or cornering."""
 
 
 def row_number(row: int) -> str:
-    """Name a row of numbers (from 0) when the lines of the file are not known."""
+    """Name a row of numbers (from 0) if the lines of the file are not known."""
     return f"row {row + 1}"
 
 
 def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> tuple[Array, list[Finding]]:
-    """Check the time of a record and give the uniform time it should be on.
+    """Check the time of a record and return the uniform time for it.
 
     Parameters
     ----------
@@ -44,16 +44,16 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
     Returns
     -------
     time : ndarray, shape (n,)
-        Uniform instants in s, from the first to the last recorded one. ``time`` itself is uniform when there are no
-        findings, apart from rounding.
+        Uniform instants in s, from the first to the last recorded one. Without findings ``time`` itself is uniform,
+        apart from rounding.
     findings : list of Finding
-        One warning when the steps differ by more than rounding: the channels must then be resampled.
+        One warning if the steps differ by more than rounding: the channels must be resampled then.
 
     Raises
     ------
     RecordingError
-        For too few samples, values that are not finite, time that is all zero or does not ascend strictly, or steps
-        that differ from the median step by more than 1 %; with the row.
+        If there are too few samples, values that are not finite, time that is all zero or does not ascend strictly,
+        or steps that differ from the median step by more than 1 %; with the row.
 
     Examples
     --------
@@ -90,7 +90,7 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
 
 
 def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> Array:
-    """Refuse a time (s) that is no clock: too few instants, not finite, all zero, not ascending; give its steps."""
+    """Refuse a time (s) that is no clock: too few instants, not finite, all zero, not ascending; return its steps."""
     at = f"{where}: time"
     _check_finite(time, at, name_row)
     if time.size > 1 and not np.any(time):
@@ -110,7 +110,7 @@ _CLOCK = (
 def check_ascending(
     values: Array, name: str, unit: str, *, where: str, name_row: Callable[[int], str] = row_number, hint: str = ""
 ) -> Array:
-    """Refuse values that do not ascend strictly, with the first row; give their steps."""
+    """Refuse values that do not ascend strictly, naming the first row; return their steps."""
     steps = np.diff(values)
     if np.any(steps <= 0.0):
         row = int(np.argmax(steps <= 0.0)) + 1
@@ -151,7 +151,7 @@ def check_channels(
     name_row: Callable[[int], str] = row_number,
     clipping: bool = True,
 ) -> list[Finding]:
-    """Look for channels that hold no signal or lost a part of it.
+    """Report channels without a signal, or with a part of it missing.
 
     Parameters
     ----------
@@ -168,15 +168,14 @@ def check_channels(
     -------
     list of Finding
         A warning for each channel that is constant, holds each of its values for the same number of samples, has
-        frozen stretches (see `frozen_samples`), or is
-        clipped: several flat pieces of at least 3 equal samples at its largest or smallest value, entered by a jump.
-        Flat pieces at 0, at either end of the record, and what was driven (``road``, ``platform``, braking and bends)
-        do not count.
+        frozen stretches (see `frozen_samples`), or is clipped: several flat pieces of at least 3 equal samples at its
+        largest or smallest value, entered by a jump. Flat pieces at 0 or at an end of the record, and inputs (``road``,
+        ``platform``, braking and cornering), do not count.
 
     Raises
     ------
     RecordingError
-        For a value that is not finite, with row and channel.
+        If a value is not finite; with row and channel.
 
     Examples
     --------
@@ -207,44 +206,44 @@ def _is_driven(name: str) -> bool:
 
 
 def _holding(values: Array, at: str) -> list[Finding]:
-    """Tell a channel that keeps each value for the same number of samples, and then jumps."""
+    """Report a channel that holds each value for the same number of samples, and then jumps."""
     changes = np.flatnonzero(np.diff(values))
     runs, jumps = np.diff(changes), np.abs(np.diff(values)[changes])
     if len(runs) < _FEWEST_HELD:
         return []
-    held = int(np.median(runs))
-    if held < 2 or np.mean(runs == held) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
+    length = int(np.median(runs))
+    if length < 2 or np.mean(runs == length) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
         return []
     text = (
-        f"each value is held for {held} samples: the channel was recorded at 1/{held} of the rate, and comes some "
-        f"{0.5 * (held - 1):g} samples late; export it at its own rate"
+        f"each value is held for {length} samples: the channel was recorded at 1/{length} of the rate, and comes some "
+        f"{0.5 * (length - 1):g} samples late; export it at its own rate"
     )
-    return [Finding(at, "warning", text, float(held))]
+    return [Finding(at, "warning", text, float(length))]
 
 
-_FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them that are of one length
+_FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them with equal length: a signal of chance has few equal runs
 
 
 def _freezing(values: Array, at: str) -> list[Finding]:
     stretches = frozen_stretches(values)
     if not stretches:
         return []
-    lost = sum(end - start for start, end in stretches)
-    start, end = max(stretches, key=lambda one: one[1] - one[0])
+    frozen = sum(end - start for start, end in stretches)
+    start, end = max(stretches, key=lambda stretch: stretch[1] - stretch[0])
     more = f", the longest of {len(stretches)} stretches" if len(stretches) > 1 else ""
     text = (
         f"the channel stays at exactly {values[start]:g} for {end - start} samples from sample {start + 1} on{more}, "
-        f"but moves before and after: a dropout of sensor or logger; {lost} samples tell nothing"
+        f"but moves before and after: a dropout of sensor or logger; {frozen} samples tell nothing"
     )
-    return [Finding(at, "warning", text, lost / values.size)]
+    return [Finding(at, "warning", text, frozen / values.size)]
 
 
 def frozen_stretches(values: Array) -> list[tuple[int, int]]:
-    """First sample, and the one behind the last, of each stretch in which a signal shows no motion, only one number.
+    """First sample, and the one after the last, of each stretch in which a moving signal repeats one number.
 
-    A stretch counts where the signal moves up to both of its ends, so that chance does not repeat a number so often.
-    A sensor at rest with noise below its resolution does not: it comes to rest and leaves it by single steps. Neither
-    do a tyre off the ground and a clipped sensor: they reach the end of their range without a jump.
+    A stretch counts if the signal moves up to both of its ends, so that chance does not explain it. A sensor at rest
+    with noise below its resolution is no case: it enters and leaves rest by single steps. Neither are a tyre off the
+    ground and a clipped sensor: they reach the end of their range without a jump.
 
     >>> noise = np.random.default_rng(0).normal(size=100).round(2)
     >>> noise[40:60] = 0.0
@@ -257,7 +256,7 @@ def frozen_stretches(values: Array) -> list[tuple[int, int]]:
     numbers = np.unique(values)
     lowest, highest = numbers[0], numbers[-1]
     resolution = max(float(np.diff(numbers).min()), _ROUNDED * float(highest - lowest))
-    found = []
+    stretches = []
     for start, end in zip(starts.tolist(), ends.tolist(), strict=True):
         sides = values[:start][::-1], values[end:]
         if any(side.size < _BESIDE for side in sides):
@@ -274,20 +273,20 @@ def frozen_stretches(values: Array) -> list[tuple[int, int]]:
             jump > _JUMP * step for jump, step in zip(jumps, usual, strict=True)
         ):
             continue
-        found.append((start, end))
-    return found
+        stretches.append((start, end))
+    return stretches
 
 
-_FEWEST_FROZEN, _BESIDE = 8, 12  # samples of a stretch, and those that are looked at on each of its sides
-_CHANCE = 1e-6  # that one of a record's stretches comes by chance
-_ROUNDED = 1e-9  # of the range: what moves by less does not move, as in simulations at rest
-_JUMP = 3.0  # largest steps beside it, by which a stretch at the end of a range must be apart
+_FEWEST_FROZEN, _BESIDE = 8, 12  # samples of a stretch, and samples examined on each side of it
+_CHANCE = 1e-6  # probability of the stretch by chance, anywhere in the record
+_ROUNDED = 1e-9  # of the range: smaller motion is rounding, as in simulations at rest
+_JUMP = 3.0  # largest steps nearby, by which a stretch at an end of the range must be entered
 
 
 def _is_moving(beside: Array, resolution: float) -> bool:
-    """Whether a signal moves next to a stretch (nearest sample first): by several steps of resolution, or to and fro.
+    """Whether a signal moves next to a stretch (nearest sample first): by several steps of resolution, or both ways.
 
-    What goes to and fro between two or three neighbouring numbers may just lie between them.
+    Alternation between two or three neighbouring numbers may be a constant value between them.
     """
     steps = np.diff(beside[:_BESIDE])
     turns = np.sign(steps[steps != 0.0])
@@ -297,14 +296,14 @@ def _is_moving(beside: Array, resolution: float) -> bool:
 
 def frozen_samples(values: Array) -> NDArray[np.bool_]:
     """Whether each sample lies in one of the `frozen_stretches` of a signal."""
-    found = np.zeros(values.size, dtype=bool)
+    is_frozen = np.zeros(values.size, dtype=bool)
     for start, end in frozen_stretches(values):
-        found[start:end] = True
-    return found
+        is_frozen[start:end] = True
+    return is_frozen
 
 
 def clipped_share(values: Array) -> float:
-    """Share of the samples (1) that lie flat at the limits of a record, entered by a jump; 0 where a few do.
+    """Share of the samples (1) that lie flat at the limits of a record, entered by a jump; 0 for only a few.
 
     >>> round(clipped_share(np.clip(np.sin(np.arange(200) * 0.1), -0.9, 0.9)), 3)
     0.225
@@ -337,7 +336,7 @@ def _clipping(values: Array, at: str) -> list[Finding]:
 
 
 def _flat_samples(values: Array, limit: float, jump: float) -> int:
-    """Count samples in inner runs at ``limit`` that begin and end by more than ``jump``."""
+    """Number of samples in inner runs at ``limit`` that are entered and left by more than ``jump``."""
     starts, ends = _runs(values, CLIPPED_RUN)
     at_limit = values[starts] == limit
     starts, ends = starts[at_limit], ends[at_limit]
@@ -346,7 +345,7 @@ def _flat_samples(values: Array, limit: float, jump: float) -> int:
 
 
 def _runs(values: Array, fewest: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """First sample, and the one behind the last, of each run of equal samples that is not at an end of the record."""
+    """First sample, and the one after the last, of each run of equal samples within the record (not at its ends)."""
     edges = np.flatnonzero(np.diff(values)) + 1
     starts, ends = edges[:-1], edges[1:]
     long = ends - starts >= fewest

@@ -1,4 +1,4 @@
-"""What a reader of files is: what it is told about a file, and what it gives of it."""
+"""Interface of file readers: the options that they receive, and the table that they return."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from jounce.core.findings import Finding
 
 @dataclass(frozen=True)
 class ReaderOptions:
-    """What the user tells about a file that it does not contain.
+    """Facts about a file that it does not contain itself.
 
     Attributes
     ----------
@@ -21,7 +21,7 @@ class ReaderOptions:
     header : str
         Names and units of the columns in their order: ``"displacement [mm], force [N]"``; empty: those of the file.
     database : Path or None
-        Database of bus messages (``.dbc``, ``.arxml``) with which recorded bus frames (``.mf4``) are decoded.
+        Database of bus messages (``.dbc``, ``.arxml``) used to decode recorded bus frames (``.mf4``).
     """
 
     variable: str = ""
@@ -33,8 +33,8 @@ class ReaderOptions:
 class SignalTable:
     """Columns of a file, numbers and units as written, and what else it contains.
 
-    ``others`` are tables of signals that are sampled at other instants than the columns, each with its own ``time``;
-    ``left_out`` names what is no signal over time; ``findings`` are doubts about the file.
+    ``others`` are tables of signals sampled at other instants than the columns, each with its own ``time``;
+    ``left_out`` names data that are no signals over time; ``findings`` are warnings about the file.
     """
 
     columns: ColumnTable
@@ -46,7 +46,7 @@ class SignalTable:
 
     @property
     def tables(self) -> tuple[ColumnTable, ...]:
-        """The columns, and those at other instants."""
+        """The columns, and the tables at other instants."""
         return self.columns, *self.others
 
 
@@ -55,7 +55,7 @@ Read = Callable[[Path, ReaderOptions], SignalTable]
 
 @dataclass(frozen=True)
 class Reader:
-    """A file format that can be read.
+    """A readable file format.
 
     Attributes
     ----------
@@ -63,22 +63,22 @@ class Reader:
         Short name.
     label : str
         What it is, for lists.
-    suffixes : tuple of str
+    Description, for lists.
         File suffixes in lower case, with the dot.
     read : callable
         Gives the file's columns.
-    source : str
+    Returns the file's columns.
         Definition of the format.
     example : str
         A file of this format, or how one is written.
     extra : str
-        Extra of jounce that is needed; empty for none.
+        Required extra of jounce; empty for none.
     has_variables : bool
         Whether the file holds several matrices or groups, of which the user may choose one.
     has_database : bool
         Whether its bus frames are decoded with a database.
     is_isolated : bool
-        Whether it is read in a child process with limits of memory and time: formats of jounce that are not text.
+        Whether it is read in a child process with limited memory and time: binary formats read by jounce itself.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""File formats that can be read: each is one function with its row, which the decorator puts into ``READERS``."""
+"""Readable file formats: each is one function with its row in ``READERS``, added by a decorator."""
 
 from __future__ import annotations
 
@@ -42,20 +42,20 @@ from jounce.recordings.hdf5 import announcement, check_size
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.labview import FIRST, plain_columns
 from jounce.recordings.matlab import read_matrices
-from jounce.recordings.netcdf import Group, opened
+from jounce.recordings.netcdf import VariableGroup, open_netcdf
 from jounce.recordings.parquet import check_counts, check_end
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
 from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
 
 READERS: list[Reader] = []
-"""Every format that can be read, in the order of lists."""
+"""Every readable format, in the order of lists."""
 
 
 def reader(
     name: str, label: str, suffixes: tuple[str, ...], *, source: str, example: str, extra: str = "", **more: bool
 ) -> Callable[[Read], Read]:
-    """Add the decorated function to ``READERS``; the arguments are the fields of its row, a `Reader`."""
+    """Register the decorated function in ``READERS``; the arguments are the fields of its `Reader`."""
 
     def add(read: Read) -> Read:
         READERS.append(Reader(name, label, suffixes, read, source, example, extra, **more))
@@ -80,11 +80,11 @@ def reader_of(path: Path) -> Reader:
 
 
 _MDF = (b"MDF", b"UnFinMF")
-"""What MDF files begin with, whole and unfinished ones."""
+"""First bytes of MDF files, finalised and not."""
 
 
 def is_read_in_child(path: Path) -> bool:
-    """Whether a file is of a format that a child process reads, where this process can have one."""
+    """Whether a child process reads files of this format, and this process can start one."""
     is_known = any(path.suffix.lower() in known.suffixes for known in READERS)
     return is_possible() and is_known and reader_of(path).is_isolated
 
@@ -123,20 +123,20 @@ def _read_here(chosen: Reader, path: Path, options: ReaderOptions) -> SignalTabl
 
 
 def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
-    """Refuse what a reader gives that is no table: every column needs as many plain numbers as the others."""
-    whole = [column for column in table if column.fault is None]
-    for column in whole:
+    """Refuse a reader's result that is no table: every column needs the same number of plain numbers."""
+    sound = [column for column in table if column.fault is None]
+    for column in sound:
         if not _is_signal(column.values):
             raise RecordingError(
                 f"a column is no row of real numbers: the reader {reader.name!r} does not know this file",
                 where=f"{path}: {column.label}",
                 found=f"shape {np.shape(column.values)}, {getattr(column.values, 'dtype', 'no array')}",
             )
-    if len({column.values.size for column in whole}) > 1:
+    if len({column.values.size for column in sound}) > 1:
         raise RecordingError(
             f"the columns have different lengths: the reader {reader.name!r} does not know this file",
             where=str(path),
-            found=", ".join(f"{column.label}: {column.values.size}" for column in whole),
+            found=", ".join(f"{column.label}: {column.values.size}" for column in sound),
         )
 
 
@@ -146,7 +146,7 @@ def _is_signal(values: object) -> bool:
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """What libraries log about damaged files is said by findings."""
+    """Silence libraries that log about damaged files: findings report the damage."""
     with PROCESS_SETTINGS:
         before = logging.root.manager.disable
         logging.disable(logging.CRITICAL)
@@ -157,8 +157,8 @@ def _quiet() -> Iterator[None]:
 
 
 @contextmanager
-def _understood(path: Path, what: str) -> Iterator[None]:
-    """Whatever a library raises over a file is one refusal: damaged files make them raise errors of any kind."""
+def _refuse_if_damaged(path: Path, what: str) -> Iterator[None]:
+    """Turn any error of a library into one refusal: damaged files raise errors of any kind."""
     try:
         with caught_warnings():
             yield
@@ -170,7 +170,7 @@ def _understood(path: Path, what: str) -> Iterator[None]:
         text = " ".join(str(error).split())[:200]
         with PROCESS_SETTINGS:
             hook = sys.unraisablehook
-            sys.unraisablehook = lambda _: None  # half-made objects print tracebacks of their own when they are freed
+            sys.unraisablehook = lambda _: None  # half-built objects print tracebacks when they are freed
             try:
                 traceback.clear_frames(error.__traceback__)
                 gc.collect()
@@ -180,7 +180,7 @@ def _understood(path: Path, what: str) -> Iterator[None]:
 
 
 def _named(columns: Iterable[Column], path: Path, options: ReaderOptions) -> ColumnTable:
-    """The columns as a table; with a header they get its names and units, in order."""
+    """The columns as a table, with names and units of the header option if given."""
     return _renamed(ColumnTable(tuple(columns), (), str(path)), options.header)
 
 
@@ -255,27 +255,27 @@ def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
 def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
     """Every variable over the dimension of ``time`` (or of most variables) with its ``units`` and ``long_name``.
 
-    Of a file with groups the only one with signals is read, or that of ``options.variable``.
+    Of a file with several groups, ``options.variable`` selects one; otherwise its only group with signals is read.
     """
     columns, long_names, remarks = [], dict[str, str](), []
-    with _understood(path, "a netCDF file"), opened(path) as root:
+    with _refuse_if_damaged(path, "a netCDF file"), open_netcdf(path) as root:
         groups = dict(root.signals())
         place, group = _chosen_group(groups, options.variable, path)
         findings = list(root.findings)
-        dimensions = [one.along for one in group.variables.values() if one.along]
+        dimensions = [variable.along for variable in group.variables.values() if variable.along]
         time = group.variables["time"].along if "time" in group.variables else ""
         along = time or max(dimensions, key=dimensions.count)
-        signals = {name: one for name, one in group.variables.items() if one.along == along}
-        held = {name: one.held() for name, one in signals.items()}
-        for name, one in signals.items():
-            findings += announcement(name, max(one.shape), held[name], str(path))
+        signals = {name: variable for name, variable in group.variables.items() if variable.along == along}
+        held = {name: variable.held() for name, variable in signals.items()}
+        for name, variable in signals.items():
+            findings += announcement(name, max(variable.shape), held[name], str(path))
         rows = min(held.values())
         check_size(rows * len(signals), str(path))
-        for name, one in signals.items():
-            unit, since = one.unit
+        for name, variable in signals.items():
+            unit, since = variable.unit
             bare, own = (name, unit) if unit else name_and_unit(name)
-            columns.append(Column(bare, own, one.values(rows), str(path)))
-            long_names[bare] = str(one.attributes.get("long_name", ""))
+            columns.append(Column(bare, own, variable.values(rows), str(path)))
+            long_names[bare] = str(variable.attributes.get("long_name", ""))
             if since:
                 remarks.append(f"{name!r} is a clock: {unit} since {since}")
         left_out = [name for name in group.variables if name not in signals]
@@ -284,7 +284,7 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
     return SignalTable(table, long_names, group.attributes, tuple(left_out), findings=tuple(findings))
 
 
-def _chosen_group(groups: Mapping[str, Group], variable: str, path: Path) -> tuple[str, Group]:
+def _chosen_group(groups: Mapping[str, VariableGroup], variable: str, path: Path) -> tuple[str, VariableGroup]:
     if variable or (len(groups) > 1 and "" not in groups):
         if variable not in groups:
             raise RecordingError(
@@ -300,7 +300,7 @@ def _chosen_group(groups: Mapping[str, Group], variable: str, path: Path) -> tup
 
 
 _WIDEST = 64
-"""Columns of a matrix up to which it is taken for signals without being named."""
+"""Most columns of a matrix whose columns are read as signals without being named; wider ones are images or maps."""
 
 
 @reader(
@@ -322,18 +322,18 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
     names and units. Variables of one length become columns: that of the matrix with a header, otherwise the most
     frequent one.
     """
-    with _understood(path, "a MATLAB file"):
+    with _refuse_if_damaged(path, "a MATLAB file"):
         matrices, unread, findings, texts = read_matrices(path)
     struct, variable = "", options.variable
     if variable and variable not in matrices:
         within = tuple(variable + mark for mark in ".({")
-        inside = {name: one for name, one in matrices.items() if name.startswith(within)}
+        inside = {name: matrix for name, matrix in matrices.items() if name.startswith(within)}
         if inside:
             matrices, struct, variable = inside, variable, ""
     elif not variable:
         roots = {re.split(r"[.({]", name)[0] for name in matrices}
         struct = next(iter(roots)) if len(roots) == 1 else ""
-    arrays = {name: one.values for name, one in matrices.items()}
+    arrays = {name: matrix.values for name, matrix in matrices.items()}
     heads = parse_header(options.header) if options.header else []
     chosen = _chosen_matrix(arrays, variable, len(heads), path)
     lengths = [int(array.shape[0]) for array in arrays.values() if array.shape[0] > 1]
@@ -347,20 +347,22 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
         )
         raise RecordingError("no numeric variable with more than one row", where=str(path), hint=hint)
     columns = []
-    for name, one in matrices.items():
-        array = one.values
+    for name, matrix in matrices.items():
+        array = matrix.values
         if array.shape[0] == rows and (array.shape[1] <= _WIDEST or name == chosen):
-            own = [(n.removeprefix(f"{struct}."), u, at) for n, u, at in one.columns]
-            named = [(n, u, "") for n, u in heads] if heads and name == chosen else own
+            own = [(n.removeprefix(f"{struct}."), u, at) for n, u, at in matrix.columns]
+            heads_of = [(n, u, "") for n, u in heads] if heads and name == chosen else own
             columns += [
                 Column(n, u, np.array(v, dtype=float), str(path), written=at if at != n else "")
-                for (n, u, at), v in zip(named, array.T, strict=True)
+                for (n, u, at), v in zip(heads_of, array.T, strict=True)
             ]
     left_out = [name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows)]
-    names, told = texts.get("names"), texts.get("long_names")
+    names, stored_names = texts.get("names"), texts.get("long_names")
     long_names = {}
-    if isinstance(names, Mapping) and isinstance(told, Mapping):
-        long_names = {str(name): str(told[key]) for key, name in names.items() if np.size(told.get(key, []))}
+    if isinstance(names, Mapping) and isinstance(stored_names, Mapping):
+        long_names = {
+            str(name): str(stored_names[key]) for key, name in names.items() if np.size(stored_names.get(key, []))
+        }
     return SignalTable(
         ColumnTable(tuple(columns), (), str(path)),
         long_names,
@@ -371,7 +373,7 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Path) -> str:
-    """Variable that gets the header (``width`` names); empty when there is neither."""
+    """Variable that the header (``width`` names) belongs to; empty without header and variable."""
     sizes = ", ".join(f"{name} ({a.shape[0]} x {a.shape[1]})" for name, a in arrays.items() if a.shape[0] > 1)
     if variable and variable not in arrays:
         hint = nearest(variable, arrays)
@@ -404,12 +406,13 @@ def _chosen_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     is_isolated=True,
 )
 def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
-    """Channels of one group (``options.variable``; the only one otherwise) with their ``unit_string``.
+    """Channels of one group (``options.variable``; by default the only one) with their ``unit_string``.
 
-    Time is a channel of its own, or comes from the waveform properties ``wf_start_offset`` and ``wf_increment``.
+    Time is a channel, or follows from the waveform properties ``wf_start_offset`` and ``wf_increment``.
     """
     nptdms = require("nptdms", "io")
-    with _understood(path, "a TDMS file"), _quiet(), path.open("rb") as stream:  # a path would take an index beside it
+    # a stream: with a path the library would also read an index file beside it
+    with _refuse_if_damaged(path, "a TDMS file"), _quiet(), path.open("rb") as stream:
         at, lost = _bytes_without_segment(stream)
         file = nptdms.TdmsFile.read(stream)
         status = file.file_status
@@ -428,26 +431,26 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     if lost:
         text = f"{lost} bytes from byte {at} on belong to no segment: the file is damaged; what lies before was read"
         findings.append(Finding(str(path), "problem", text, float(lost)))
-    for one in group.channels():
-        if one.path in expected and expected[one.path].read_length < expected[one.path].expected_length:
-            lost = expected[one.path].expected_length - expected[one.path].read_length
-            findings += announcement(one.name, len(one) + lost, len(one), where, refused=False)
+    for channel in group.channels():
+        if channel.path in expected and expected[channel.path].read_length < expected[channel.path].expected_length:
+            lost = expected[channel.path].expected_length - expected[channel.path].read_length
+            findings += announcement(channel.name, len(channel) + lost, len(channel), where, refused=False)
     clocks: dict[tuple[float, ...], list[Column]] = {}
-    with _understood(path, "a TDMS file"):
-        for one in group.channels():
-            if len(one) > 1 and one.dtype.kind in "fiu":
-                unit = str(one.properties.get("unit_string", ""))
-                column = Column(one.name, unit, np.array(one[:], dtype=float), str(path))
-                step = one.properties.get("wf_increment")
+    with _refuse_if_damaged(path, "a TDMS file"):
+        for channel in group.channels():
+            if len(channel) > 1 and channel.dtype.kind in "fiu":
+                unit = str(channel.properties.get("unit_string", ""))
+                column = Column(channel.name, unit, np.array(channel[:], dtype=float), str(path))
+                step = channel.properties.get("wf_increment")
                 clock: tuple[float, ...] = ()
                 if step is not None:
-                    clock = (float(step), float(one.properties.get("wf_start_offset", 0.0)))
-                clocks.setdefault(clock if findings else (*clock, len(one)), []).append(column)
+                    clock = (float(step), float(channel.properties.get("wf_start_offset", 0.0)))
+                clocks.setdefault(clock if findings else (*clock, len(channel)), []).append(column)
     if not clocks:
         raise RecordingError("no numeric channel", where=where)
     tables = []
     for clock, columns in clocks.items():
-        held = min(len(column.values) for column in columns)  # of a file that was cut off, what all channels have
+        held = min(len(column.values) for column in columns)  # of a truncated file, the rows that all channels have
         table = [replace(column, values=column.values[:held]) for column in columns]
         if len(clock) > 1 and not any(column.name == "time" for column in table):
             instants = np.asarray(clock[1] + np.arange(held) * clock[0], dtype=np.float64)
@@ -457,14 +460,14 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 def _bytes_without_segment(stream: BinaryIO) -> tuple[int, int]:
-    """Where the last TDMS segment ends, and how many bytes lie behind it; the library leaves them out silently."""
+    """End of the last TDMS segment, and the number of bytes after it, which the library skips silently."""
     size, at = stream.seek(0, os.SEEK_END), 0
     while at + 28 <= size:
         stream.seek(at)
         tag, _, _, length, before_data = struct.unpack("<4sIIQQ", stream.read(28))
-        if tag != b"TDSm" or at + 28 + before_data > size:  # what its channels are is not whole
+        if tag != b"TDSm" or at + 28 + before_data > size:  # its list of channels is incomplete
             break
-        if length == 2**64 - 1:  # the writer did not come to its end
+        if length == 2**64 - 1:  # the writer was interrupted
             at = size
             break
         at = min(at + 28 + length, size)
@@ -485,16 +488,16 @@ def _bytes_without_segment(stream: BinaryIO) -> tuple[int, int]:
 def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
     """Numeric channels by time axis; bus frames (CAN, LIN) are decoded with ``options.database``.
 
-    A signal of a bus message is named as in the database.
+    Signals of bus messages have the names of the database.
     """
     asammdf = require("asammdf", "io")
-    # asammdf 8.1 and later ask lists of columns (MDF 4.2) for `self.self`, and read none of them
-    require("asammdf.blocks.v4_blocks", "io").ListData.self = property(lambda one: one)
+    # asammdf 8.1 and later look up lists of columns (MDF 4.2) as `self.self`, and then read none of them
+    require("asammdf.blocks.v4_blocks", "io").ListData.self = property(lambda data: data)
     findings: list[Finding] = []
     long_names = dict[str, str]()
     with (
         working_folder() as folder,
-        _understood(path, "an MDF file"),
+        _refuse_if_damaged(path, "an MDF file"),
         _quiet(),
         asammdf.MDF(path, temporary_folder=str(folder)) as file,
     ):
@@ -502,7 +505,7 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
         sources = [file]
         if options.database is not None:
             databases = [(str(options.database), 0)]
-            with _understood(options.database, "a database of bus messages"):
+            with _refuse_if_damaged(options.database, "a database of bus messages"):
                 sources.append(file.extract_bus_logging(database_files={"CAN": databases, "LIN": databases}))
         clocks: dict[bytes, list[Column]] = {}
         for source in sources:
@@ -528,8 +531,8 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
                 else "It holds bus frames: give the database (.dbc) that decodes them."
             )
         raise RecordingError("no numeric channel over time", where=str(path), hint=hint)
-    found = _by_clock(list(clocks.values()), path, options, findings=tuple(findings))
-    return replace(found, long_names=long_names, attributes=attributes)
+    signals = _by_clock(list(clocks.values()), path, options, findings=tuple(findings))
+    return replace(signals, long_names=long_names, attributes=attributes)
 
 
 _FRAMES = ("CAN_", "LIN_", "ETH_", "FLX_")
@@ -546,13 +549,13 @@ _TIME_RESPONSE, _FUNCTIONS = 1, 58
     is_isolated=True,
 )
 def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
-    """Time responses, real numbers over the instants of most of them.
+    """Time responses with real values, over the instants of most of them.
 
-    A channel is named after its response entity (or ``point_<node>``), followed by ``:<node><direction>`` when several
-    have that name. Time is in the unit that the data set gives, s where it gives none.
+    A channel is named after its response entity (or ``point_<node>``), followed by ``:<node><direction>`` if the name
+    is not unique. Time has the unit of the data set, s by default.
     """
     pyuff = require("pyuff", "io")
-    with _understood(path, "a universal file"):
+    with _refuse_if_damaged(path, "a universal file"):
         file = pyuff.UFF(str(path))
         kinds = [int(kind) for kind in np.atleast_1d(file.get_set_types())]
         functions = [file.read_sets(index) for index, kind in enumerate(kinds) if kind == _FUNCTIONS]
@@ -560,9 +563,9 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
     if sum(line.strip() == b"-1" for line in path.read_bytes().splitlines()) % 2:
         text = "the last data set has no end: the file was cut off, and that data set was left out"
         findings.append(Finding(str(path), "problem", text))
-    sets = [one for one in functions if one["func_type"] == _TIME_RESPONSE]
+    sets = [data_set for data_set in functions if data_set["func_type"] == _TIME_RESPONSE]
     if not sets:
-        numbers = sorted({int(one["func_type"]) for one in functions})
+        numbers = sorted({int(data_set["func_type"]) for data_set in functions})
         raise RecordingError(
             "no time response",
             where=str(path),
@@ -573,22 +576,23 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
             else "no whole data set",
             allowed=f"data set 58 with functions of type {_TIME_RESPONSE} (time response)",
         )
-    entities = [str(one["rsp_ent_name"]).strip() for one in sets]
+    entities = [str(data_set["rsp_ent_name"]).strip() for data_set in sets]
     names = [
-        entity if entity not in ("", "NONE") else f"point_{one['rsp_node']}"
-        for one, entity in zip(sets, entities, strict=True)
+        entity if entity not in ("", "NONE") else f"point_{data_set['rsp_node']}"
+        for data_set, entity in zip(sets, entities, strict=True)
     ]
     clocks: dict[tuple[str, bytes], list[Column]] = {}
     left_out = []
-    for one, name in zip(sets, names, strict=True):
-        full = name if names.count(name) == 1 else f"{name}:{one['rsp_node']}{one['rsp_dir']:+d}"
-        values, instants = np.ravel(one["data"]), np.asarray(one["x"], dtype=float)
+    for data_set, name in zip(sets, names, strict=True):
+        full = name if names.count(name) == 1 else f"{name}:{data_set['rsp_node']}{data_set['rsp_dir']:+d}"
+        values, instants = np.ravel(data_set["data"]), np.asarray(data_set["x"], dtype=float)
         if np.iscomplexobj(values) or values.size < 2:
             left_out.append(full)
             continue
-        findings += announcement(full, int(one.get("num_pts", values.size)), int(values.size), str(path), refused=False)
+        announced = int(data_set.get("num_pts", values.size))
+        findings += announcement(full, announced, int(values.size), str(path), refused=False)
         held = min(values.size, instants.size)
-        clock, unit = _label(one["abscissa_axis_units_lab"]) or "s", _label(one["ordinate_axis_units_lab"])
+        clock, unit = _label(data_set["abscissa_axis_units_lab"]) or "s", _label(data_set["ordinate_axis_units_lab"])
         columns = clocks.setdefault(
             (clock, instants[:held].tobytes()), [Column("time", clock, instants[:held], str(path))]
         )
@@ -613,27 +617,27 @@ def _label(text: object) -> str:
     is_isolated=True,
 )
 def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
-    """Every column with numbers; its unit from the name (``force [N]``) or the field's metadata (``unit``, ``units``).
+    """Every numeric column; its unit from the name (``force [N]``) or the field's metadata (``unit``, ``units``).
 
-    Instants, durations and times of day (not days) become seconds since the first; the index that pandas
-    writes is a column like the others.
+    Instants, durations and times of day (not days) become seconds since the first; the index that pandas writes
+    counts as a column.
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     columns, long_names = [], dict[str, str]()
-    with _understood(path, "a Parquet file"), parquet.ParquetFile(path, page_checksum_verification=True) as file:
+    with _refuse_if_damaged(path, "a Parquet file"), parquet.ParquetFile(path, page_checksum_verification=True) as file:
         check_counts(file.metadata, path)
         findings = check_end(file.metadata, path)
         table = file.read()
         attributes = attributes_in((table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace"))
         for field_, chunks in zip(table.schema, table.columns, strict=True):
-            told = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
+            metadata = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
             name, unit = name_and_unit(field_.name)
-            unit = unit or told.get("unit") or told.get("units") or ""
-            long_names[name] = told.get("long_name", "")
+            unit = unit or metadata.get("unit") or metadata.get("units") or ""
+            long_names[name] = metadata.get("long_name", "")
             kind, values, fault = field_.type, np.empty(0), None
             if arrow.types.is_temporal(kind) and hasattr(kind, "unit") and _may_be_clock(name, unit):
-                whole = chunks.cast(arrow.int32() if kind.bit_width == 32 else arrow.int64())
-                ticks = whole.to_numpy()  # float, with NaN, where instants are missing
+                integers = chunks.cast(arrow.int32() if kind.bit_width == 32 else arrow.int64())
+                ticks = integers.to_numpy()  # float, with NaN, where instants are missing
                 values, unit = (
                     (ticks - ticks[0]).astype(float) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit],
                     "s",
@@ -654,7 +658,7 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     return SignalTable(_named(columns, path, options), long_names, attributes, findings=tuple(findings))
 
 
-_LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked
+_LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked: a full sheet (a million rows) of ten columns has about half
 
 
 @reader(
@@ -668,39 +672,38 @@ _LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked
     is_isolated=True,
 )
 def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
-    """The only sheet with numbers, or that of ``options.variable``; its cells are read as those of a text file.
+    """The only sheet with numbers, or that of ``options.variable``; cells are read as those of a text file.
 
-    Behind the sheet's name may stand a range of its rows, or cells: ``Run 1!A5:D300``, ``!5:300``.
-    Of formulas the values count that Excel has kept. A workbook that ``write_recording`` wrote tells names, units, long
-    names and attributes in sheets of their own.
+    A range of rows or cells may follow the sheet's name: ``Run 1!A5:D300``, ``!5:300``. Formulas count with the values
+    that Excel stored. A workbook of ``write_recording`` has names, units, long names and attributes in extra sheets.
     """
     require("openpyxl", "io")
-    kept: dict[str, list[list[Any]]] = {}
-    with _understood(path, "an Excel workbook"):
+    sheet_rows: dict[str, list[list[Any]]] = {}
+    with _refuse_if_damaged(path, "an Excel workbook"):
         sheets = sheets_of(path, RecordingError, most_bytes=_LARGEST_WORKBOOK)
         for title, rows in sheets:
-            kept[title] = [row for _, row in rows]
-    is_ours = {*EXCEL} <= kept.keys() and options.variable in ("", EXCEL[0])
+            sheet_rows[title] = [row for _, row in rows]
+    is_ours = {*EXCEL} <= sheet_rows.keys() and options.variable in ("", EXCEL[0])
     sheet, mark, area = (options.variable, "", "")
-    if sheet not in kept and "!" in sheet:
+    if sheet not in sheet_rows and "!" in sheet:
         sheet, mark, area = sheet.rpartition("!")
-    title = EXCEL[0] if is_ours else _chosen_sheet(kept, sheet, path)
+    title = EXCEL[0] if is_ours else _chosen_sheet(sheet_rows, sheet, path)
     if mark:
-        kept[title] = _within(kept[title], area, path)
-    table = _by_cell(_of_sheet(kept[title], options.header, path, title), kept[title], path, title)
+        sheet_rows[title] = _within(sheet_rows[title], area, path)
+    table = _by_cell(_of_sheet(sheet_rows[title], options.header, path, title), sheet_rows[title], path, title)
     if not is_ours:
-        others = tuple(name for name, rows in kept.items() if name != title and _holds_numbers(rows))
-        with _understood(path, "an Excel workbook"):
+        others = tuple(name for name, rows in sheet_rows.items() if name != title and _holds_numbers(rows))
+        with _refuse_if_damaged(path, "an Excel workbook"):
             table = _without_days(table, path, title)
         return SignalTable(table, left_out=others)
-    about = [["" if cell is None else str(cell) for cell in [*row, *[""] * 3][:3]] for row in kept[EXCEL[1]][1:]]
+    about = [["" if cell is None else str(cell) for cell in [*row, *[""] * 3][:3]] for row in sheet_rows[EXCEL[1]][1:]]
     if not options.header and len(about) == len(table):
-        columns = [replace(one, name=name, unit=unit) for one, (name, unit, _) in zip(table, about, strict=True)]
+        columns = [replace(column, name=name, unit=unit) for column, (name, unit, _) in zip(table, about, strict=True)]
         table = replace(table, columns=tuple(columns))
-    with _understood(path, "a recording's workbook"):
+    with _refuse_if_damaged(path, "a recording's workbook"):
         attributes = {
             str(key): json.loads("".join(str(piece) for piece in pieces if piece is not None))
-            for key, *pieces in kept[EXCEL[2]][1:]
+            for key, *pieces in sheet_rows[EXCEL[2]][1:]
         }
     return SignalTable(table, {name: long_name for name, _, long_name in about}, attributes)
 
@@ -709,20 +712,20 @@ _AREA = re.compile(r"\$?([A-Z]*)\$?([1-9]\d*):\$?([A-Z]*)\$?([1-9]\d*)")
 
 
 def _within(rows: list[list[Any]], area: str, path: Path) -> list[list[Any]]:
-    """Rows of a sheet, empty but for a range of rows (``5:300``) or cells (``A5:D300``)."""
-    found = _AREA.fullmatch(area.upper())
-    if found is None or (found[1] == "") != (found[3] == ""):
+    """Rows of a sheet, emptied outside a range of rows (``5:300``) or cells (``A5:D300``)."""
+    match = _AREA.fullmatch(area.upper())
+    if match is None or (match[1] == "") != (match[3] == ""):
         allowed = "rows or cells of a sheet, e.g. 'Run 1!5:300' or 'Run 1!A5:D300'"
         raise RecordingError("not a range", where=f"{path}: variable", found=area, allowed=allowed)
-    first, last = (_place(found[1]), _place(found[3]) + 1) if found[1] else (0, None)
-    top, bottom = int(found[2]), int(found[4])
+    first, last = (_place(match[1]), _place(match[3]) + 1) if match[1] else (0, None)
+    top, bottom = int(match[2]), int(match[4])
     return [
         [*[None] * first, *row[first:last]] if top <= number <= bottom else [] for number, row in enumerate(rows, 1)
     ]
 
 
 def _place(letters: str) -> int:
-    """Place of a sheet's column from 0, by its name.
+    """Index of a sheet's column from 0, by its letters.
 
     >>> [_place(name) for name in ("A", "Z", "AA", "ZZ", "AAA")]
     [0, 25, 26, 701, 702]
@@ -734,7 +737,7 @@ def _place(letters: str) -> int:
 
 
 def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> ColumnTable:
-    """Columns of a sheet, whose errors name its rows."""
+    """Columns of a sheet; their errors name rows of the sheet."""
     try:
         table = columns_in(_as_text(rows), path, len(parse_header(header)) if header else 0)
     except RecordingError as error:
@@ -773,7 +776,7 @@ def _has_number(row: list[Any]) -> bool:
 
 
 def _as_text(rows: list[list[Any]]) -> str:
-    """Cells between tabs, a line a row: of the columns that rows with several cells use, and of titles all."""
+    """Cells separated by tabs, a line for each row, limited to columns used by rows with several cells."""
     filled = [[i for i, cell in enumerate(row) if cell not in (None, "")] for row in rows]
     used = [i for places in filled if len(places) > 1 for i in places]
     first, end = min(used, default=0), max(used, default=-1) + 1
@@ -785,11 +788,11 @@ def _as_text(rows: list[list[Any]]) -> str:
 
 
 def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
-    """Rows in which the unit above durations is s, whether another unit of time is written there or none.
+    """Rows with durations in s, with or without another unit of time above them.
 
-    Durations below anything else stay: a number that is shown as hours is a duration for the library, too.
+    Other durations stay: openpyxl also returns a number that is shown in hours as a duration.
     """
-    found = [list(row) for row in rows]
+    converted = [list(row) for row in rows]
     below = {
         i: n for n, row in reversed([*enumerate(rows)]) for i, cell in enumerate(row) if isinstance(cell, timedelta)
     }
@@ -799,57 +802,59 @@ def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
         is_bare_unit = bool(above) and is_unit(above[-1]) and not names_time(above[-1])
         name, unit = (above[0], above[-1]) if is_bare_unit else name_and_unit(above[-1] if above else "")
         if cells == {timedelta} and _may_be_clock(name, unit):
-            for row in found[n:]:
+            for row in converted[n:]:
                 if i < len(row) and isinstance(row[i], timedelta):
                     row[i] = row[i].total_seconds()
             if above:
-                found[n - 1][i] = "s" if is_bare_unit else f"{name} [s]"
-    return found
+                converted[n - 1][i] = "s" if is_bare_unit else f"{name} [s]"
+    return converted
 
 
 def _may_be_clock(name: str, unit: str) -> bool:
-    """Whether durations and instants below a name and a unit are meant so: below a channel's they are a mistake."""
+    """Whether durations and instants under a name and a unit are a clock; under a channel's name they are a mistake."""
     is_channel = quantity_of(name) and channel_unit(name) != "s"
     return names_time(name) or (not is_channel and (not unit or is_unit_of(unit, "s")))
 
 
 def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) -> ColumnTable:
-    """The table; a column's fault names the sheet's cell, and what is neither number nor text there.
+    """The table; a column's fault names the sheet's cell and the kind of its content.
 
     A known channel is no clock: instants and durations in it are such a fault.
     """
     columns = list(table.columns)
     for place, column in enumerate(columns):
-        old = column.fault or RecordingError("", allowed="a number")
-        line = int(found[1]) if (found := re.search(r", line (\d+): column ", old.where)) else 0
+        reported = column.fault or RecordingError("", allowed="a number")
+        line = int(match[1]) if (match := re.search(r", line (\d+): column ", reported.where)) else 0
         if not (line or (column.fault is None and column.unit == "s" and not _may_be_clock(column.name, "s"))):
             continue
         heads = (column.written or column.label, column.label, column.name)
         below = {i for row in rows for i, cell in enumerate(row) if isinstance(cell, str) and _cell_text(cell) in heads}
         cells = [(n, i, row[i]) for n, row in enumerate(rows, 1) for i in sorted(below) if i < len(row)]
         if line:
-            here = [one for one in cells if one[0] == line and _cell_text(one[2])[:80] == old.found]
+            here = [item for item in cells if item[0] == line and _cell_text(item[2])[:80] == reported.found]
         else:
-            here = [one for one in cells if isinstance(one[2], datetime | time | timedelta)]
+            here = [item for item in cells if isinstance(item[2], datetime | time | timedelta)]
         if not here:
             if line:
-                where = old.where.replace(f", line {line}", f": sheet {sheet!r}, row {line}")
-                fault = RecordingError(old.what, where=where, found=old.found, allowed=old.allowed, hint=old.hint)
-                columns[place] = replace(column, fault=fault)
+                where = reported.where.replace(f", line {line}", f": sheet {sheet!r}, row {line}")
+                new_fault = RecordingError(
+                    reported.what, where=where, found=reported.found, allowed=reported.allowed, hint=reported.hint
+                )
+                columns[place] = replace(column, fault=new_fault)
             continue
         line, i, cell = here[0]
         kind = next((word for kinds, word in _KINDS_OF_CELL if isinstance(cell, kinds)), "")
         kind = "an error" if not kind and str(cell) in _ERRORS_OF_EXCEL else kind
-        fault = RecordingError(
-            f"{kind} in a column of numbers" if kind else old.what,
+        new_fault = RecordingError(
+            f"{kind} in a column of numbers" if kind else reported.what,
             where=f"{path}: sheet {sheet!r}, cell {_letters(i)}{line} (column {heads[0]!r})",
             found=str(cell).upper() if isinstance(cell, bool) else _cell_text(cell)[:80],
-            allowed=old.allowed,
+            allowed=reported.allowed,
             hint="Correct the cell, or format it as a number; rename the column if it is no channel."
             if kind
-            else old.hint,
+            else reported.hint,
         )
-        columns[place] = replace(column, fault=fault)
+        columns[place] = replace(column, fault=new_fault)
     return replace(table, columns=tuple(columns))
 
 
@@ -860,7 +865,7 @@ _ERRORS_OF_EXCEL = ("#DIV/0!", "#NAME?", "#NULL!", "#NUM!", "#REF!", "#VALUE!", 
 
 
 def _letters(column: int) -> str:
-    """Name of a column of a sheet, from 0.
+    """Letters of a sheet's column, from index 0.
 
     >>> [_letters(column) for column in (0, 25, 26, 701, 702)]
     ['A', 'Z', 'AA', 'ZZ', 'AAA']
@@ -869,7 +874,7 @@ def _letters(column: int) -> str:
 
 
 def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
-    """The table with durations in s that pandas wrote: days, shown as whole numbers that they are not."""
+    """The table with durations that pandas wrote converted to s: days, shown as if they were whole numbers."""
     columns, remarks = list(table.columns), list(table.remarks)
     for place, column in enumerate(columns):
         seconds = (column.values * 86400.0).round(9)
@@ -887,7 +892,7 @@ def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
 
 
 def _format_below(path: Path, sheet: str, header: str) -> str:
-    """How a workbook shows the first number below a header."""
+    """Number format of the first number below a header in a workbook."""
     book = require("openpyxl", "io").load_workbook(path, read_only=True, data_only=True)
     try:
         place = None
@@ -901,7 +906,7 @@ def _format_below(path: Path, sheet: str, header: str) -> str:
 
 
 def _cell_text(cell: Any) -> str:
-    """A cell as a text file has it: clocks as ISO 8601 has them."""
+    """A cell as in a text file; dates and times as ISO 8601."""
     if cell is None:
         return ""
     if isinstance(cell, datetime | time):
@@ -917,7 +922,7 @@ def _by_clock(
     left_out: tuple[str, ...] = (),
     findings: tuple[Finding, ...] = (),
 ) -> SignalTable:
-    """Columns on the clock that most of them share, and those on others; columns without a clock are left out."""
+    """Columns on the clock that most of them share, and those on other clocks; columns without a clock are dropped."""
     usual = max(clocks, key=len)
     others = [columns for columns in clocks if columns is not usual]
     timed = [columns for columns in others if columns[0].name == "time"]

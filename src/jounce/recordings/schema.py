@@ -1,4 +1,4 @@
-"""What a recording is: channels on a common time, each with its unit, its name in words and its place."""
+"""Schema of a recording: channels on a common time, each with its unit, its label and its place."""
 
 from __future__ import annotations
 
@@ -72,16 +72,16 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "yaw": ("rad", "yaw angle"),
     "yaw_rate": ("rad/s", "yaw rate"),
 }
-"""SI unit and name in words of every known quantity, by the last word of a channel's name."""
+"""SI unit and label of every known quantity, by the last word of a channel's name."""
 
 
 def place_of(name: str) -> str:
-    """Give the place of a channel: its name without the last word (``sprung`` for ``sprung.az``)."""
+    """Return the place of a channel: its name without the last word (``sprung`` for ``sprung.az``)."""
     return name.rpartition(".")[0]
 
 
 def is_channel(channel: str, name: str) -> bool:
-    """Whether a channel is the one of that name, or that of a corner.
+    """Whether a channel has that name, or ends with it after a corner.
 
     >>> is_channel("front_left.tyre.force", "tyre.force"), is_channel("front_tyre.force", "tyre.force")
     (True, False)
@@ -90,7 +90,7 @@ def is_channel(channel: str, name: str) -> bool:
 
 
 def channels_of(name: str, names: Sequence[str]) -> list[str]:
-    """Channels of that name: the channel itself, or the one of every corner that ends with it."""
+    """Channels of that name: the channel itself, or else the channel of every corner that ends with it."""
     return [name] if name in names else [channel for channel in names if is_channel(channel, name)]
 
 
@@ -99,10 +99,10 @@ def extremes(time: Array, channels: Mapping[str, tuple[Array, str, str]]) -> dic
 
     The channels are those that :func:`recording` takes.
     """
-    found: dict[str, dict[str, str | float]] = {}
+    table: dict[str, dict[str, str | float]] = {}
     for name, (values, unit, _) in channels.items():
         low, high = int(values.argmin()), int(values.argmax())
-        found[name] = {
+        table[name] = {
             "unit": unit,
             "static": float(values[0]),
             "minimum": float(values[low]),
@@ -110,14 +110,14 @@ def extremes(time: Array, channels: Mapping[str, tuple[Array, str, str]]) -> dic
             "maximum": float(values[high]),
             "time_of_maximum": float(time[high]),
         }
-    return found
+    return table
 
 
 _OF_BALL_JOINTS = dict.fromkeys(("e0", "e1", "e2", "e3"), "1") | dict.fromkeys(("wx", "wy", "wz"), "rad/s")
 
 
 def quantity_of(name: str) -> str:
-    """Give the known quantity a channel measures, or an empty text.
+    """Return the known quantity that a channel measures, or an empty text.
 
     Examples
     --------
@@ -131,7 +131,7 @@ def quantity_of(name: str) -> str:
 
 
 def state_unit(name: str) -> str:
-    """Give the SI unit of a quantity at rest: a channel's, or that of a joint's coordinate or speed by its name.
+    """Return the SI unit of a channel, or of a joint's coordinate or speed, by its name.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def state_unit(name: str) -> str:
     Returns
     -------
     str
-        SI unit; ``"SI"`` where the name does not tell.
+        SI unit; ``"SI"`` if the name does not determine it.
 
     Examples
     --------
@@ -155,7 +155,7 @@ def state_unit(name: str) -> str:
 
 
 def channel_unit(name: str) -> str:
-    """Give the SI unit a channel must have, by the last word of its name.
+    """Return the SI unit that a channel must have, by the last word of its name.
 
     Parameters
     ----------
@@ -170,7 +170,7 @@ def channel_unit(name: str) -> str:
     Raises
     ------
     RecordingError
-        When the last word is no known quantity.
+        If the last word is no known quantity.
 
     Examples
     --------
@@ -191,7 +191,7 @@ def channel_unit(name: str) -> str:
 
 
 def describe(name: str) -> str:
-    """Give a channel's name in words, e.g. ``"vertical acceleration, sprung"``."""
+    """Return a channel's label, e.g. ``"vertical acceleration, sprung"``."""
     quantity = quantity_of(name)
     words = QUANTITIES[quantity][1] if quantity else name.rpartition(".")[2].replace("_", " ")
     place = place_of(name).replace("_", " ").replace(".", " ")
@@ -201,7 +201,7 @@ def describe(name: str) -> str:
 def recording_of(
     time: ArrayLike, channels: Mapping[str, tuple[ArrayLike, str, str]], attributes: Mapping[str, object] | None = None
 ) -> xr.Dataset:
-    """Put arrays together as a recording; arguments as for :func:`jounce.recording`."""
+    """Make a recording of arrays; arguments as for :func:`jounce.recording`."""
     import xarray as xr
 
     instants = as_samples(time, "s", where="time")
@@ -233,7 +233,7 @@ def _time_axis(instants: Array) -> xr.Dataset:
 
 
 _lasting_time_axis = remembered(_time_axis)
-"""The same for instants that nobody can change: one index serves all runs on them."""
+"""The same for read-only instants: one index serves all runs on them."""
 
 
 def is_spelling(unit: object, si: str) -> bool:
@@ -254,15 +254,15 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Anything; nothing is changed.
+        Any Dataset; it is not changed.
     where : str
         Place named in the errors.
 
     Raises
     ------
     RecordingError
-        For a missing ``time`` in s, time that does not ascend, a channel on another axis, without unit or in another
-        unit than the SI unit of its quantity, or values that are not finite.
+        If ``time`` in s is missing or does not ascend; if a channel is on another axis, has no unit or another unit
+        than the SI unit of its quantity, or values that are not finite.
 
     Examples
     --------
@@ -276,12 +276,12 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
         finite = np.isfinite(variable.values)
         if not finite.all():
             sample = int(np.argmin(finite))
-            found = float(variable.values[sample])
-            raise RecordingError(f"sample {sample + 1} is not a finite number", where=f"{where}: {name}", found=found)
+            value = float(variable.values[sample])
+            raise RecordingError(f"sample {sample + 1} is not a finite number", where=f"{where}: {name}", found=value)
 
 
 def check_units(dataset: xr.Dataset, *, where: str = "recording") -> None:
-    """Refuse a Dataset whose channels are no real numbers over ``time`` (s), each in the SI unit of its quantity."""
+    """Refuse a Dataset with channels that are not real numbers over ``time`` (s) in the SI unit of their quantity."""
     if "time" not in dataset.coords or dataset["time"].dims != ("time",):
         raise RecordingError("no time coordinate", where=where, allowed="a coordinate 'time' in s")
     unit = dataset["time"].attrs.get("units")

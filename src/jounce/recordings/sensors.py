@@ -1,4 +1,4 @@
-"""What a measuring chain does to a signal, so that a simulation can be compared with a record like with like."""
+"""The measuring chain's effect on a signal, so that a simulation can be compared with a record like with like."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ if TYPE_CHECKING:
 
 Initial = Literal["steady", "zero"]
 Datum = Literal["rest", "undeformed", "free offset"]
-_LONGEST_VALUE = 200  # characters
+_LONGEST_VALUE = 200  # characters: a regular expression shall not search long texts
 _LEADING_NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\d.])")
 
 
 @dataclass(frozen=True)
 class ChannelUnit(Unit):
-    """Annotation of a value in the unit of the channel it is for: kept as written until the channel is known."""
+    """Annotation of a value in the unit of its channel: kept as written until the channel is known."""
 
     si: str = "the channel's SI unit"
 
@@ -59,7 +59,7 @@ class ChannelUnit(Unit):
 
 
 class Sensor(Description):
-    """A sensor with its conditioner: what is recorded is a filtered, scaled, noisy image of the motion.
+    """A sensor with its conditioner: the record is a filtered, scaled, noisy image of the motion.
 
     The chain is: zero (``datum``), ``orientation * gain``, AC coupling, band limit; then ``bias`` and ``noise`` are
     added.
@@ -74,15 +74,15 @@ class Sensor(Description):
     bias : float or str
         Constant added to the record, in the channel's unit, e.g. ``"0.2 m/s^2"``.
     noise : float or str
-        Standard deviation of white noise added to every sample, in the channel's unit; only when a seed is given.
+        Standard deviation of white noise added to every sample, in the channel's unit; only if a seed is given.
     gain : float
         Recorded over true size, 1 by default.
     orientation : {1, -1}
         -1 for a sensor mounted upside down.
     datum : {"rest", "undeformed", "free offset"} or None
-        Where the record is zero: at rest before the run (a displacement sensor or load cell that was zeroed), where the
-        model counts from (undeformed springs, design position, no force), or anywhere, so that a constant is fitted
-        with the parameters. None: found from the quiet start of the recording.
+        Zero of the record: at rest before the run (a displacement sensor or load cell that was zeroed), the zero of
+        the model (undeformed springs, design position, no force), or arbitrary, so that a constant is fitted with the
+        parameters. None: determined from the quiet start of the recording.
 
     Examples
     --------
@@ -108,16 +108,16 @@ class Sensor(Description):
 
     @property
     def is_ideal(self) -> bool:
-        """Whether the record is the motion itself (apart from noise)."""
+        """Whether the record is the motion itself, apart from noise."""
         return self == Sensor(noise=self.noise)
 
 
 def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") -> Array:
     """The sensor's filters as second-order sections ``b0 b1 b2 a0 a1 a2``, shape (0 to 2, 6), without gain.
 
-    The high pass by bilinear transform, exact at its corner; the low pass with the poles of the analogue filter, its
-    delay of what is slow, and -3 dB at its corner: by bilinear transform it would come 7 % of its delay early at 0.15
-    of the rate, which a fit makes up for. Corners must lie below half the ``sample_rate`` (Hz).
+    The high pass is a bilinear transform, exact at its corner. The low pass has the poles of the analogue filter, its
+    delay at low frequency, and -3 dB at its corner: a bilinear transform would be early by 7 % of the delay at 0.15 of
+    the rate, an error that a fit would compensate. Corners must lie below half the ``sample_rate`` (Hz).
     """
     sections = []
     if sensor.high_pass is not None:
@@ -131,7 +131,7 @@ def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") ->
 
 
 def _low_pass(corner: float) -> list[float]:
-    """Second-order Butterworth low pass as a section; the corner in radians a sample."""
+    """Second-order Butterworth low pass as a section; ``corner`` in radians per sample."""
     if corner < _SLOW:
         w = math.tan(0.5 * corner)
         scale = 1.0 + math.sqrt(2.0) * w + w * w
@@ -150,16 +150,16 @@ def _low_pass(corner: float) -> list[float]:
     return [level - late + more, late - 2.0 * more, more, 1.0, a1, a2]
 
 
-_SLOW = 0.03  # radians a sample, below which the bilinear transform differs by less than 1e-4 of the delay
+_SLOW = 0.03  # radians per sample, below which the delay of the bilinear transform errs by less than 1e-4
 
 
 def filter_signals(
     values: ArrayLike, sample_rate: float, sensor: Sensor, *, initial: Initial = "steady", where: str = "sensor"
 ) -> Array:
-    """Send signals through the linear part of a sensor: orientation, gain and filters, without bias and noise.
+    """Apply the linear part of a sensor to signals: orientation, gain and filters, without bias and noise.
 
-    Linear in ``values``, so the same call turns a motion into its record and the motion's derivatives with respect to
-    parameters into the record's derivatives.
+    Linear in ``values``: the same call turns a motion into its record, and derivatives of the motion by parameters
+    into those of the record.
 
     Parameters
     ----------
@@ -170,8 +170,8 @@ def filter_signals(
     sensor : Sensor
         Description of the chain.
     initial : {"steady", "zero"}
-        ``"steady"``: the filters have seen the first sample for ever, so a signal at rest starts without a transient;
-        ``"zero"``: they have seen nothing.
+        ``"steady"``: the first sample has been constant before the record, so a signal at rest starts without a
+        transient; ``"zero"``: the signal was zero.
     where : str
         Channel named in errors.
 
@@ -183,7 +183,7 @@ def filter_signals(
     Raises
     ------
     RecordingError
-        When a corner frequency is not below half the sample rate.
+        If a corner frequency is not below half the sample rate.
 
     Examples
     --------
@@ -208,7 +208,7 @@ def filter_signals(
 
 
 def _steady_state(sections: Array) -> Array:
-    """States of the sections after a constant 1, in transposed direct form II; shape (sections, 2)."""
+    """States of the sections for a constant input of 1, in transposed direct form II; shape (sections, 2)."""
     states, level = np.zeros((len(sections), 2)), 1.0
     for index, (b0, b1, b2, _, a1, a2) in enumerate(sections.tolist()):
         settled = level * (b0 + b1 + b2) / (1.0 + a1 + a2)
@@ -218,7 +218,7 @@ def _steady_state(sections: Array) -> Array:
 
 
 def bias_of(sensor: Sensor, unit: str, *, where: str = "bias") -> float:
-    """The sensor's bias in the channel's SI ``unit``; it has no derivative with respect to model parameters."""
+    """The sensor's bias in the channel's SI ``unit``; it does not depend on model parameters."""
     return to_si(sensor.bias, unit, where=where)
 
 
@@ -228,7 +228,7 @@ def noise_of(sensor: Sensor, unit: str, *, where: str = "noise") -> float:
 
 
 def check_sensors(sensors: Mapping[str, Sensor], where: str) -> None:
-    """Refuse values of sensors in a unit that is not that of their channel, before anything is computed."""
+    """Refuse sensor values in a unit that does not fit the channel, before anything is computed."""
     for name, sensor in sensors.items():
         unit = channel_unit(name)
         bias_of(sensor, unit, where=f"{where}: {name}.bias")
@@ -236,28 +236,28 @@ def check_sensors(sensors: Mapping[str, Sensor], where: str) -> None:
 
 
 def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None) -> xr.Dataset:
-    """Turn a simulated motion into what the sensors would have recorded.
+    """Turn a simulated motion into the record of its sensors.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        A recording on uniform time (s), at rest at its first sample, which is the zero of sensors with datum "rest".
+        A recording on uniform time (s), at rest at its first sample: the zero of sensors with datum "rest".
     sensors : mapping of str to Sensor
-        Sensor of each channel that has one; the other channels stay as they are.
+        Sensor of each channel that has one; other channels are not changed.
     seed : int, optional
-        Seed of the noise; without it no noise is added. The noise of a channel depends on the seed and its name only.
+        Seed of the noise; no noise without it. The noise of a channel depends only on the seed and its name.
 
     Returns
     -------
     xarray.Dataset
-        A new recording; nothing in ``dataset`` is changed.
+        A new recording; ``dataset`` is not changed.
 
     Raises
     ------
     DescriptionError
-        For a sensor on a channel that the recording does not have, or a bias or noise in another kind of unit.
+        If a sensor's channel is not in the recording, or a bias or noise has a unit of another dimension.
     RecordingError
-        When a corner frequency is not below half the sample rate.
+        If a corner frequency is not below half the sample rate.
 
     Examples
     --------

@@ -1,6 +1,6 @@
 """Signals at a constant rate.
 
-Filters without phase, resampling, derivatives, shifts in time and the lag between two records.
+Zero-phase filters, resampling, derivatives, shifts in time and the lag between two records.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from jounce.core.types import Array
 from jounce.core.units import as_number
 
 _TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
-_ANTI_ALIAS_ORDER = 8
-_ANTI_ALIAS_SHARE = 0.4
+_ANTI_ALIAS_ORDER = 8  # two passes: -3 dB at the corner, -24 dB at half the new rate
+_ANTI_ALIAS_SHARE = 0.4  # of the new rate: the corner; four fifths of the new band remain
 _UNEVEN = 1e-3  # share of the step by which steps may differ for a filter
-_JITTER = 0.01  # share by which the usual step of an uneven time may miss the wanted one
-_GAP = 10.0  # usual steps above which nothing is known between two samples
-_MOST_INSTANTS = 1e8
+_JITTER = 0.01  # share by which the usual step of an uneven time may miss the requested step
+_GAP = 10.0  # usual steps: a spline across a wider gap overshoots, so a line replaces it
+_MOST_INSTANTS = 1e8  # 0.8 GB for each channel
 
 
 def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None:
@@ -36,7 +36,7 @@ def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None
 
 
 def _signals(values: ArrayLike, what: str, fewest: int) -> Array:
-    """Signals with samples along the first axis, enough of them for what is to be done."""
+    """Signals with samples along the first axis; refused if there are too few for the purpose ``what``."""
     signals = as_samples(values, where="signal")
     count = len(signals) if signals.ndim else 0
     if count < fewest:
@@ -45,8 +45,8 @@ def _signals(values: ArrayLike, what: str, fewest: int) -> Array:
 
 
 def _check_finite(*signals: Array) -> None:
-    for one in signals:
-        finite = np.isfinite(one).reshape(len(one), -1).all(axis=1)
+    for signal in signals:
+        finite = np.isfinite(signal).reshape(len(signal), -1).all(axis=1)
         if not finite.all():
             raise RecordingError(f"sample {int(np.argmin(finite)) + 1} is not a finite number", where="signal")
 
@@ -59,7 +59,7 @@ def band_limit(
     below: float | None = None,
     order: int = 2,
 ) -> Array:
-    """Filter by Butterworth forwards and backwards: the phase stays, -3 dB lies exactly at the given frequencies.
+    """Filter by Butterworth forwards and backwards: no phase, -3 dB exactly at the given frequencies.
 
     Parameters
     ----------
@@ -68,9 +68,9 @@ def band_limit(
     sample_rate : float
         Samples per second in Hz.
     above : float, optional
-        Keep what is faster than this frequency in Hz (high pass).
+        Corner of the high pass in Hz: faster motion passes.
     below : float, optional
-        Keep what is slower than this frequency in Hz (low pass).
+        Corner of the low pass in Hz: slower motion passes.
     order : int
         Order of one pass; two passes double the steepness.
 
@@ -82,7 +82,7 @@ def band_limit(
     Raises
     ------
     RecordingError
-        For a frequency that is not below half the sample rate, or a signal too short to filter.
+        If a frequency is not below half the sample rate, or the signal too short to filter.
 
     Notes
     -----
@@ -160,7 +160,7 @@ def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> A
     Raises
     ------
     RecordingError
-        When the sample rate is below 10 times the class, or the signal too short.
+        If the sample rate is below 10 times the class, or the signal too short.
 
     Examples
     --------
@@ -174,7 +174,7 @@ def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> A
 
 
 def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Array, Array]:
-    """Give signals at another constant rate.
+    """Resample signals to another constant rate.
 
     Parameters
     ----------
@@ -183,7 +183,7 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     values : array_like, shape (n,) or (n, k)
         Signals in SI or any other unit, samples along the first axis.
     sample_rate : float
-        Wanted samples per second in Hz.
+        New sample rate in Hz.
 
     Returns
     -------
@@ -191,14 +191,14 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
         From the first instant in steps of ``1 / sample_rate`` s up to the last instant.
     values : ndarray, shape (m,) or (m, k)
         Cubic spline through the samples; a line across gaps of more than 10 usual steps, where a spline overshoots.
-        When the rate is reduced, the signals are band-limited first (phase-free, at 0.4 of the new rate), so that
-        nothing folds back.
+        If the rate is reduced, the signals are band-limited first (zero phase, at 0.4 of the new rate) against
+        aliasing.
 
     Raises
     ------
     RecordingError
-        For a rate that is not positive, fewer than two samples, lengths that differ, or more instants than the
-        memory holds.
+        If the rate is not positive, there are fewer than two samples, lengths differ, or the instants do not fit
+        into memory.
 
     Examples
     --------
@@ -225,9 +225,9 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
 
 
 def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
-    """Instants from the first in steps of ``1 / sample_rate`` up to the last (s); refused where they are too many."""
+    """Instants from the first in steps of ``1 / sample_rate`` up to the last (s); refused if they are too many."""
     duration = last - first
-    count = duration * sample_rate * (1.0 + 1e-12) + 1e-9
+    count = duration * sample_rate * (1.0 + 1e-12) + 1e-9  # rounding must not drop the last instant
     if not count < _MOST_INSTANTS:
         raise RecordingError(
             "too many instants",
@@ -240,14 +240,14 @@ def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
 
 
 def read_at(instants: Array, signals: Array, wanted: Array, sample_rate: float) -> Array:
-    """Signals at uniform instants within the record, band-limited where ``sample_rate`` is below that of the record."""
+    """Signals at uniform instants within the record, band-limited if ``sample_rate`` is below that of the record."""
     steps = np.diff(instants)
     mean = float(instants[-1] - instants[0]) / (instants.size - 1)
     is_even = float(np.abs(steps - mean).max()) <= _UNEVEN * mean
     usual = mean if is_even else float(np.median(steps))
     if sample_rate * usual >= 1.0 - (1e-9 if is_even else _JITTER):
         return _between(instants, signals, wanted, usual)
-    if not is_even:  # a filter needs uniform samples: some in each wanted step
+    if not is_even:  # a filter needs uniform samples: at least one for each recorded step
         fine = sample_rate * math.ceil(1.0 / (sample_rate * usual))
         even = uniform_instants(float(instants[0]), float(instants[-1]), fine)
         signals, instants, mean = _between(instants, signals, even, usual), even, 1.0 / fine
@@ -259,7 +259,7 @@ def _between(instants: Array, signals: Array, wanted: Array, usual: float) -> Ar
     """Cubic spline through the samples, and a line across gaps."""
     from scipy.interpolate import CubicSpline
 
-    found = np.asarray(CubicSpline(instants, signals)(np.clip(wanted, instants[0], instants[-1])), dtype=float)
+    values = np.asarray(CubicSpline(instants, signals)(np.clip(wanted, instants[0], instants[-1])), dtype=float)
     gaps = np.flatnonzero(np.diff(instants) > _GAP * usual)
     if len(gaps):
         place = np.clip(np.searchsorted(instants, wanted, side="right") - 1, 0, instants.size - 2)
@@ -267,8 +267,8 @@ def _between(instants: Array, signals: Array, wanted: Array, usual: float) -> Ar
         left = place[within]
         share = np.clip((wanted[within] - instants[left]) / (instants[left + 1] - instants[left]), 0.0, 1.0)
         share = share.reshape(-1, *(1,) * (signals.ndim - 1))
-        found[within] = signals[left] * (1.0 - share) + signals[left + 1] * share
-    return found
+        values[within] = signals[left] * (1.0 - share) + signals[left + 1] * share
+    return values
 
 
 def derivative(values: ArrayLike, sample_rate: float) -> Array:
@@ -290,7 +290,7 @@ def derivative(values: ArrayLike, sample_rate: float) -> Array:
     Raises
     ------
     RecordingError
-        For fewer than three samples.
+        If there are fewer than three samples.
 
     Examples
     --------
@@ -305,7 +305,7 @@ _CONSTANT = 1e-9  # share of a signal's variance below which a part of it counts
 
 
 def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
-    """Delay signals by any time, also by a part of a sample.
+    """Delay signals by any time, also by a fraction of a sample.
 
     Parameters
     ----------
@@ -314,13 +314,13 @@ def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
     sample_rate : float
         Samples per second in Hz.
     lag : float
-        Delay in s; positive makes the signals come later: the result at t is the signal at ``t - lag``.
+        Delay in s; positive delays the signals: the result at t is the signal at ``t - lag``.
 
     Returns
     -------
     ndarray, shape of ``values``
-        Cubic spline through the samples in the same unit, read at the shifted instants; before the first and after the
-        last sample the signal keeps that sample's value.
+        Cubic spline through the samples in the same unit, evaluated at the shifted instants; the first and the last
+        value continue beyond the ends.
 
     Examples
     --------
@@ -331,7 +331,7 @@ def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
 
 
 def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> tuple[Array, Array]:
-    """Delay signals, and say how the result changes with the delay (for estimating the delay in a fit).
+    """Delay signals, and differentiate the result by the delay (to estimate the delay in a fit).
 
     Parameters
     ----------
@@ -345,14 +345,14 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     Returns
     -------
     shifted : ndarray, shape of ``values``
-        As ``shift_signals`` gives it.
+        As returned by ``shift_signals``.
     derivative : ndarray, shape of ``values``
         Derivative of ``shifted`` with respect to ``lag``, in the unit of ``values`` per s; 0 beyond its ends.
 
     Raises
     ------
     RecordingError
-        For fewer than two samples.
+        If there are fewer than two samples.
 
     Examples
     --------
@@ -376,7 +376,7 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
 def estimate_lag(
     reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, maximum_lag: float | None = None
 ) -> float:
-    """Estimate by how much one signal comes later than another.
+    """Estimate the delay of one signal after another.
 
     Parameters
     ----------
@@ -385,19 +385,19 @@ def estimate_lag(
     sample_rate : float
         Samples per second in Hz.
     maximum_lag : float, optional
-        Largest delay looked for in s, either way, at most half the record; a fifth of the record by default.
+        Largest delay considered in s, either way, at most half the record; by default a fifth of the record.
 
     Returns
     -------
     float
-        Delay of ``compared`` in s, positive when it comes later: ``compared(t)`` is about ``reference(t - lag)``.
-        Maximum of the correlation coefficient of the overlapping parts, refined below a sample by a parabola. 0 when
-        one of the signals is constant.
+        Delay of ``compared`` in s, positive if it is later: ``compared(t)`` is about ``reference(t - lag)``. Maximum
+        of the correlation coefficient of the overlapping parts, refined below a sample by a parabola. 0 if one of the
+        signals is constant.
 
     Raises
     ------
     RecordingError
-        For signals of different lengths or fewer than three samples.
+        If the signals have different lengths or fewer than three samples.
 
     Examples
     --------
@@ -433,8 +433,8 @@ def estimate_lag(
 def correlation_coefficients(reference: Array, compared: Array, most: int) -> Array:
     """Correlate the overlapping parts of two signals for every shift, by one Fourier transform.
 
-    Gives the coefficient (-1 to 1) of ``reference[t]`` with ``compared[t + shift]`` about the means of the overlapping
-    parts, for shifts from ``-most`` to ``most`` samples; -1 where one part is constant.
+    Returns the coefficient (-1 to 1) of ``reference[t]`` with ``compared[t + shift]`` about the means of the
+    overlapping parts, for shifts from ``-most`` to ``most`` samples; -1 if one part is constant.
     """
     t, c = reference - reference.mean(), compared - compared.mean()
     shift = np.arange(-most, most + 1)

@@ -1,4 +1,4 @@
-"""Recordings into files of several formats, each of which ``read_recording`` gives back whole."""
+"""Write recordings in several formats that ``read_recording`` reads back completely."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _NUMBERS = "fiub"  # kinds of arrays
-_LONGEST_NAME = 63  # characters of a variable in MATLAB
+_LONGEST_NAME = 63  # characters of a variable in MATLAB (namelengthmax)
 ABOUT = "jounce"
-"""Key under which a file of another format holds the attributes of a recording, as JSON."""
+"""Key of the recording's attributes, as JSON, in files of other formats."""
 
 
 def netcdf_of(dataset: xr.Dataset) -> bytes:
-    """The content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes to it ends the process."""
+    """Content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes would end the process."""
     for name in dataset.variables:
         _check_name(str(name), "/", ".csv or .parquet")
     return bytes(_storable(dataset).to_netcdf(None, engine="h5netcdf"))
 
 
 def _storable(dataset: xr.Dataset) -> xr.Dataset:
-    """The same dataset with attributes a file can hold: what is neither text nor number becomes JSON text."""
+    """The same dataset with attributes that a file can hold: JSON text in place of other objects."""
     copy = dataset.copy(deep=False)
     copy.attrs = {str(key): _characters(_storable_attribute(value)) for key, value in dataset.attrs.items()}
     for variable in copy.variables.values():
@@ -46,7 +46,7 @@ def _storable(dataset: xr.Dataset) -> xr.Dataset:
 
 
 def _characters(value: object) -> object:
-    """ASCII text as netCDF's characters, as the netCDF library writes it: strings are read by few other programs."""
+    """ASCII text as netCDF characters, as the netCDF library writes it: few other programs read strings."""
     return np.bytes_(value.encode()) if isinstance(value, str) and value and value.isascii() else value
 
 
@@ -57,10 +57,10 @@ def _storable_attribute(value: object) -> object:
 
 
 def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
-    """Time and the channels over it, by name; a dataset that holds anything else is refused: it would be lost."""
-    for name, one in dataset.data_vars.items():
-        if one.dims != ("time",) or one.dtype.kind not in _NUMBERS:
-            shape = f"{one.dtype.name} over ({', '.join(map(str, one.dims))})"
+    """Time and its channels by name; refuse a dataset with anything else, which would be lost."""
+    for name, channel in dataset.data_vars.items():
+        if channel.dims != ("time",) or channel.dtype.kind not in _NUMBERS:
+            shape = f"{channel.dtype.name} over ({', '.join(map(str, channel.dims))})"
             raise OutputError(
                 "not a channel of numbers over time",
                 where=str(name),
@@ -68,11 +68,11 @@ def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
                 allowed="numbers over (time)",
                 hint="Leave it out, or write .nc, which holds everything.",
             )
-    return {"time": dataset["time"], **{str(name): one for name, one in dataset.data_vars.items()}}
+    return {"time": dataset["time"], **{str(name): channel for name, channel in dataset.data_vars.items()}}
 
 
 def _check_name(name: str, signs: str, instead: str) -> None:
-    """Refuse a name that a format cannot hold: an empty one, dots, or one with some signs or the end of a line."""
+    """Refuse a name that a format cannot hold: empty, only dots, or with some signs or a line break."""
     if not name.strip(" .") or any(sign in name for sign in (*signs, "\n", "\r")):
         words = " ".join(repr(sign) for sign in signs)
         hint = f"Rename the channel, or write {instead}."
@@ -82,12 +82,12 @@ def _check_name(name: str, signs: str, instead: str) -> None:
 
 
 def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
-    """Refuse texts that a file cannot hold, and units with control characters; a library would name neither.
+    """Refuse texts that a file cannot hold, and units with control characters; libraries name neither in their errors.
 
-    ``attributes`` of the recording are passed over where a format keeps them as JSON in ASCII.
+    ``attributes`` of the recording are not checked for formats that store them as JSON in ASCII.
     """
     holders: dict[str, Any] = {"": dataset} if attributes else {}
-    holders |= {str(name): one for name, one in dataset.variables.items()}
+    holders |= {str(name): variable for name, variable in dataset.variables.items()}
     for name, holder in holders.items():
         texts: list[tuple[str, Any]] = [("channel", name)]
         texts += [(f"{name} attribute".strip(), str(key)) for key in holder.attrs]
@@ -110,7 +110,7 @@ def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
 def _is_unicode(text: str) -> bool:
     try:
         text.encode()
-    except UnicodeEncodeError:  # half of a character, as Python reads names of files that are not UTF-8
+    except UnicodeEncodeError:  # half of a surrogate pair: Python's form of a file name that is not UTF-8
         return False
     return True
 
@@ -126,14 +126,14 @@ def _about(dataset: xr.Dataset) -> str:
 
 
 def attributes_in(text: object) -> dict[str, object]:
-    """Attributes that ``_about`` wrote; none for other texts.
+    """Attributes written by ``_about``; none for other texts.
 
     >>> attributes_in('{"jounce": {"method": "exact"}}'), attributes_in("made by hand")
     ({'method': 'exact'}, {})
     """
     try:
-        found = json.loads(str(text))
-        return dict(found[ABOUT])
+        content = json.loads(str(text))
+        return dict(content[ABOUT])
     except (ValueError, TypeError, KeyError, RecursionError):
         return {}
 
@@ -154,8 +154,8 @@ def matlab_name(name: str) -> str:
     >>> matlab_name("front_left.sprung.az")
     'front_left_sprung_az'
     """
-    found = re.sub(r"\W", "_", name, flags=re.ASCII)[:_LONGEST_NAME]
-    return found if found[:1].isalpha() else f"x{found}"[:_LONGEST_NAME]
+    variable = re.sub(r"\W", "_", name, flags=re.ASCII)[:_LONGEST_NAME]
+    return variable if variable[:1].isalpha() else f"x{variable}"[:_LONGEST_NAME]
 
 
 def _mat_of(dataset: xr.Dataset) -> bytes:
@@ -210,13 +210,13 @@ def _mdf_of(dataset: xr.Dataset) -> bytes:
             file.header.description = _about(dataset)
             file.save(buffer, compression=2)
         finally:
-            with suppress(OSError):  # its temporary file, which goes with the folder; as a block it prints a traceback
+            with suppress(OSError):  # its temporary file goes with the folder
                 file.close()
     return buffer.getvalue()
 
 
 def _parquet_of(dataset: xr.Dataset) -> bytes:
-    """A column a channel, with ``units`` and ``long_name`` in its metadata."""
+    """One column for each channel, with ``units`` and ``long_name`` in its metadata."""
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     signals = _signals(dataset)
     fields = [
@@ -235,11 +235,11 @@ def _parquet_of(dataset: xr.Dataset) -> bytes:
 
 
 EXCEL = "recording", "channels", "attributes"
-"""Sheets of a workbook: rows of numbers below ``name [unit]``, what the channels are, attributes as JSON texts."""
+"""Sheets of a workbook: rows of numbers under ``name [unit]``, names of the channels, attributes as JSON texts."""
 
 
 def _xlsx_of(dataset: xr.Dataset) -> bytes:
-    """A column a channel; a sheet of their names, units and long names, and one of the attributes."""
+    """One column for each channel; a sheet of their names, units and labels, and a sheet of the attributes."""
     signals = _signals(dataset)
     for name, signal in signals.items():
         _check_name(name, "".join(CONTROL.findall(name)), ".nc")
@@ -258,17 +258,18 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
     heads = [f"{name} [{_unit(signal)}]" for name, signal in signals.items()]
     numbers = zip(*(np.asarray(signal.values, dtype=float).tolist() for signal in signals.values()), strict=True)
     channels = [
-        (name, _unit(one), CONTROL.sub(" ", str(one.attrs.get("long_name", "")))) for name, one in signals.items()
+        (name, _unit(signal), CONTROL.sub(" ", str(signal.attrs.get("long_name", ""))))
+        for name, signal in signals.items()
     ]
     texts = {key: json.dumps(value, ensure_ascii=False) for key, value in json.loads(_about(dataset))[ABOUT].items()}
     texts = {key: CONTROL.sub(lambda sign: f"\\u{ord(sign[0]):04x}", text) for key, text in texts.items()}
     attributes = [(CONTROL.sub(" ", key), *wrapped(text)) for key, text in texts.items()]
-    found: dict[str, list[Sequence[float | str]]] = {
+    sheets: dict[str, list[Sequence[float | str]]] = {
         EXCEL[0]: [heads, *numbers],
         EXCEL[1]: [("channel", "unit", "long name"), *channels],
         EXCEL[2]: [("attribute", "value, as JSON"), *attributes],
     }
-    return workbook_of(found)
+    return workbook_of(sheets)
 
 
 def _writer(content: Callable[[xr.Dataset], bytes], *, attributes: bool = True) -> Callable[[xr.Dataset, Path], object]:
