@@ -56,7 +56,7 @@ def check(
                 "ok": not item.problems,
                 "what": item.what,
                 "problems": list(item.problems),
-                "notes": list(item.notes),
+                "notes": list(map(str, item.notes)),
                 **({"parameters": item.parameters} if parameters else {}),
             }
             for item in checked

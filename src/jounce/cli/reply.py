@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.text import Text
 
-    from jounce.core.findings import Finding, Severity
+    from jounce.core.catalogue import Severity
+    from jounce.core.findings import Finding
     from jounce.identify.estimate import Estimate
 
 

@@ -213,8 +213,14 @@ def named(value: object) -> str:
 
 def nearest(name: str, options: Iterable[str]) -> str:
     """Return the sentence ``did you mean 'x'?``, or an empty text when nothing is near."""
+    match = nearest_name(name, options)
+    return f"Did you mean {match!r}?" if match else ""
+
+
+def nearest_name(name: str, options: Iterable[str]) -> str:
+    """Return the option that a name was probably meant for, or an empty text when nothing is near."""
     match = difflib.get_close_matches(name[:_LONGEST_VALUE], list(options), n=1, cutoff=0.6)
-    return f"Did you mean {match[0]!r}?" if match else ""
+    return match[0] if match else ""
 
 
 def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") -> DescriptionError:

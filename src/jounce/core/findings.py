@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from dataclasses import dataclass, field, replace
+from typing import Any, get_args
 
+from jounce.core.catalogue import Language, Severity, row_of, sentence
 from jounce.core.errors import JounceError, OutputError
 from jounce.core.shown import Shown
 from jounce.core.text import shortened
-
-Severity = Literal["note", "warning", "problem"]
 
 
 @dataclass(frozen=True)
@@ -27,15 +26,93 @@ class Finding(Shown):
         One sentence that says what was found and what to do.
     value : float or None
         The number behind it, SI, where there is one.
+    code : str
+        Its row of a catalogue, such as ``parts.steep_strut``; empty where the text is all there is.
+    numbers : mapping
+        What the sentence is filled with: numbers in SI, names and words.
     """
 
     place: str
     severity: Severity
     message: str
     value: float | None = None
+    code: str = field(default="", repr=False, compare=False)
+    numbers: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     def __str__(self) -> str:
         return f"{self.severity}: {self.place}: {self.message}"
+
+    def said(self, language: Language = "en", *, decimal: str = ".") -> str:
+        """Give its sentence in a language; the message where it has no code that is known.
+
+        Parameters
+        ----------
+        language : {"en", "de"}
+            The language.
+        decimal : str
+            Decimal mark of its numbers.
+
+        Returns
+        -------
+        str
+            One sentence.
+
+        Examples
+        --------
+        >>> finding("parts.steep_angle", "wheel.toe", 0.35, angle=0.35).said("de", decimal=",")
+        '20,1 ° ist viel; wurden Grad als rad angegeben?'
+        """
+        if language == "en" or row_of(self.code) is None:
+            return self.message
+        return sentence(self.code, self.numbers, language, decimal=decimal)
+
+
+def finding(
+    code: str, place: str, value: float | None = None, /, *, severity: Severity | None = None, **numbers: Any
+) -> Finding:
+    """Make a finding of a row of the catalogue of a package (see `jounce.core.catalogue`).
+
+    Examples
+    --------
+    >>> print(finding("parts.steep_angle", "wheel.toe", 0.35, angle=0.35))
+    warning: wheel.toe: 20.1 deg is a lot; were degrees given as rad?
+    """
+    row = row_of(code)
+    assert row is not None, code
+    plain = {name: str(given) if isinstance(given, Exception) else given for name, given in numbers.items()}
+    known = None if value is None else float(value)
+    return Finding(place, severity or row.severity, sentence(code, plain), known, code, plain)
+
+
+def at_place(place: str, item: Finding) -> Finding:
+    """Give the same finding of another place."""
+    return replace(item, place=place)
+
+
+def finding_of(plain: Mapping[str, Any]) -> Finding:
+    """Give a finding back from plain data, as `to_dict` and ``--json`` write it; older ones have no code."""
+    names = ("place", "severity", "message", "value", "code", "numbers")
+    return Finding(**{name: plain[name] for name in names if name in plain})
+
+
+def with_german(plain: Any) -> Any:
+    """Give plain data again in which every finding with a code has its German sentence, as ``german``.
+
+    Examples
+    --------
+    >>> with_german({"findings": [{"message": "", "code": "parts.steep_angle", "numbers": {"angle": 0.35}}]})
+    ... # doctest: +ELLIPSIS
+    {'findings': [{'message': '', ..., 'german': '20.1 ° ist viel; wurden Grad als rad angegeben?'}]}
+    """
+    if isinstance(plain, Mapping):
+        table = {name: with_german(item) for name, item in plain.items()}
+        code, numbers = table.get("code"), table.get("numbers")
+        if "message" in table and isinstance(code, str) and isinstance(numbers, dict) and row_of(code):
+            table["german"] = sentence(code, numbers, "de")
+        return table
+    if isinstance(plain, (list, tuple)) and plain and isinstance(plain[0], (Mapping, list, tuple)):
+        return [with_german(item) for item in plain]
+    return plain
 
 
 def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
@@ -57,7 +134,7 @@ def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
 def not_drawn(place: str, error: Exception) -> Finding:
     """A problem with drawing, which is one of a picture or a page and never of what was computed."""
     text = str(error) if isinstance(error, JounceError) else f"{type(error).__name__}: {shortened(str(error), 300)}"
-    return Finding(place, "problem", f"could not be drawn: {text.rstrip('.')}. What was computed is whole.")
+    return finding("core.not_drawn", place, error=text.rstrip("."))
 
 
 class DrawingError(OutputError):

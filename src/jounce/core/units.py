@@ -361,17 +361,17 @@ class Unit:
     at_most: float | None = None
     meant: float | None = None  # larger ones are legal, and asked about
 
-    def question(self, value: float) -> str:
-        """What is to be asked about a size (SI) that nothing of a suspension has; empty where it may be meant.
+    def mistaken_for(self, value: float) -> str:
+        """Unit in which a size (SI) that nothing of a suspension has was probably meant; empty where it may be right.
 
-        >>> Unit("N/m").question(22.73), Unit("m", meant=1.0).question(0.01)
-        ('22.73 N/m: a bare number is in N/m; is "22.73 N/mm" meant?', '')
+        >>> Unit("N/m").mistaken_for(22.73), Unit("m", meant=1.0).mistaken_for(0.01)
+        ('N/mm', '')
         """
         low, high, usual = _MEANT.get(self.si, (0.0, math.inf, self.si)) if self.si in _ASKED else (0.0, math.inf, "mm")
         high = high if self.meant is None else self.meant
         if value == 0.0 or low <= abs(value) <= high:
             return ""
-        return f'{value:g} {self.si}: a bare number is in {self.si}; is "{value:g} {usual}" meant?'
+        return usual
 
     def _read(self, value: object) -> float:
         try:

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from jounce.core.findings import Finding, Severity
+from jounce.core.catalogue import Severity
+from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
 from jounce.identify.noise import noise_of

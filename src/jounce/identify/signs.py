@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
+from jounce.core.catalogue import Severity
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.findings import Finding, Severity
+from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.estimate import Estimate, linear_least_squares
 from jounce.recordings.schema import quantity_of

@@ -10,8 +10,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
-from jounce.core.findings import Finding, Severity
+from jounce.core.findings import Finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from jounce.core.findings import Finding, Severity
+from jounce.core.catalogue import Severity
+from jounce.core.findings import Finding
 from jounce.inspection.quantities import Language, Sentence
 
 SENTENCES: dict[str, Sentence] = {
@@ -407,7 +408,7 @@ class Remark(Finding):
 
     Attributes
     ----------
-    place, severity, message, value
+    place, severity, message, value, numbers
         As of every `Finding`; the message is English.
     code : str
         Which sentence of ``SENTENCES``.

@@ -12,6 +12,7 @@ from jounce.core.errors import DescriptionError, JounceError, RecordingError, un
 
 if TYPE_CHECKING:
     from jounce.control import FmuVariable
+    from jounce.core.findings import Finding
 
 
 @dataclass
@@ -22,7 +23,7 @@ class FileCheck:
     kind: str = "unknown"
     what: str = ""
     problems: list[str] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    notes: list[str | Finding] = field(default_factory=list)
     parameters: dict[str, dict[str, float | str]] = field(default_factory=dict)
 
     @contextmanager
@@ -72,7 +73,7 @@ def _check_rig(check: FileCheck) -> None:
     rig = load(check.file)
     check.what = f"{getattr(rig, 'model', 'rig')} with {len(rig.parameters())} parameters"
     check.parameters = _parameters(rig)
-    check.notes += map(str, rig_findings(rig, str(check.file)))
+    check.notes += rig_findings(rig, str(check.file))
     lacks: tuple[str, ...] = getattr(rig, "lacks", ())
     if lacks:
         text = f"it has no {', '.join(lacks)}: its kinematics can be swept, it cannot move."
@@ -98,7 +99,7 @@ def _check_road(check: FileCheck) -> None:
 
     check.kind = "road"
     road = load_road(check.file)
-    check.notes += map(str, road_findings(road, str(check.file)))
+    check.notes += road_findings(road, str(check.file))
     check.what = f"{getattr(road, 'kind', 'road')}, ends at {road.end():g} m"
 
 
@@ -131,7 +132,7 @@ def _check_fmu(check: FileCheck) -> None:
         shown = [_connectable(v) for v in group[:_MANY]]
         more = f" and {len(group) - _MANY} more" if len(group) > _MANY else ""
         check.notes.append(f"{word}: {', '.join(shown) or 'none'}{more}")
-    check.notes += map(str, found.findings)
+    check.notes += found.findings
 
 
 def _connectable(v: FmuVariable) -> str:
@@ -149,7 +150,7 @@ def _check_tester(check: FileCheck) -> None:
     tester = load_tester(check.file)
     check.what = f"{tester.name}: {tester.kind}, evaluated by {tester.method}"
     check.parameters = _parameters(tester)
-    check.notes += map(str, findings_of_tester(tester, str(check.file)))
+    check.notes += findings_of_tester(tester, str(check.file))
 
 
 def _check_limits(check: FileCheck) -> None:
@@ -170,7 +171,7 @@ def _check_header(check: FileCheck, facts: dict[str, Any], text: str) -> None:
         line = line_of(text, tuple(key.split("."))) or line_of(text, (key,))
         with check.step():
             _, findings = read_facts({key: value}, where=f"{check.file}, line {line}")
-            check.notes += map(str, findings)
+            check.notes += findings
 
 
 def _check_measured(check: FileCheck) -> None:
@@ -187,7 +188,7 @@ def _check_measured(check: FileCheck) -> None:
             else:
                 values, findings = read_columns(check.file, tables[kind])
                 check.what = f"{len(next(iter(values.values())))} rows"
-                check.notes += map(str, findings)
+                check.notes += findings
         except RecordingError as error:
             if not error.what.startswith(("no column", "no channel")):  # what readers say of a file of another kind
                 raise
@@ -209,7 +210,7 @@ def _check_recording(check: FileCheck) -> None:
         data, findings = read_record(check.file)
     time = data["time"].to_numpy()
     check.what = f"{', '.join(map(str, data.data_vars))}; {len(time)} samples, {time[-1] - time[0]:g} s"
-    check.notes += map(str, findings)
+    check.notes += findings
 
 
 def _check_campaign(check: FileCheck) -> None:

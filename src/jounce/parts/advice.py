@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from jounce.core.findings import Finding, Severity
+from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import remembered
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.elements import MapDamper, VelocityTable
@@ -77,8 +78,7 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
     >>> found[0].place, round(found[0].value, 3)   # rad
     ('hardpoints.strut_top', 0.575)
     """
-    start = f"{where}: " if where else ""
-    return [Finding(start + item.place, item.severity, item.message, item.value) for item in _found(rig)]
+    return [at_place(f"{where}: {item.place}" if where else item.place, item) for item in _found(rig)]
 
 
 @remembered
@@ -93,12 +93,8 @@ def _found(rig: Rig) -> tuple[Finding, ...]:
         lumped = _vehicle(rig) if isinstance(rig, AnyVehicle) else _at_rest(rig) if isinstance(rig, QuarterCar) else ()
         found = [*_estimated(rig), *lumped]
     asked_of = rig.parameters().keys() - {item.place for item in found}  # not of what stands in for what is left out
-    found += [_warn(path, asked, value) for path, asked, value in questions(rig) if path in asked_of]
+    found += [item for item in questions(rig) if item.place in asked_of]
     return tuple(found)
-
-
-def _warn(place: str, message: str, value: float | None = None, severity: Severity = "warning") -> Finding:
-    return Finding(place, severity, message, None if value is None else float(value))
 
 
 def _is_choice(rig: Rig, path: str) -> bool:
@@ -114,7 +110,7 @@ def _estimated(rig: Rig) -> Iterator[Finding]:
     for entry in rig.estimated:
         is_number = any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known)
         if not is_number and not _is_choice(rig, entry):
-            yield _warn("estimated", f"{entry!r} names no parameter and no part of this rig.", severity="note")
+            yield finding("parts.estimated_unknown", "estimated", entry=entry)
 
 
 def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Finding]:
@@ -123,18 +119,16 @@ def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Findi
     largest = max(sizes.values(), default=0.0)
     if largest > LARGE:
         name = max(sizes, key=sizes.__getitem__)
-        text = f"{name} lies {largest:g} m from the origin: millimetres given as metres? A bare number is in m; "
-        yield _warn(place, text + 'write "150 mm".', largest)
+        yield finding("parts.size_metres", place, largest, name=name, distance=largest)
     if 0.0 < largest < _SMALL:
-        text = f"all points lie within {1e3 * largest:g} mm of the origin: metres given as millimetres?"
-        yield _warn(place, text, largest)
+        yield finding("parts.size_millimetres", place, largest, largest=largest)
 
 
 def _size(rig: Corner) -> Iterator[Finding]:
     yield from size_findings(rig.hardpoints.given(), "hardpoints")
     radius = rig.wheel.radius
     if radius > 2.0 or radius < 0.02:
-        yield _warn("wheel.radius", f"{radius:g} m is no wheel of a car or kart; is the unit right?", radius)
+        yield finding("parts.wheel_radius", "wheel.radius", radius, radius=radius)
 
 
 def _order(rig: Corner) -> Iterator[Finding]:
@@ -142,40 +136,35 @@ def _order(rig: Corner) -> Iterator[Finding]:
     points = rig.hardpoints.given()
     for arm in ("lower_arm", "upper_arm"):
         if f"{arm}_front" in points and points[f"{arm}_front"][0] < points[f"{arm}_rear"][0]:
-            yield _warn(f"hardpoints.{arm}_front", f"lies behind {arm}_rear; x points forward. Are the two swapped?")
+            yield finding("parts.arm_swapped", f"hardpoints.{arm}_front", arm=arm)
     if "upper_ball_joint" in points and points["upper_ball_joint"][2] < points["lower_ball_joint"][2]:
-        yield _warn("hardpoints.upper_ball_joint", "lies below lower_ball_joint; z points up. Are the two swapped?")
+        yield finding("parts.ball_joints_swapped", "hardpoints.upper_ball_joint")
     for arm in ("lower_arm", "upper_arm"):
         ball = arm.replace("arm", "ball_joint")
         if ball in points and f"{arm}_front" in points:
             pivots = [rig.sign * points[f"{arm}_{end}"][1] for end in ("front", "rear")]
             out = rig.sign * points[ball][1] - max(pivots)
             if out < 0.0:
-                text = f"lies {-1e3 * out:.4g} mm inboard of a pivot of its arm; is the sign or the order of y right?"
-                yield _warn(f"hardpoints.{ball}", text, out)
+                yield finding("parts.ball_joint_inboard", f"hardpoints.{ball}", out, distance=-out)
     for rod in ("tie_rod", *(f"link_{i}" for i in range(1, 6))):
         inner, outer = f"{rod}_inner", f"{rod}_outer"
         if inner in points and rig.sign * points[inner][1] > rig.sign * points[outer][1]:
-            yield _warn(f"hardpoints.{inner}", f"lies further out than {outer}. Are the two swapped?", severity="note")
+            yield finding("parts.rod_swapped", f"hardpoints.{inner}", outer=outer)
     for name, point in points.items():
         if rig.sign * point[1] < 0.0 and name not in ("rocker_axis", "arb_pivot", "arb_axis"):
-            text = "lies just across the middle of the car; is the sign of y right?"
-            yield _warn(f"hardpoints.{name}", text, point[1])
+            yield finding("parts.across_the_middle", f"hardpoints.{name}", point[1])
 
 
 def _wheel(rig: Corner) -> Iterator[Finding]:
     height, radius = rig.hardpoints.wheel_centre[2], rig.undeformed_radius
     if abs(height - radius) > 0.2 * radius:
-        state = "pressed in by" if height < radius else "above the road by"
-        text = (
-            f"at design position the tyre is {state} {1e3 * abs(radius - height):.4g} mm: the wheel centre is "
-            f"{1e3 * height:.4g} mm above the road (z = 0), the undeformed radius is {1e3 * radius:.4g} mm."
-        )
-        yield _warn("hardpoints.wheel_centre", text, radius - height)
+        code = "parts.wheel_low" if height < radius else "parts.wheel_high"
+        off = radius - height
+        yield finding(code, "hardpoints.wheel_centre", off, off=abs(off), height=height, radius=radius)
     for name in ("camber", "toe"):
         angle = getattr(rig.wheel, name)
         if abs(angle) > 0.2:
-            yield _warn(f"wheel.{name}", f"{np.degrees(angle):.3g} deg is a lot; were degrees given as rad?", angle)
+            yield finding("parts.steep_angle", f"wheel.{name}", angle, angle=angle)
 
 
 def _strut(rig: Corner) -> Iterator[Finding]:
@@ -183,18 +172,13 @@ def _strut(rig: Corner) -> Iterator[Finding]:
     along, strut = top - bottom, rig.strut
     if strut.on != "rocker":
         if along[2] <= 0.0:
-            yield _warn("hardpoints.strut_top", "does not lie above strut_bottom; z points up. Are the two swapped?")
+            yield finding("parts.strut_swapped", "hardpoints.strut_top")
         elif (angle := float(np.arctan2(abs(along[1]), along[2]))) > STEEP_STRUT:
-            text = (
-                f"the strut leans {np.degrees(angle):.1f} deg from the vertical in front view; struts over 30 deg are "
-                "rejected in the literature, because wheel rate and damping fall with the square of the motion ratio."
-            )
-            yield _warn("hardpoints.strut_top", text, angle)
+            yield finding("parts.strut_leans", "hardpoints.strut_top", angle, angle=angle)
     for name in ("bump_stop", "rebound_stop"):
         stop = getattr(strut, name)
         if stop is not None and stop.gap < 0.0:
-            text = f"the stop is pressed in by {-1e3 * stop.gap:.4g} mm at design position."
-            yield _warn(f"strut.{name}.gap", text, stop.gap)
+            yield finding("parts.stop_pressed_in", f"strut.{name}.gap", stop.gap, gap=-stop.gap)
     yield from _driving("strut.damper", strut.damper)
 
 
@@ -209,8 +193,7 @@ def _driving(place: str, damper: object) -> Iterator[Finding]:
     for index, row in rows.items():
         for velocity, force in zip(damper.velocity, row, strict=True):
             if velocity * force < 0.0:
-                text = f"{force:g} N at {velocity:g} m/s drives the motion, it does not damp it; "
-                yield _warn(f"{place}.force{index}", text + "bump and compression are positive.", force)
+                yield finding("parts.table_drives", f"{place}.force{index}", force, force=force, velocity=velocity)
                 return
 
 
@@ -223,15 +206,14 @@ def _bodies(rig: Corner) -> Iterator[Finding]:
         reach = max(extent, rig.wheel.radius if name in ("upright", "wheel", "arm") else 0.0)
         away = float(np.linalg.norm(np.array(body.centre_of_mass) - own, axis=1).min())
         if away > 1.5 * reach:
-            text = f"lies {1e3 * away:.4g} mm from the nearest of its hardpoints, which are {1e3 * reach:.4g} mm apart."
-            yield _warn(f"bodies.{name}.centre_of_mass", text, away)
+            yield finding(
+                "parts.centre_of_mass_away", f"bodies.{name}.centre_of_mass", away, distance=away, reach=reach
+            )
         gyration = float(np.sqrt(body.inertia.principal_moments[-1] / body.mass))
         if gyration > 1.5 * reach:
-            text = (
-                f"its radius of gyration is {1e3 * gyration:.4g} mm, more than the body can reach "
-                f"({1e3 * reach:.4g} mm); are the units right (kg m^2, about the centre of mass)?"
+            yield finding(
+                "parts.radius_of_gyration", f"bodies.{name}.inertia", gyration, gyration=gyration, reach=reach
             )
-            yield _warn(f"bodies.{name}.inertia", text, gyration)
 
 
 def _bars(rig: Corner) -> Iterator[Finding]:
@@ -244,8 +226,7 @@ def _bars(rig: Corner) -> Iterator[Finding]:
     for axis, name in ((np.array([0.0, 1.0, 0.0]), "its hinge"), (stem / np.linalg.norm(stem), "its stem")):
         lever = float(abs(link @ np.cross(axis, arm)) / np.linalg.norm(link))
         if lever < _LEVER * np.linalg.norm(arm):
-            text = f"passes {name} at {1e3 * lever:.2g} mm: the links hardly hold the T-bar. Move arb_arm_end."
-            yield _warn("hardpoints.arb_link_end", text, lever)
+            yield finding("parts.t_bar_held_loosely", "hardpoints.arb_link_end", lever, axis=name, lever=lever)
 
 
 def _sprung(rig: Corner) -> Iterator[Finding]:
@@ -253,8 +234,7 @@ def _sprung(rig: Corner) -> Iterator[Finding]:
         return
     unused = [name for name in ("centre_of_mass", "inertia", "joint") if getattr(rig.sprung, name) is not None]
     if unused:
-        text = f'{", ".join(unused)} not used: only guide = "vertical+spherical" lets it rotate.'
-        yield _warn("sprung", text, severity="note")
+        yield finding("parts.sprung_unused", "sprung", unused=", ".join(unused))
 
 
 def _statics(rig: Corner) -> Iterator[Finding]:
@@ -263,11 +243,10 @@ def _statics(rig: Corner) -> Iterator[Finding]:
         ratio = motion_ratio(rig)
         needed = 0.0 if rig.guide == "fixed" else static_spring_force(rig)
     except np.linalg.LinAlgError:
-        yield _warn("hardpoints", "the joints do not let the wheel rise at design position, or not in one way only.")
+        yield finding("parts.wheel_locked", "hardpoints")
         return
     if ratio < 0.1:
-        text = f"the spring shortens by only {ratio:.3g} of the wheel's rise; is the strut on the right body?"
-        yield _warn("strut", text, ratio)
+        yield finding("parts.spring_ratio", "strut", ratio, ratio=ratio)
         return
     bar = rig.anti_roll_bar
     if rig.guide == "fixed" or (bar is not None and bar.kind == "z"):
@@ -287,41 +266,31 @@ def _statics(rig: Corner) -> Iterator[Finding]:
     deflection = 0.5 * (low + high) if high < length or low > -length else None
     if rig.besides_strut:  # all springs together, at the wheel
         place = "strut.spring" if "spring" not in rig.without else rig.besides_strut[0]
-        needed, present = needed * ratio + beside, spring_force(rig) * ratio + beside
-        they, where, cure = "all springs together give", "at the wheel centre at design", "the springs stiffer, or give"
+        numbers: dict[str, Any] = {"needed": needed * ratio + beside, "present": spring_force(rig) * ratio + beside}
+        weak, away = "parts.springs_weak", "parts.springs_away"
     else:
-        place, present = "strut.spring", spring_force(rig)
-        they, where = "it has", f"at its design length of {1e3 * length:.4g} mm"
-        cure = "it stiffer, or give it"
+        place, numbers = "strut.spring", {"needed": needed, "present": spring_force(rig), "length": length}
+        weak, away = "parts.spring_weak", "parts.spring_away"
     if deflection is None or deflection > 0.6 * length:
-        text = (
-            f"cannot hold the weight: equilibrium needs {needed:.4g} N, and {they} {present:.4g} N {where}. "
-            f"Make {cure} more preload{'' if rig.besides_strut else ' or a longer free length'}."
-        )
-        yield _warn(place, text, needed)
+        yield finding(weak, place, numbers["needed"], **numbers)
         return
     travel = deflection / ratio
     if abs(travel) > 0.25 * rig.wheel.radius:
-        text = (
-            f"static equilibrium is about {1e3 * abs(travel):.3g} mm of wheel travel into "
-            f"{'bump' if travel > 0.0 else 'rebound'} from design: it needs {needed:.4g} N, and {they} {present:.4g} N "
-            f"{where}."
-        )
-        yield _warn(place, text, travel)
+        direction = "bump" if travel > 0.0 else "rebound"
+        yield finding(away, place, travel, travel=abs(travel), direction=direction, **numbers)
     yield from _pressed("tyre", static_tyre_deflection(rig), 0.3 * rig.wheel.radius)
 
 
 def _pressed(place: str, deflection: float, most: float) -> Iterator[Finding]:
     """A tyre that its load would press flat (m)."""
     if deflection > most:
-        text = f"is pressed in by {1e3 * deflection:.4g} mm under the weight; is the stiffness right?"
-        yield _warn(place, text, deflection)
+        yield finding("parts.tyre_pressed_in", place, deflection, deflection=deflection)
 
 
 def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
     lengths = {path: value for path, value in car.parameters().items() if path.count(".") == 1}
     wrong = [
-        _warn(path, f'{value:g} m: millimetres given as metres? A bare number is in m; write "1290 mm".', value)
+        finding("parts.length_metres", path, value, length=value)
         for path, value in lengths.items()
         if path.endswith((".distance", ".track", ".height", ".roll_centre_height")) and abs(value) > LONGEST
     ]
@@ -331,11 +300,7 @@ def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
     body = car.body
     index = body.pitch_inertia / (body.mass * car.front.distance * car.rear.distance)
     if not INDICES[0] <= index <= INDICES[1]:
-        text = (
-            f"the dynamic index, inertia over mass and both distances, is {index:.3g}; road vehicles have about 0.7 "
-            "to 1.1. Is the inertia that of the body about its centre of gravity?"
-        )
-        yield _warn("body.pitch_inertia", text, index)
+        yield finding("parts.dynamic_index", "body.pitch_inertia", index, index=index)
     for name, other in (("front", car.rear), ("rear", car.front)):
         axle = getattr(car, name)
         mass = 0.5 * body.mass * other.distance / car.wheelbase  # of the body on one wheel, kg
@@ -351,30 +316,26 @@ def _vehicle(car: AnyVehicle) -> Iterator[Finding]:
         if isinstance(axle, WheeledAxle):
             yield from _axle(name, axle, mass, car.gravity)
         if isinstance(axle, FullAxle) and body.height is not None and axle.roll_centre_height > body.height:
-            text = (
-                f"{axle.roll_centre_height:g} m lies above the centre of gravity, {body.height:g} m: "
-                "the body leans into the turn."
+            yield finding(
+                "parts.roll_centre_high",
+                f"{name}.roll_centre_height",
+                axle.roll_centre_height,
+                roll_centre_height=axle.roll_centre_height,
+                height=body.height,
             )
-            yield _warn(f"{name}.roll_centre_height", text, axle.roll_centre_height)
 
 
 def _frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) -> Iterator[Finding]:
     angular = float(np.sqrt(rate / mass))
     frequency = angular / (2.0 * np.pi)
     if not FREQUENCIES[0] <= frequency <= FREQUENCIES[1]:
-        text = (
-            f"the body on this axle would bounce at {frequency:.3g} Hz, {mass:.4g} kg on {rate:.4g} N/m; cars have 1 "
-            "to 2 Hz, race cars up to 5 Hz. The rate is that of one wheel; is its unit right?"
+        yield finding(
+            "parts.body_frequency", f"{name}.spring_rate", frequency, frequency=frequency, mass=mass, rate=rate
         )
-        yield _warn(f"{name}.spring_rate", text, frequency)
     elif axle.damping_coefficient:
         ratio = axle.damping_coefficient / (2.0 * mass * angular)
         if not RATIOS[0] <= ratio <= RATIOS[1]:
-            text = (
-                f"the body on this axle would have the damping ratio {ratio:.3g}; cars have 0.2 to 0.5. "
-                "The coefficient is that of one wheel; is its unit right?"
-            )
-            yield _warn(f"{name}.damping_coefficient", text, ratio)
+            yield finding("parts.body_damping", f"{name}.damping_coefficient", ratio, ratio=ratio)
 
 
 def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
@@ -386,24 +347,24 @@ def _at_rest(rig: QuarterCar) -> Iterator[Finding]:
         return
     rest = (rig.sprung.mass * rig.gravity / np.cos(rig.strut.angle) - spring.preload) / spring.rate
     if stop.gap < rest:
-        text = f"the stop is closed at rest, where the springs are deflected by about {1e3 * rest:.4g} mm."
-        yield _warn("strut.bump_stop.gap", text, stop.gap)
+        yield finding("parts.stop_closed_at_rest", "strut.bump_stop.gap", stop.gap, rest=rest)
 
 
 def _axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> Iterator[Finding]:
     weight = gravity * (mass + axle.unsprung_mass)
     yield from _pressed(f"{name}.tyre", static_deflection(axle.tyre, weight), MOST_PRESSED)
     if axle.unsprung_mass > 0.5 * mass:
-        text = (
-            f"{axle.unsprung_mass:g} kg is more than half of the {mass:.4g} kg that the wheel carries; "
-            "the mass is that of one wheel."
+        yield finding(
+            "parts.unsprung_mass",
+            f"{name}.unsprung_mass",
+            axle.unsprung_mass,
+            unsprung_mass=axle.unsprung_mass,
+            mass=mass,
         )
-        yield _warn(f"{name}.unsprung_mass", text, axle.unsprung_mass)
     if axle.spring_rate is not None:
         rest = mass * gravity / axle.spring_rate
-        text = f"the stop is closed at rest, where the springs are deflected by about {1e3 * rest:.4g} mm."
         if axle.bump_stop is not None and axle.bump_stop.gap < rest:
-            yield _warn(f"{name}.bump_stop.gap", text, axle.bump_stop.gap)
+            yield finding("parts.stop_closed_at_rest", f"{name}.bump_stop.gap", axle.bump_stop.gap, rest=rest)
         if axle.rebound_stop is not None and -axle.rebound_stop.gap > rest:
-            yield _warn(f"{name}.rebound_stop.gap", text, axle.rebound_stop.gap)
+            yield finding("parts.stop_closed_at_rest", f"{name}.rebound_stop.gap", axle.rebound_stop.gap, rest=rest)
     yield from _driving(f"{name}.damper", axle.damper)

@@ -13,6 +13,7 @@ from pydantic import BaseModel, model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
+from jounce.core.findings import Finding, finding
 from jounce.core.remembered import remembered
 from jounce.core.units import Unit
 
@@ -163,14 +164,19 @@ def shown_unit_of(kind: BaseModel, path: str) -> str:
     return "N/m" if order[1] == "0" else f"N/m^{int(order[1]) + 1}"
 
 
-def questions(description: BaseModel) -> list[tuple[str, str, float]]:
-    """Numbers that nothing of a suspension has: path, what is to be asked, and the value (SI)."""
-    found = []
-    for path, value in parameters_of(description).items():
-        asked = quantity_at(description, path).question(value)
-        if asked:
-            found.append((path, asked, value))
-    return found
+def unit_question(place: str, unit: Unit, value: float) -> list[Finding]:
+    """Ask whether a size (SI) was meant in another unit; nothing where it may be right."""
+    meant = unit.mistaken_for(value)
+    return [finding("parts.unit_meant", place, value, value=value, unit=unit.si, meant=meant)] if meant else []
+
+
+def questions(description: BaseModel) -> list[Finding]:
+    """Ask about numbers that nothing of a suspension has, each at its path."""
+    return [
+        question
+        for path, value in parameters_of(description).items()
+        for question in unit_question(path, quantity_at(description, path), value)
+    ]
 
 
 def _units_in(annotation: Any) -> list[Unit]:

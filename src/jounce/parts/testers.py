@@ -13,9 +13,9 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced, read_description
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import DescriptionError, nearest_name
 from jounce.core.files import chosen_file, shipped_files
-from jounce.core.findings import Finding, Severity
+from jounce.core.findings import Finding, finding
 from jounce.core.units import (
     Frequency,
     Mass,
@@ -289,33 +289,37 @@ def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
     >>> [str(finding) for finding in findings_of_tester(tester.with_changes({"sampling_frequency": "500 Hz"}))]
     ['warning: sampling_frequency: 500 Hz is less than its own limits.sampling_frequency_min, 1000 Hz.']
     """
-    found: list[tuple[str, Severity, str]] = []
+    start = f"{where}: " if where else ""
+    found: list[Finding] = []
     known = set(_paths(tester.model_dump(by_alias=True)))
     for entry in tester.estimated:
         if entry not in known:
-            text = f"{entry!r} names no number and no part of this tester. {nearest(entry, known)}"
-            found.append(("estimated", "note", text.rstrip()))
+            near = nearest_name(entry, known)
+            code = "parts.tester_estimated_near" if near else "parts.tester_estimated_unknown"
+            found.append(finding(code, f"{start}estimated", entry=entry, near=near))
     for name in tester.columns:
         if name not in (*CHANNELS, "time"):
-            hint = nearest(name, CHANNELS)
-            text = f"no channel that an evaluation uses. {hint}"
-            found.append((f"columns.{name}", "warning" if hint else "note", text.rstrip()))
+            near = nearest_name(name, CHANNELS)
+            code = "parts.tester_column_near" if near else "parts.tester_column_unknown"
+            found.append(finding(code, f"{start}columns.{name}", near=near))
     programme, limits = tester.programme, tester.limits
     if tester.sampling_frequency < limits.sampling_frequency_min:
-        text = f"{tester.sampling_frequency:g} Hz is less than its own limits.sampling_frequency_min, "
-        found.append(("sampling_frequency", "warning", f"{text}{limits.sampling_frequency_min:g} Hz."))
+        frequency, least = tester.sampling_frequency, limits.sampling_frequency_min
+        place = f"{start}sampling_frequency"
+        found.append(finding("parts.tester_sampling", place, frequency=frequency, least=least))
     if programme.run_down == "controlled" and programme.sweep_rate > limits.sweep_rate_max:
-        text = f"{programme.sweep_rate:g} Hz/s is more than its own limits.sweep_rate_max, "
-        found.append(("programme.sweep_rate", "warning", f"{text}{limits.sweep_rate_max:g} Hz/s."))
+        rate, most = programme.sweep_rate, limits.sweep_rate_max
+        found.append(finding("parts.tester_sweep_rate", f"{start}programme.sweep_rate", rate=rate, most=most))
     low, high = sorted((programme.start_frequency, programme.end_frequency))
     if tester.method == "egea" and not low <= limits.frequency_min < limits.frequency_max <= high:
-        text = (
-            f"the exciter sweeps from {high:g} to {low:g} Hz, but the minimum phase angle is searched for between "
-            f"{limits.frequency_min:g} and {limits.frequency_max:g} Hz."
-        )
-        found.append(("programme", "warning", text))
-    start = f"{where}: " if where else ""
-    return [Finding(f"{start}{place}", severity, text) for place, severity, text in found]
+        numbers: dict[str, Any] = {
+            "high": high,
+            "low": low,
+            "least": limits.frequency_min,
+            "most": limits.frequency_max,
+        }
+        found.append(finding("parts.tester_sweep_range", f"{start}programme", **numbers))
+    return found
 
 
 def _paths(table: dict[str, Any], before: str = "") -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import TypeVar, cast
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.units import to_si
 from jounce.parts.advice import STEEP_STRUT
 from jounce.parts.bodies import Triple
@@ -92,11 +92,7 @@ def strut_angle_findings(angle: float, place: str) -> list[Finding]:
     """Warn of a strut angle (rad) that the literature rejects; ``place`` is where it was set."""
     if abs(angle) <= STEEP_STRUT + 1e-9:
         return []
-    text = (
-        f"the strut leans {np.degrees(angle):.1f} deg from the vertical; over 30 deg is rejected in the literature "
-        "(Adams 1993), because wheel rate and damping fall with the square of the motion ratio."
-    )
-    return [Finding(place, "warning", text, float(angle))]
+    return [finding("parts.strut_leans_estimate", place, angle, angle=angle)]
 
 
 def _ends(rig: Rig) -> tuple[Triple, Triple]:

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from jounce.core.catalogue import Severity
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding, Severity
+from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 from jounce.recordings.schema import channel_unit, place_of, quantity_of

@@ -15,13 +15,13 @@ from pydantic import BeforeValidator, model_validator
 from jounce.core.description import Description
 from jounce.core.errors import RecordingError
 from jounce.core.files import State, existing_file, state_of
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import remembered
 from jounce.core.samples import Listed
 from jounce.core.segments import JUMP, Segments, flat
 from jounce.core.units import Acceleration, Number, PositiveSpeed, Unit
 from jounce.parts import HalfCar, Rig, Vehicle
-from jounce.parts.rig import questions
+from jounce.parts.rig import questions, unit_question
 from jounce.parts.vehicles import FullCar, track_width
 from jounce.recordings.formats import RecordingFormat
 from jounce.roads.measured import (
@@ -203,11 +203,11 @@ class Excitation(RecordingFormat):
         profile = self.profile()
         heights = np.array([*profile.coefficients[:, 0], profile.after])
         if abs(profile.before) > np.ptp(heights):
-            text = (
-                f"heights start at {1e3 * profile.before:.4g} mm and move by {1e3 * np.ptp(heights):.4g} mm: "
-                'the whole rig starts there; datum = "rest" counts them from their start'
+            found.append(
+                finding(
+                    "roads.datum", f"{self.file}: road.z", profile.before, start=profile.before, range=np.ptp(heights)
+                )
             )
-            found.append(Finding(f"{self.file}: road.z", "warning", text, profile.before))
         return found
 
     def _is_plain(self) -> bool:
@@ -465,11 +465,7 @@ _UPRIGHT = 100.0  # slope: within 0.6 degrees
 def _left_out_in_bends(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     """Say what a lumped car does not transfer."""
     if trial.lateral_acceleration is not None and isinstance(rig, FullCar):
-        text = (
-            "a lumped car leaves out the side forces of its unsprung masses, and its weight that leans out with the "
-            "body: load transfer and roll are too small. A car on 3-D corners has both."
-        )
-        yield Finding("trial: lateral_acceleration", "note", text)
+        yield finding("roads.side_forces_left_out", "trial: lateral_acceleration")
 
 
 def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
@@ -503,25 +499,16 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
         *(trial.excitation.findings() if trial.excitation is not None else ()),
     ]
     if trial.speed is not None:
-        asked = Unit("m/s").question(trial.speed)
-        found += [Finding("trial: speed", "warning", asked, trial.speed)] if asked else []
+        found += unit_question("trial: speed", Unit("m/s"), trial.speed)
         for name, road in (("road", trial.road), ("right", trial.right)):
             if road is not None:
                 found += _road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
         found += _rear(trial, behind)
         if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
-            text = (
-                "the road jumps, and the dampers of massless axles pass that on to the body as a blow; "
-                'model an edge as a ramp, e.g. of the shape "cosine" over the length of a tyre\'s contact patch'
-            )
-            found.append(Finding("trial: road", "warning", text))
+            found.append(finding("roads.jump_through_dampers", "trial: road"))
         found += _blows(trial, rig)
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
-            text = (
-                "the left and the right wheels meet the same track; "
-                'the right one is other_track(), or side = "right" in a file.'
-            )
-            found.append(Finding("trial: road", "note", text))
+            found.append(finding("roads.same_track", "trial: road"))
         found += _apart(trial, rig)
     return found
 
@@ -533,11 +520,7 @@ def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
         if not wide or not isinstance(road, Iso8608) or road.side != "right":
             continue
         if abs(road.track - wide) > _AS_FAR * wide:
-            text = (
-                f"its tracks are {road.track:.4g} m apart and the wheels {wide:.4g} m, "
-                f"which makes the body roll by another amount; give both tracks track = {wide:.4g}."
-            )
-            yield Finding(f"trial: {name}", "note", text, road.track)
+            yield finding("roads.tracks_apart", f"trial: {name}", road.track, track=road.track, wheel_track=wide)
 
 
 def road_findings(road: Road, place: str = "") -> list[Finding]:
@@ -545,39 +528,32 @@ def road_findings(road: Road, place: str = "") -> list[Finding]:
     if isinstance(road, SampledRoad):
         return []
     start = f"{place}: " if place else ""
-    return [Finding(f"{start}{path}", "warning", asked, value) for path, asked, value in questions(road)]
+    return [at_place(f"{start}{item.place}", item) for item in questions(road)]
 
 
 def _road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:
     yield from road_findings(road, place)
     driven = speed * duration
     if road.start >= driven:
-        text = (
-            f"the run ends before the obstacle begins, {road.start:g} m from the start; drive longer or start nearer."
-        )
-        yield Finding(place, "warning", text, duration)
+        yield finding("roads.starts_after_run", place, duration, start=road.start)
         return
     span = road.profile().span
     if isinstance(road, SampledRoad):
         if road.recurrence is None and road.end() < driven * (1.0 - 1e-9):
-            text = (
-                f"the road ends after {road.end():g} m and the run drives {driven:g} m; the rest of it is level. "
-                "Shorten the run."
-            )
-            yield Finding(place, "warning", text, road.end())
+            yield finding("roads.ends_before_run", place, road.end(), end=road.end(), driven=driven)
         apart = road.point_spacing() or span
         if speed / (2.0 * apart) < FASTEST:
-            text = (
-                f"its points, {apart:.3g} m apart, show nothing above {speed / (2.0 * apart):.3g} Hz at {speed:g} m/s; "
-                f"wheel hop lies at about {FASTEST:g} Hz. Use a finer profile."
+            yield finding(
+                "roads.points_coarse",
+                place,
+                apart,
+                spacing=apart,
+                highest=speed / (2.0 * apart),
+                speed=speed,
+                hop=FASTEST,
             )
-            yield Finding(place, "warning", text, apart)
     elif output_step is not None and 0.0 < span < FEWEST_OUTPUTS * output_step * speed:
-        text = (
-            f"the obstacle passes in {1e3 * span / speed:.3g} ms and the result has a sample every "
-            f"{1e3 * output_step:g} ms; its peaks are not seen. Use a finer output step."
-        )
-        yield Finding(place, "warning", text, span / speed)
+        yield finding("roads.output_coarse", place, span / speed, duration=span / speed, output_step=output_step)
 
 
 def _rear(trial: Trial, behind: float) -> Iterator[Finding]:
@@ -586,8 +562,7 @@ def _rear(trial: Trial, behind: float) -> Iterator[Finding]:
         return
     driven = speed * trial.duration
     if road.start < driven <= road.start + behind and road.profile().span > 0.0 and not isinstance(road, SampledRoad):
-        text = f"the run ends before the rear axle, {behind:g} m behind, meets the obstacle."
-        yield Finding("trial: duration", "warning", text, trial.duration)
+        yield finding("roads.rear_after_run", "trial: duration", trial.duration, wheelbase=behind)
 
 
 def _loads(trial: Trial) -> Iterator[Finding]:
@@ -596,8 +571,7 @@ def _loads(trial: Trial) -> Iterator[Finding]:
         heights = load.evaluate(np.linspace(0.0, trial.duration, 2 * len(load.edges) + 1))[0]
         given = getattr(trial, name)
         if not np.any(heights) and (given.value or any(given.values)):
-            text = f"it sets in after the run of {trial.duration:g} s is over."
-            yield Finding(f"trial: {name}", "warning", text, trial.duration)
+            yield finding("roads.load_after_run", f"trial: {name}", trial.duration, duration=trial.duration)
 
 
 def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
@@ -607,18 +581,9 @@ def _blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     sides = (1,) if trial.right is None else (1, -1)
     rise = max(float(np.max(trial.segments(side=side).jumps, initial=0.0)) for side in sides)
     if damping > 0.0 and rise > JUMP:
-        text = (
-            f"the road jumps up by {1e3 * rise:.3g} mm: the tyre's damper gives the wheel a blow of "
-            f"{damping * rise:.3g} N*s in no time, with a force and an energy that have no bound; model the edge as a "
-            'ramp, e.g. of the shape "cosine" over the length of the tyre\'s contact patch, or let the tyre envelop it'
-        )
-        yield Finding("trial: road", "warning", text, damping * rise)
+        yield finding("roads.jump_under_tyre_damper", "trial: road", damping * rise, rise=rise, blow=damping * rise)
     if damping > 0.0 and any(_rises_upright(trial.segments(side=side)) for side in sides):
-        text = (
-            "the road rises upright, where the force of the tyre's damper has no bound: the greatest tyre force says "
-            "where the samples lie, and nothing else; let the tyre envelop the road"
-        )
-        yield Finding("trial: road", "warning", text)
+        yield finding("roads.upright_under_tyre_damper", "trial: road")
 
 
 def _rises_upright(signal: Segments) -> bool:

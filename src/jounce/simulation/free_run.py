@@ -11,7 +11,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import AssemblyError, SimulationError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -148,13 +148,10 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             moving = {model.states[i]: float(first[i]) for i in kept}
             first = assemble(model, p, u, moving, redundant="keep").x
         if neutral:
-            notes.append(
-                [Finding(", ".join(neutral), "note", "nothing decides where it rests; it stays where it started")]
-            )
+            notes.append([finding("simulation.neutral", ", ".join(neutral))])
         is_moving = bool(running) or bool(u[1 :: model.facts.track_order].any())
         if not is_moving and (names := falling(compiled, first, u, p)):  # what turns may be held by that
-            text = "it is balanced on a top: the least push, such as rounding, lets it fall; start farther from there"
-            notes.append([Finding(", ".join(dict.fromkeys(map(moved_by, names))), "warning", text)])
+            notes.append([finding("simulation.on_top", ", ".join(dict.fromkeys(map(moved_by, names))))])
 
     mobility = mechanism.freedoms(model).at(first, u, p) if mechanism.collection.constraints else None
 
@@ -164,20 +161,18 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
 
     if model.constraints:
         solution, crossings = run_through(begin, first, times, tolerance, tracks)
-        text = "a singular configuration, passed with other steps"
-        notes.append([Finding(f"{time:.6g} s", "note", text) for time in crossings])
+        notes.append([finding("simulation.singular_passed", f"{time:.6g} s") for time in crossings])
     else:
         solution = begin(first, times, tolerance).run()
     attainable = _attainable(begin, solution, tolerance)
     if attainable is not None:
         steps = solution.steps + solution.rejected
-        text = f"{tolerance:g} is below what rounding allows here and took {steps} steps"
-        text += f"; {attainable:g} can be had with few"
+        note = finding("simulation.tolerance", "tolerance", tolerance=tolerance, steps=steps, attainable=attainable)
         if check and solution.status is Status.TOO_MANY_STEPS:
             raise SimulationError(
-                "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=text
+                "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=note.message
             )
-        notes.append([Finding("tolerance", "warning", text)])
+        notes.append([note])
     if mobility is not None:  # where nothing closes a loop, every freedom is that of a joint by its name
         notes.append([*mobility.findings(is_driven=bool(tracks))])
     reach = samples_reached(solution, compiled.facts, check=check)
@@ -310,7 +305,7 @@ def _prepare(
 def _moved(pose: Assembly) -> list[Finding]:
     """What assembly moved, and which given speeds it changed."""
     return [
-        Finding(one.coordinate, "note", f"assembly moved it from {one.before:.6g} to {one.after:.6g}")
+        finding("simulation.assembly_moved", one.coordinate, before=one.before, after=one.after)
         for one in pose.displacements
     ]
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.errors import SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.seeds import check_seed
 from jounce.core.text import quoted
 from jounce.core.types import Array
@@ -234,18 +234,46 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
     for place in on.places:
         load = on.static_load(place)
         if not limits.wheel_load_min <= load <= limits.wheel_load_max:
-            allowed = f"{limits.wheel_load_min:.0f} to {limits.wheel_load_max:.0f} N"
-            text = f"static wheel load {load:.0f} N is outside of what the tester takes ({allowed})"
-            found.append(Finding(channel(place, "static_load"), "warning", text, load))
+            found.append(
+                finding(
+                    "testers.wheel_load",
+                    channel(place, "static_load"),
+                    load,
+                    load=load,
+                    wheel_load_min=limits.wheel_load_min,
+                    wheel_load_max=limits.wheel_load_max,
+                )
+            )
     if programme.run_down == "controlled":
         if programme.sweep_rate > limits.sweep_rate_max:
-            text = f"the sweep of {programme.sweep_rate:g} Hz/s is faster than {limits.sweep_rate_max:g} Hz/s"
-            found.append(Finding("programme.sweep_rate", "warning", text, programme.sweep_rate))
+            found.append(
+                finding(
+                    "testers.sweep_fast",
+                    "programme.sweep_rate",
+                    programme.sweep_rate,
+                    sweep_rate=programme.sweep_rate,
+                    sweep_rate_max=limits.sweep_rate_max,
+                )
+            )
         swept = abs(programme.start_frequency - programme.end_frequency) / programme.sweep_rate
         if swept < limits.sweep_time_min:
-            text = f"the sweep of {swept:.1f} s is shorter than {limits.sweep_time_min:g} s"
-            found.append(Finding("programme.sweep_rate", "warning", text, swept))
+            found.append(
+                finding(
+                    "testers.sweep_short",
+                    "programme.sweep_rate",
+                    swept,
+                    duration=swept,
+                    sweep_time_min=limits.sweep_time_min,
+                )
+            )
     if tester.sampling_frequency < limits.sampling_frequency_min:
-        text = f"sampled at {tester.sampling_frequency:g} Hz, below {limits.sampling_frequency_min:g} Hz"
-        found.append(Finding("sampling_frequency", "warning", text, tester.sampling_frequency))
+        found.append(
+            finding(
+                "testers.sampling_slow",
+                "sampling_frequency",
+                tester.sampling_frequency,
+                sampling_frequency=tester.sampling_frequency,
+                sampling_frequency_min=limits.sampling_frequency_min,
+            )
+        )
     return found

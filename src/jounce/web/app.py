@@ -15,7 +15,9 @@ from urllib.parse import urlencode
 from pydantic import BaseModel, ConfigDict, Field
 
 from jounce.core.errors import JounceError, OutputError, unforeseen
+from jounce.core.findings import with_german
 from jounce.core.optional import require
+from jounce.core.serialise import to_plain
 from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
@@ -39,6 +41,13 @@ class _Refusal(JSONResponse):
 
     def render(self, content: Any) -> bytes:
         return json.dumps(content).encode()
+
+
+class _Answer(JSONResponse):
+    """Findings carry their German sentence, too."""
+
+    def render(self, content: Any) -> bytes:
+        return super().render(with_german(content))
 
 
 class _Asked(BaseModel):
@@ -151,7 +160,14 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         jobs.end()
         records.end()
 
-    app = FastAPI(title="jounce workbench", version=version, docs_url=None, redoc_url=None, lifespan=living)
+    app = FastAPI(
+        title="jounce workbench",
+        version=version,
+        docs_url=None,
+        redoc_url=None,
+        lifespan=living,
+        default_response_class=_Answer,
+    )
     app.router.route_class = Route
 
     @app.exception_handler(JounceError)
@@ -227,7 +243,7 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
         with only_below(project.root):
             found = check_file(project.inside(path))
-        return {"kind": found.kind, "what": found.what, "problems": found.problems, "notes": found.notes}
+        return {"kind": found.kind, "what": found.what, "problems": found.problems, "notes": to_plain(found.notes)}
 
     @app.get("/api/rig")
     def rig(name: str) -> dict[str, Any]:

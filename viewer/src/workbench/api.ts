@@ -2,7 +2,7 @@
 
 import { lasting } from "../browser";
 import { tr } from "../words";
-import { Refused, told as refused } from "./refusals";
+import { type Finding, Refused, told as refused } from "./refusals";
 
 export interface Entry {
   path: string;
@@ -28,7 +28,7 @@ export interface Checked {
   kind: string;
   what: string;
   problems: Error[];
-  notes: string[];
+  notes: (string | Finding)[];
 }
 export interface RigNumber {
   path: string;
@@ -151,7 +151,7 @@ export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {
-  const found = await get<{ kind: string; what: string; problems: string[]; notes: string[] }>(
+  const found = await get<{ kind: string; what: string; problems: string[]; notes: Checked["notes"] }>(
     `/api/check?${query({ path })}`,
   );
   return { ...found, problems: found.problems.map((one) => new Refused(one)) };

@@ -399,13 +399,27 @@ const placed = (place: string) =>
         .join(": ")
     : place;
 
+/** A finding of the library; those of a catalogue come with their German sentence. */
+export interface Finding {
+  severity?: string;
+  place?: string;
+  message: string;
+  german?: string;
+  numbers?: { error?: string };
+}
+
+/** The sentence of a finding in the language of the page; an error within it is translated by itself. */
+function sentence({ message, german, numbers }: Finding): Node | string {
+  if (!isGerman || !german) return asSaid(message);
+  const error = numbers?.error ?? "";
+  return raised(german.replace(error, () => told(error)));
+}
+
 /** Findings, each with how grave it is and what it is about. */
-export function advised(
-  findings: { severity?: string; place?: string; message: string }[],
-  tag: "p" | "li",
-): HTMLElement[] {
+export function advised(findings: Finding[], tag: "p" | "li"): HTMLElement[] {
   const shown = new Map<string, HTMLElement>();
-  for (const { severity, place, message } of findings)
+  for (const finding of findings) {
+    const { severity, place, message } = finding;
     shown.set(
       `${severity} ${place} ${message}`,
       make(
@@ -413,8 +427,9 @@ export function advised(
         { class: severity === "problem" ? "problem" : tag === "p" ? "muted" : "" },
         ...(severity ? [`${tr(severity)}: `] : []),
         ...(place ? [`${placed(place)}: `] : []),
-        asSaid(message),
+        sentence(finding),
       ),
     );
+  }
   return [...shown.values()];
 }

@@ -14,7 +14,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -458,7 +458,7 @@ class _Subsystem:
         if bushings:
             names = ", ".join(sorted(bushings))
             self.draft.findings.append(
-                Finding(self.draft.at("BUSHING_ASSEMBLY"), "warning", f"not read, the joints are rigid: {names}.")
+                finding("parts.import_bushings_rigid", self.draft.at("BUSHING_ASSEMBLY"), names=names)
             )
         rest = [
             f"{block.name.lower()} {block.usage}"

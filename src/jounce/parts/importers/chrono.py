@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.parts.bodies import TRIANGLE_TOLERANCE, distance_to_line
 from jounce.parts.corners import Corner
@@ -151,12 +151,18 @@ class Reading(Draft):
             )
         cut = moments[0] + moments[1]
         if moments[2] > cut * (1.0 + TRIANGLE_TOLERANCE):
-            message = (
-                f"no body has the principal moments {moments[0]:.5g}, {moments[1]:.5g} and {moments[2]:.5g} kg m^2: "
-                f"the largest is cut to the sum of the others, {cut:.5g}."
-            )
             tensor = axes @ np.diag([moments[0], moments[1], cut]) @ axes.T
-            self.findings.append(Finding(where, "warning", message, float(cut)))
+            self.findings.append(
+                finding(
+                    "parts.import_moments_cut",
+                    where,
+                    cut,
+                    first=moments[0],
+                    second=moments[1],
+                    third=moments[2],
+                    cut=cut,
+                )
+            )
             self.estimated.append(f"bodies.{name}.inertia")
         if self.file.table.get("Vehicle-Frame Inertia") is not True:
             tensor = frame @ tensor @ frame.T
@@ -356,11 +362,8 @@ def _note_what_differs(reading: Reading, names: dict[str, tuple[str, str]]) -> N
     read = {*_READ, *(section for section, _ in names.values()), "Upright", "Strut", "Spindle"}
     unread = [section for section in file.table if section not in read]
     bushed = [section for section in file.table if file.has(section, "Bushing Data")]
-    reading.findings += [Finding(file.at(section), "warning", "this section is not read.") for section in unread]
-    reading.findings += [
-        Finding(file.at(section, "Bushing Data"), "warning", "bushings are not read: the joints are rigid.")
-        for section in bushed
-    ]
+    reading.findings += [finding("parts.import_section_unread", file.at(section)) for section in unread]
+    reading.findings += [finding("parts.import_no_bushings", file.at(section, "Bushing Data")) for section in bushed]
     links = [section for section in file.table if file.has(section, "Universal Joint Axis Link")]
     if links:
         message = "the axes of the universal joints are not read: links do not turn about themselves."

@@ -14,7 +14,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.files import content_of, existing_file
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
@@ -222,7 +222,7 @@ class _Tree:
         here.joints.append((child.get("name", ""), kind, place, axis))
         left = [key for key in ("stiffness", "damping", "frictionloss") if given.get(key, "0").strip("0. ")]
         if left:
-            self.draft.findings.append(Finding(self.draft.at(where), "warning", f"left out: {', '.join(left)}."))
+            self.draft.findings.append(finding("parts.import_left_out", self.draft.at(where), names=", ".join(left)))
 
     def _direction(self, vector: Array, where: str) -> Array:
         size = float(np.linalg.norm(vector))
@@ -491,8 +491,7 @@ class _Tree:
             rates, dampings, losses, lengths = (self._several(given, key, f"tendon {name}") for key in _LAWS)
             rate = rates[0]
             if any(rates[1:]) or any(dampings[1:]):
-                text = "its stiffness or damping is a polynomial, of which the first number is read."
-                self.draft.findings.append(Finding(self.draft.at(name), "warning", text))
+                self.draft.findings.append(finding("parts.import_polynomial", self.draft.at(name)))
             length = float(np.linalg.norm(self.sites[sites[0]][0] - self.sites[sites[1]][0]))
             if rate > 0.0 and len(lengths) == _LENGTHS:  # a dead band: it works beyond either end
                 for stop, gap in (("bump_stop", length - lengths[0]), ("rebound_stop", lengths[1] - length)):

@@ -12,7 +12,7 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.files import content_of, existing_file
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.units import conversion_factor
 from jounce.parts.importers.teim_orbit import SI, UNITS
@@ -250,16 +250,14 @@ def _dropped(name: str, radius: float, rim_radius: float | None, *, has_rim: boo
     if not has_rim:
         return ()
     if rim_radius is None:
-        text = "the file has the force of the rim on the road, but no BOTTOMING_RADIUS: it never acts, and is left out."
-        return (Finding(name, "note", text),)
-    text = "the rim hits the road from a deflection of {:.4g} m on; a rig's tyre leaves it out unless rim is asked for."
-    return (Finding(name, "note", text.format(radius - rim_radius), radius - rim_radius),)
+        return (finding("parts.import_no_bottoming_radius", name),)
+    deflection = radius - rim_radius
+    return (finding("parts.rim_left_out", name, deflection, deflection=deflection),)
 
 
 def _unusual(name: str, found: dict[str, float]) -> tuple[Finding, ...]:
-    text = "the {} {:g} {} is unusual for a tyre; check [UNITS]."
     return tuple(
-        Finding(name, "warning", text.format(key, found[key], unit), found[key])
+        finding("parts.unusual_tyre", name, found[key], key=key, value=found[key], unit=unit)
         for key, (low, high, unit) in _USUAL.items()
         if not low <= found[key] <= high
     )

@@ -223,7 +223,9 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
           ...(problems.length
             ? problems.map(problem)
             : [make("p", { class: "good" }, "Nothing is wrong with it.")]),
-          ...notes.map((one) => make("p", { class: "muted" }, asSaid(one))),
+          ...notes.flatMap((one) =>
+            typeof one === "string" ? make("p", { class: "muted" }, asSaid(one)) : advised([one], "p"),
+          ),
         ),
       (error) => told.replaceChildren(problem(error)),
     );

@@ -1,0 +1,107 @@
+"""What findings say, in English and German: one ``findings.toml`` a package, beside the code that finds them.
+
+A row has a severity and a sentence of each language; ``{name}`` is a number or a text that a finding carries. Numbers
+are SI: ``{travel:.3g mm}`` writes 0.0123 as ``12.3 mm``, ``{share:.0f %}`` writes 0.25 as ``25 %``. Words that are
+filled in (``bump``, ``left``) have their German in the table ``words``. A file is read when a code of it is used.
+"""
+
+from __future__ import annotations
+
+import math
+import string
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+Severity = Literal["note", "warning", "problem"]
+Language = Literal["en", "de"]
+FACTORS = {
+    "mm": 1e3, "%": 100.0, "deg": 180.0 / math.pi, "deg/s": 180.0 / math.pi, "ms": 1e3, "us": 1e6, "um": 1e6,
+    "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3, "bar": 1e-5, "cm": 1e2, "km/h": 3.6, "min": 1.0 / 60.0, "MB": 1e-6,
+}  # fmt: skip
+"""Shown value of one SI unit, by the unit that stands in a sentence; other units are SI themselves."""
+_PACKAGES = Path(__file__).parent.parent
+
+
+@dataclass(frozen=True)
+class Row:
+    """One kind of finding.
+
+    Attributes
+    ----------
+    severity : {"note", "warning", "problem"}
+        How grave it is, unless the place that finds it says otherwise.
+    en, de : str
+        Sentences with fields in braces.
+    """
+
+    severity: Severity
+    en: str
+    de: str
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """Rows of a package by their names, and German of the words that are filled in."""
+
+    rows: Mapping[str, Row]
+    words: Mapping[str, str]
+
+
+@cache
+def catalogue_of(package: str) -> Catalogue:
+    """Read what a package can find; nothing for one without a file."""
+    file = _PACKAGES.joinpath(*package.split("."), "findings.toml")
+    tables = tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    words = tables.pop("words", {})
+    assert all(row["severity"] in get_args(Severity) for row in tables.values())
+    return Catalogue({name: Row(**row) for name, row in tables.items()}, words)
+
+
+def row_of(code: str) -> Row | None:
+    """Give the row of a code such as ``parts.steep_strut``; None where no catalogue has it, as of a newer jounce."""
+    package, _, name = code.rpartition(".")
+    return catalogue_of(package).rows.get(name) if package.isidentifier() else None
+
+
+def sentence(code: str, numbers: Mapping[str, Any], language: Language = "en", *, decimal: str = ".") -> str:
+    """Fill the sentence of a code with its numbers.
+
+    Examples
+    --------
+    >>> sentence("parts.steep_angle", {"angle": 0.35}), sentence("parts.steep_angle", {"angle": 0.35}, "de")
+    ('20.1 deg is a lot; were degrees given as rad?', '20.1 ° ist viel; wurden Grad als rad angegeben?')
+    """
+    row = row_of(code)
+    if row is None:
+        raise KeyError(code)
+    return _Filled(code.rpartition(".")[0], language, decimal).vformat(getattr(row, language), (), numbers)
+
+
+class _Filled(string.Formatter):
+    """Writes numbers in the unit that stands behind their format, and words in the language of the sentence."""
+
+    def __init__(self, package: str, language: Language, decimal: str) -> None:
+        self.words = catalogue_of(package).words if language == "de" else {}
+        self.language, self.decimal = language, decimal
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        digits, _, unit = format_spec.partition(" ")
+        if value is None:  # not a finite number, in a file
+            return "–"
+        if hasattr(value, "said"):
+            return str(value.said(self.language))
+        if isinstance(value, (list, tuple)):
+            return ", ".join(self.format_field(item, format_spec) for item in value)
+        if isinstance(value, str):
+            return format(self.words.get(value, value), digits)
+        text = format(value * FACTORS.get(unit, 1.0) if unit else value, digits)
+        if self.decimal != ".":
+            text = text.replace(".", self.decimal)
+        return f"{text} {_GERMAN_UNITS.get(unit, unit) if self.language == 'de' else unit}" if unit else text
+
+
+_GERMAN_UNITS = {"deg": "°", "deg/s": "°/s"}
