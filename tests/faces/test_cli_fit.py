@@ -125,7 +125,7 @@ def test_decay_as_a_table_with_a_known_stiffness(cli, decay_file: Path) -> None:
     words = ("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--stiffness")
     outcome = cli(*words, "25 N/mm")
     assert outcome.exit_code == 0
-    assert "coulomb force" in outcome.out
+    assert "dry friction force" in outcome.out
     assert "check mass, stiffness at the wheel" in outcome.out  # 16 kg (33.9 rad/s)^2 = 18.4 N/mm
     assert "check mass, stiffness at the wheel" not in cli(*words, "18.39 N/mm").out
 
@@ -356,7 +356,7 @@ def test_a_rate_gyro_has_an_inertia(cli, tmp_path: Path) -> None:
     assert found["stiffness"]["value"] == pytest.approx(0.8 * 23.0**2, rel=1e-4)
     assert "coulomb_force" not in found
     shown = cli(*asked, "--inertia", "0.8 kg*m^2", "--report", "gyro.html", "--figure", "gyro.svg")
-    assert "N*m*s/rad" in shown.out
+    assert "N·m·s/rad" in shown.out
     page = Path("gyro.html").read_text(encoding="utf-8")
     assert "dry friction torque" in page
     assert "stiffness from inertia" in page
@@ -372,7 +372,7 @@ def test_torque_over_angle_on_the_command_line(cli, tmp_path: Path, spring_files
     found = cli(*asked, "--json").json
     assert (found["motion"], found["stiffness"]["value"]) == ("rotation", pytest.approx(5210.0, rel=1e-6))
     shown = cli(*asked, "--report", "twist.html", "--figure", "twist.svg")
-    assert "stiffness N m/rad" in shown.out
+    assert "stiffness [N·m/rad]" in shown.out
     assert "Torque against angle" in Path("twist.html").read_text(encoding="utf-8")
     mixed = cli("fit", "stiffness", twists[0], spring_files[0])
     assert (mixed.exit_code, "not fitted together" in mixed.err) == (2, True)

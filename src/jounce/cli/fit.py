@@ -29,7 +29,7 @@ from jounce.cli.options import (
     write_picture,
     write_report,
 )
-from jounce.cli.reply import Reply, estimates, number, progress, show_findings, show_written, table
+from jounce.cli.reply import Reply, number, progress, show_findings, show_written, table
 from jounce.core.errors import DescriptionError, OutputError, RecordingError, nearest, unknown
 from jounce.core.typed import pairs, positive_quantity, quantity
 
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.design.measured_poses import HardpointFit
-    from jounce.identify.damper import DamperCurve, DamperResult
+    from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.estimate import Estimate
     from jounce.identify.motion import Motion, Quantity
@@ -158,7 +158,7 @@ def stiffness(
     written, missing = _written(picture, page, title, figure, report, force=force)
     written["out"] = out and str(out)
     plain = {"files": [str(file) for file in found], **to_plain(result), "findings": to_plain(findings), **written}
-    return Reply(plain, lambda out: _draw_stiffness(out, result, findings, plain), as_json, missing=missing)
+    return _reply(plain, page, as_json=as_json, missing=missing)
 
 
 def _write_rate(result: StiffnessResult, rig: str, part: str, source: str, out: Path, *, force: bool) -> None:
@@ -283,7 +283,7 @@ def decay(
 
     written, missing = _written(picture, page, title, figure, report, force=force)
     plain = {**_decay_plain(result, measured, channel, findings), **written}
-    return Reply(plain, lambda out: _draw_decay(out, result, findings, plain), as_json, missing=missing)
+    return _reply(plain, page, as_json=as_json, missing=missing)
 
 
 def _inertia(mass: str | None, inertia: str | None, motion: Motion, channel: str) -> dict[str, float]:
@@ -348,62 +348,6 @@ def _decay_plain(
         "r2": getattr(result, "r2", None),
         "findings": to_plain(findings),
     }
-
-
-def _draw_stiffness(
-    out: Console, result: StiffnessResult, findings: tuple[Finding, ...], plain: dict[str, Any]
-) -> None:
-    from jounce.core.display import display_unit
-    from jounce.identify.motion import MOTIONS, spoken
-
-    motion = MOTIONS[result.motion]
-    unit = display_unit(motion.deflection)
-    low, high = (unit.factor * end for end in result.fitted_range)
-    rows = [
-        ("stiffness", result.stiffness, motion.stiffness),
-        (f"intercept ({result.intercept_choice})", result.intercept, motion.force),
-    ]
-    if result.tangent_stiffness is not None:
-        rows.append(("local stiffness at the static load", result.tangent_stiffness, motion.stiffness))
-    if result.law != "linear":
-        rows += [(f"coefficient {i}", item, "SI") for i, item in enumerate(result.coefficients, 1)]
-    out.print(estimates(f"{result.law} law, {low:.4g} to {high:.4g} {unit.name}, R2 = {result.r2:.6f}", rows))
-    rate, force = spoken(motion.stiffness), spoken(motion.force)
-    header = ("trial", f"stiffness {rate}", f"intercept {force}", "loss factor", f"rms residual {force}", "points")
-    trials: list[tuple[object, ...]] = [
-        (
-            trial.name,
-            trial.stiffness.value,
-            trial.intercept and trial.intercept.value,
-            trial.loss_factor,
-            trial.rms_residual,
-            trial.points,
-        )
-        for trial in result.trials
-    ]
-    trials.append(("standard deviation between trials", result.repeatability, None, None, None, None))
-    out.print(table("Trials", header, trials))
-    show_findings(out, findings)
-    show_written(out, plain)
-
-
-def _draw_decay(
-    out: Console, result: DecayResult | CombinedDecay, findings: tuple[Finding, ...], plain: dict[str, Any]
-) -> None:
-    from jounce.identify.motion import MOTIONS
-
-    rows = [
-        (name.replace("_hz", "").replace("_", " "), getattr(result, own), unit)
-        for name, own, unit in _decay_estimates(MOTIONS[result.motion])
-        if own != "quadratic_drag" or result.quadratic_drag is not None
-    ]
-    rows.append(("logarithmic decrement (friction neglected)", result.logarithmic_decrement, "1"))
-    rows.append(("equivalent damping ratio (friction neglected)", result.equivalent_damping_ratio, "1"))
-    runs = getattr(result, "runs", 1)
-    title = "Free decay" if runs == 1 else f"{runs} free decays combined"
-    out.print(estimates(f"{title}, {result.cycles:g} cycles", rows))
-    show_findings(out, findings)
-    show_written(out, plain)
 
 
 @app.command("damper")
@@ -485,11 +429,11 @@ def damper(
     def page() -> Page:
         from jounce.report import damper_page
 
-        return damper_page(result, curve(), findings, title=record.stem)
+        return damper_page(result, curve, findings, title=record.stem)
 
     written, missing = _written(picture, page, record.stem, figure, report, force=force)
     plain = {"file": str(record), **to_plain(result), "findings": to_plain(findings), **written}
-    return Reply(plain, lambda out: _draw_damper(out, result, findings, plain), as_json, missing=missing)
+    return _reply(plain, page, as_json=as_json, missing=missing)
 
 
 def _title(found: Sequence[Path]) -> str:
@@ -512,34 +456,16 @@ def _written(
     return {"figure": drawn, "report": document}, [*missing, *undrawn]
 
 
-def _draw_damper(out: Console, result: DamperResult, findings: tuple[Finding, ...], plain: dict[str, Any]) -> None:
-    from jounce.plots.display import quantity as shown
+def _reply(plain: dict[str, Any], page: Callable[[], Page], *, as_json: bool, missing: Sequence[Finding]) -> Reply:
+    """Answer with the page of the result."""
 
-    rows = [(name.replace("_", " "), found, result.units[name]) for name, found in result.parameters.items()]
-    out.print(
-        estimates(f"{result.law} law, {result.samples} samples of {result.cycles:g} cycles, R2 = {result.r2:.4f}", rows)
-    )
-    out.print(
-        f"NRMSE {100.0 * result.nrmse:.3g} % of the force range, {shown(result.rms_residual, 'N')} r.m.s.; "
-        f"energy per cycle {shown(result.energy_per_cycle, 'J')}, fitted {shown(result.fitted_energy_per_cycle, 'J')}"
-    )
-    out.print(f"the record: stroke positive in {result.stroke_positive}, force positive in {result.force_positive}")
-    out.print(
-        f"for a rig file, positive in compression (bump):\n  [strut]\n  damper = {_toml(result.damper)}", soft_wrap=True
-    )
-    if result.friction is not None:
-        out.print(f"  friction = {_toml(result.friction)}", soft_wrap=True)
-    show_findings(out, findings)
-    show_written(out, plain)
+    def draw(out: Console) -> None:
+        from jounce.cli.terminal import show_page
 
+        show_page(out, page())
+        show_written(out, plain)
 
-def _toml(table: dict[str, Any]) -> str:
-    """Write a table on one line as a rig file takes it."""
-    import tomlkit
-
-    inline = tomlkit.inline_table()
-    inline.update({key: float(f"{value:.6g}") if isinstance(value, float) else value for key, value in table.items()})
-    return inline.as_string()
+    return Reply(plain, draw, as_json, missing=missing)
 
 
 @app.command("hardpoints")

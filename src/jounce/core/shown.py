@@ -12,6 +12,8 @@ from html import escape
 from typing import Any
 
 from jounce.core.display import display_unit
+from jounce.core.results import marks_of, tables_of
+from jounce.core.tables import TextTable
 from jounce.core.text import shortened, visible
 
 _FIRST, _LONGEST_CELL, _LONGEST = 20, 160, 8000  # rows; characters of a cell; characters of all
@@ -31,11 +33,34 @@ class Shown:
 
     def _repr_html_(self) -> str:
         kind: Any = type(self)
-        return html_table(kind.__name__, _summary(kind), list(_rows(self)), _more(self))
+        if not marks_of(kind):
+            return html_table(kind.__name__, _summary(kind), list(_rows(self)), _more(self))
+        tables = list(tables_of(self))
+        titles = [(kind.__name__, _summary(kind)), *((table.title, "") for table in tables[1:])]
+        longest = _LONGEST // len(tables)
+        return "".join(
+            html_table(*title, list(map(tuple, table.rows)), _more(self), table.header, longest=longest)
+            for title, table in zip(titles, tables, strict=True)
+        )
+
+    def __str__(self) -> str:
+        if hasattr(type(self), "model_fields"):
+            return super().__str__()
+        if marks_of(type(self)):
+            return "\n\n".join(map(str, tables_of(self)))
+        return str(TextTable(type(self).__name__, ("field", "value", ""), list(_rows(self)), (0, 1, 2)))
 
 
-def html_table(title: str, subtitle: str, rows: Sequence[Row], more: str, header: Sequence[str] = ()) -> str:
-    """A table with its title, of at most 8000 characters; what it leaves out is counted, with where it is found.
+def html_table(
+    title: str,
+    subtitle: str,
+    rows: Sequence[Sequence[str]],
+    more: str,
+    header: Sequence[str] = (),
+    *,
+    longest: int = _LONGEST,
+) -> str:
+    """A table with its title, of at most ``longest`` characters; it counts what it leaves out, and says where that is.
 
     Examples
     --------
@@ -51,7 +76,7 @@ def html_table(title: str, subtitle: str, rows: Sequence[Row], more: str, header
             f'{_STYLE}<div class="jounce"><strong>{_text(title)}</strong> {_text(subtitle)}<table>{head}{body}</table>'
             f"<small>{_text(note)}</small></div>"
         )
-        if len(text) <= _LONGEST:
+        if len(text) <= longest:
             break
     return text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -510,19 +511,19 @@ class DamperResult(Shown):
         Doubts about record and law.
     """
 
-    law: str
-    parameters: dict[str, Estimate]
+    law: Annotated[str, Shows("law")]
+    parameters: Annotated[dict[str, Estimate], Shows("", lambda fit: fit.units)]
     units: dict[str, str]
-    nrmse: float
-    r2: float
-    rms_residual: float
-    energy_per_cycle: float
-    fitted_energy_per_cycle: float
-    cycles: float
-    samples: int
+    nrmse: Annotated[float, Shows("residual, of the force range", "%", 3)]
+    r2: Annotated[float, Shows("R²", "1", 6)]
+    rms_residual: Annotated[float, Shows("r.m.s. residual", "N")]
+    energy_per_cycle: Annotated[float, Shows("energy per cycle", "J")]
+    fitted_energy_per_cycle: Annotated[float, Shows("energy per cycle of the law", "J")]
+    cycles: Annotated[float, Shows("cycles", "1")]
+    samples: Annotated[int, Shows("samples")]
     displacement_centre: float
-    stroke_positive: StrokePositive
-    force_positive: ForcePositive
+    stroke_positive: Annotated[StrokePositive, Shows("positive stroke of the record")]
+    force_positive: Annotated[ForcePositive, Shows("positive force of the record")]
     damper: dict[str, Any]
     friction: dict[str, float] | None
     findings: tuple[Finding, ...]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.results import Shows
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -37,7 +38,17 @@ from jounce.identify.estimate import (
     uncertainty,
 )
 from jounce.identify.free_response import DecayParameters, alternating, decay_response, decay_slopes
-from jounce.identify.motion import MOTIONS, QUANTITIES, Motion, MotionName, Quantity, motion_of, order_of, spoken
+from jounce.identify.motion import (
+    MOTIONS,
+    QUANTITIES,
+    Motion,
+    MotionName,
+    Quantity,
+    in_motion,
+    motion_of,
+    order_of,
+    spoken,
+)
 from jounce.identify.noise import lost_samples, noise_of, quantum_of
 from jounce.recordings.carried import carried_channel, clock_of
 
@@ -585,8 +596,34 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
 # fit ------------------------------------------------------------------------------------------------------------------
 
 
+def _labelled(before: str, word: str, behind: str = "") -> Callable[[Any], str]:
+    """Label with a word of the motion, such as mass or inertia."""
+    return lambda decay: f"{before} {in_motion(word)(decay)}{behind}"
+
+
 @dataclass(frozen=True)
-class DecayResult(Shown):
+class DecayEstimates(Shown):
+    """What one or several decays say: see :class:`DecayResult`."""
+
+    damping_ratio: Annotated[Estimate, Shows("viscous damping ratio", "1")]
+    damping_coefficient: Annotated[Estimate, Shows("viscous damping coefficient", in_motion("damping"))]
+    coulomb_force: Annotated[Estimate, Shows(_labelled("dry friction", "force_word"), in_motion("force"))]
+    quadratic_drag: Annotated[Estimate | None, Shows("quadratic drag", in_motion("drag"))]
+    natural_frequency_hz: Annotated[Estimate, Shows("natural frequency", "Hz")]
+    equilibrium: Annotated[Estimate | None, Shows("equilibrium position", in_motion("deflection"))]
+    stiffness: Annotated[
+        Estimate, Shows(_labelled("stiffness from", "inertia_word", " and natural frequency"), in_motion("stiffness"))
+    ]
+    logarithmic_decrement: Annotated[Estimate, Shows("logarithmic decrement (friction neglected, for comparison)", "1")]
+
+    @property
+    def equivalent_damping_ratio(self) -> Annotated[Estimate, Shows("damping ratio (friction neglected)", "1")]:
+        """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
+        return _equivalent(self.logarithmic_decrement)
+
+
+@dataclass(frozen=True)
+class DecayResult(DecayEstimates):
     """Damping found from one free decay.
 
     Attributes
@@ -633,29 +670,16 @@ class DecayResult(Shown):
         What weakens the result.
     """
 
-    damping_ratio: Estimate
-    damping_coefficient: Estimate
-    coulomb_force: Estimate
-    quadratic_drag: Estimate | None
-    natural_frequency_hz: Estimate
-    equilibrium: Estimate | None
-    stiffness: Estimate
-    logarithmic_decrement: Estimate
     amplitudes: tuple[float, ...]
     decrements: tuple[float, ...]
     naive_damping_ratios: tuple[float, ...]
-    cycles: float
-    r2: float
+    cycles: Annotated[float, Shows("cycles", "1")]
+    r2: Annotated[float, Shows("R²", "1", 6)]
     rms_residual: float
     window: tuple[float, float]
     parameters: DecayParameters
     quantity: Quantity
     findings: tuple[Finding, ...]
-
-    @property
-    def equivalent_damping_ratio(self) -> Estimate:
-        """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
-        return _equivalent(self.logarithmic_decrement)
 
     @property
     def motion(self) -> MotionName:
@@ -1153,7 +1177,7 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
 
 
 @dataclass(frozen=True)
-class CombinedDecay:
+class CombinedDecay(DecayEstimates):
     """Damping from several decays of the same system.
 
     Attributes
@@ -1174,23 +1198,10 @@ class CombinedDecay:
         Those of the runs, and runs that contradict or copy each other.
     """
 
-    damping_ratio: Estimate
-    damping_coefficient: Estimate
-    coulomb_force: Estimate
-    quadratic_drag: Estimate | None
-    natural_frequency_hz: Estimate
-    equilibrium: Estimate | None
-    stiffness: Estimate
-    logarithmic_decrement: Estimate
-    cycles: float
-    runs: int
+    cycles: Annotated[float, Shows("cycles", "1")]
+    runs: Annotated[int, Shows("decays")]
     motion: MotionName
     findings: tuple[Finding, ...]
-
-    @property
-    def equivalent_damping_ratio(self) -> Estimate:
-        """Damping ratio of a viscous damper alone with the naive decrement [1]: what friction is counted in."""
-        return _equivalent(self.logarithmic_decrement)
 
 
 def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from jounce.core.numbers import estimate_text
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 
@@ -29,6 +30,9 @@ class Estimate(Shown):
     value: float
     standard_error: float | None = None
     interval: tuple[float, float] | None = None
+
+    def __str__(self) -> str:
+        return estimate_text(self, "1")
 
     def has(self, truth: float) -> bool:
         """Tell whether the 95 % interval covers ``truth`` (same unit); False where there is no interval."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 MotionName = Literal["translation", "rotation"]
 Quantity = Literal[
@@ -75,6 +76,16 @@ QUANTITY_OF_UNIT: dict[str, Quantity] = {
     for motion in MOTIONS.values()
     for unit, quantity in zip(motion.units, motion.quantities, strict=True)
 }
+
+
+def in_motion(name: str) -> Callable[[Any], str]:
+    """Give a function that looks up a unit or a word of a result's ``motion``, such as its unit of ``stiffness``."""
+
+    def look_up(result: Any) -> str:
+        found: str = getattr(MOTIONS[result.motion], name)
+        return found
+
+    return look_up
 
 
 def motion_of(quantity: Quantity) -> Motion:

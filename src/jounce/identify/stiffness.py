@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +13,9 @@ from numpy.typing import ArrayLike
 from jounce.core.catalogue import Severity
 from jounce.core.errors import FitError, unknown
 from jounce.core.findings import Finding
+from jounce.core.results import Shows
 from jounce.core.samples import as_samples
+from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import as_number
@@ -34,7 +36,7 @@ from jounce.identify.force_deflection import (
     renamed,
     seat,
 )
-from jounce.identify.motion import MOTIONS, Motion, MotionName, spoken
+from jounce.identify.motion import MOTIONS, Motion, MotionName, in_motion, spoken
 
 # force laws -----------------------------------------------------------------------------------------------------------
 
@@ -234,24 +236,30 @@ def _increasing(values: Array, weights: Array) -> Array:
 
 
 Intercept = Literal["drop", "shift", "keep"]
+INTERCEPTS: dict[Intercept, str] = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}
+_RATE, _FORCE, _DEFLECTION = in_motion("stiffness"), in_motion("force"), in_motion("deflection")
 
 
 @dataclass(frozen=True)
-class TrialStiffness:
+class TrialStiffness(Plain):
     """What one trial shows by itself: ``stiffness`` [N/m] as in :class:`StiffnessResult`, from this trial alone.
 
     ``intercept`` [N] is the force of the fitted line at zero deflection, None for laws without one; ``loss_factor`` [1]
     is energy lost / (2 pi work of loading), None without an unloading branch, as is the ``hysteresis_energy`` of the
-    cycle [J]; ``rms_residual`` [N] is that of measured minus fitted force over the ``points`` used.
+    cycle [J]; ``rms_residual`` [N] is that of measured minus fitted force over the ``points`` used. ``motion`` is that
+    of the result.
     """
 
-    name: str
-    stiffness: Estimate
-    intercept: Estimate | None
-    loss_factor: float | None
+    name: Annotated[str, Shows("trial")]
+    stiffness: Annotated[Estimate, Shows("stiffness", _RATE)]
+    intercept: Annotated[Estimate | None, Shows("intercept", _FORCE)]
+    loss_factor: Annotated[float | None, Shows("loss factor", "1")]
     hysteresis_energy: float | None
-    rms_residual: float
-    points: int
+    rms_residual: Annotated[float, Shows("r.m.s. residual", _FORCE)]
+    points: Annotated[int, Shows("points")]
+    motion: MotionName = "translation"
+
+    left_out = ("motion",)
 
 
 @dataclass(frozen=True)
@@ -302,24 +310,35 @@ class StiffnessResult(Shown):
     """
 
     motion: MotionName
-    law: Law
-    stiffness: Estimate
-    intercept: Estimate | None
+    law: Annotated[Law, Shows("law")]
+    stiffness: Annotated[Estimate, Shows("stiffness", _RATE)]
+    intercept: Annotated[Estimate | None, Shows(lambda fit: f"intercept ({INTERCEPTS[fit.intercept_choice]})", _FORCE)]
     intercept_choice: Intercept
     zero: Zero
-    branch: Branch
+    branch: Annotated[Branch, Shows("branches fitted")]
     coefficients: tuple[Estimate, ...]
     curve: FittedCurve
-    fitted_range: tuple[float, float]
+    fitted_range: Annotated[tuple[float, float], Shows("deflections fitted", _DEFLECTION)]
     force_range: tuple[float, float]
-    r2: float
-    repeatability: float | None
-    loss_factor: float | None
-    hysteresis_energy: float | None
-    operating_deflection: float | None
-    tangent_stiffness: Estimate | None
-    trials: tuple[TrialStiffness, ...]
+    r2: Annotated[float, Shows("R²", "1", 6)]
+    repeatability: Annotated[float | None, Shows("standard deviation between trials", _RATE)]
+    loss_factor: Annotated[float | None, Shows("loss factor", "1")]
+    hysteresis_energy: Annotated[float | None, Shows("energy dissipated per cycle", "J")]
+    operating_deflection: Annotated[float | None, Shows("deflection at the static load", _DEFLECTION)]
+    tangent_stiffness: Annotated[Estimate | None, Shows("local stiffness at the static operating point", _RATE)]
+    trials: Annotated[tuple[TrialStiffness, ...], Shows("Trials")]
     findings: tuple[Finding, ...]
+
+    @property
+    def coefficient_units(self) -> tuple[str, ...]:
+        """SI unit of each of the coefficients."""
+        force, deflection = _FORCE(self), _DEFLECTION(self)
+        if self.law == "monotone-spline":
+            return (force,) * len(self.coefficients)
+        if self.law == "power":
+            return f"{force}/{deflection}^{self.coefficients[1].value:.4g}", "1"
+        powers = ("", *(f"^{power}" for power in range(2, len(self.coefficients) + 1)))
+        return tuple(f"{force}/{deflection}{power}" for power in powers)
 
     @property
     def of_branch(self) -> str:
@@ -424,9 +443,8 @@ def fit_stiffness(
     for one, fit in zip(seated, alone, strict=True):
         energy, loss = hysteresis(one)
         rms = float(np.sqrt(np.mean(fit.residual**2)))
-        rows.append(
-            TrialStiffness(one.name, _stiffness(fit, at), _intercept(fit), loss, energy, rms, len(fit.residual))
-        )
+        found = _stiffness(fit, at), _intercept(fit)
+        rows.append(TrialStiffness(one.name, *found, loss, energy, rms, len(fit.residual), motion.name))
     line = _intercept(pooled)
     findings += _no_spring(_stiffness(pooled, at).value, motion)
     findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows, motion)

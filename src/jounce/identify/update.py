@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
+from jounce.core.results import Shows
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -145,6 +146,11 @@ def _correlation(residuals: Array) -> Array:
 # update ---------------------------------------------------------------------------------------------------------------
 
 
+def _own_unit(parameter: Any) -> str:
+    unit: str = parameter.unit
+    return unit or "1"
+
+
 @dataclass(frozen=True)
 class UpdatedParameter(Shown):
     """One fitted parameter, all values in the SI unit of its path.
@@ -167,13 +173,13 @@ class UpdatedParameter(Shown):
         SI unit of all of these.
     """
 
-    initial: float
-    value: float
-    standard_error: float | None
-    interval: tuple[float, float] | None
+    initial: Annotated[float, Shows("start", _own_unit)]
+    value: Annotated[float, Shows("value", _own_unit)]
+    standard_error: Annotated[float | None, Shows("standard error, noise only", _own_unit)]
+    interval: Annotated[tuple[float, float] | None, Shows("95 % interval, noise only", _own_unit)]
     lower: float
     upper: float
-    at_bound: bool
+    at_bound: Annotated[bool, Shows("at bound")]
     unit: str
 
 
@@ -207,20 +213,20 @@ class UpdateResult(Shown):
         What was found beside the rig's parameters (speed in m/s, corners of low passes in Hz) to ``UpdatedParameter``.
     """
 
-    name: str
-    method: str
-    objective_before: float
-    objective_after: float
-    reduction_percent: float
-    iterations: int
-    evaluations: int
-    parameters: dict[str, UpdatedParameter]
+    name: Annotated[str, Shows("update")]
+    method: Annotated[str, Shows("method")]
+    objective_before: Annotated[float, Shows("objective before", "1")]
+    objective_after: Annotated[float, Shows("objective after", "1")]
+    reduction_percent: Annotated[float, Shows("reduction [%]", "1")]
+    iterations: Annotated[int, Shows("iterations")]
+    evaluations: Annotated[int, Shows("evaluations")]
+    parameters: Annotated[dict[str, UpdatedParameter], Shows("Parameters")]
     correlation: tuple[tuple[float, ...], ...]
     lags: dict[str, float]
     identifiability: Identifiability
     findings: tuple[Finding, ...] = field(default_factory=tuple)
     discrepancy: Discrepancy | None = None
-    nuisances: dict[str, UpdatedParameter] = field(default_factory=dict)
+    nuisances: Annotated[dict[str, UpdatedParameter], Shows("Nuisances")] = field(default_factory=dict)
 
     def values(self) -> dict[str, float]:
         """Fitted values by path, SI."""

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from jounce.campaign.characterise import files_of
 from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.results import ESTIMATE, ResultField, fields_of, fields_table, group_table
 from jounce.core.types import Array
 from jounce.identify.motion import MOTIONS
 from jounce.identify.signs import compression_positive
@@ -18,19 +19,18 @@ from jounce.parts.rig import shown_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
 from jounce.report.chart import Chart
-from jounce.report.page import Block, Cell, Details, Paragraph, Section, Subsection, Table, unique_slugs
+from jounce.report.page import Block, Details, Paragraph, Section, Subsection, Table, as_table, unique_slugs
 
 if TYPE_CHECKING:
     from jounce.campaign.characterise import DampingChoice
     from jounce.campaign.description import DecayBench
     from jounce.campaign.result import CampaignResult
-    from jounce.identify.decay import DecayResult
+    from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.force_deflection import ForceDeflectionTrial
     from jounce.identify.stiffness import StiffnessResult
     from jounce.parts import Rig
 
 
-ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
 _NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free decays"}
 
 
@@ -95,28 +95,29 @@ def stiffness_blocks(
     found: StiffnessResult, points: Sequence[ForceDeflectionTrial], title: str, file: str
 ) -> tuple[Block, ...]:
     """What was found of a stiffness, its figure, and every trial of it."""
-    choice = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}[found.intercept_choice]
     motion = MOTIONS[found.motion]
-    rate = motion.stiffness
-    rows: list[tuple[Cell | str, ...]] = [("stiffness", *estimate_cells(found.stiffness, rate))]
-    if found.intercept is not None:
-        rows.append((f"intercept ({choice})", *estimate_cells(found.intercept, motion.force)))
-    if found.tangent_stiffness is not None:
-        rows.append(("local stiffness at the static operating point", *estimate_cells(found.tangent_stiffness, rate)))
-    summary = Table(
-        f"Fit for the {title}: {found.law} law, all trials", ESTIMATE, tuple(rows), "lrrrl", _fit_note(found)
-    )
+    fields = [*fields_of(found, "stiffness", "intercept", "tangent_stiffness"), *_coefficients(found)]
+    caption = f"Fit for the {title}: {found.law} law, all trials"
+    summary = as_table(fields_table(caption, fields), _fit_note(found))
     alternative = (
         f"{motion.force_word.capitalize()} against {motion.deflection_word} of the {title} with a {found.law} fit "
-        f"through {len(found.trials)} trials, stiffness {estimate_text(found.stiffness, rate)}; right: stiffness of "
-        "each trial."
+        f"through {len(found.trials)} trials, stiffness {estimate_text(found.stiffness, motion.stiffness)}; right: "
+        "stiffness of each trial."
     )
     caption = (
         f"Left: measured points and fitted law of the {title}. "
         "Right: stiffness of the individual trials with 95 % intervals."
     )
     picture = Chart(stiffness_panels(found, points, title), file, caption, alternative)
-    return summary, picture, _trial_table(found)
+    return summary, picture, as_table(group_table("Individual trials", found.trials))
+
+
+def _coefficients(found: StiffnessResult) -> list[ResultField]:
+    """Coefficients of a law that is more than its stiffness."""
+    if found.law == "linear":
+        return []
+    pairs = zip(found.coefficient_units, found.coefficients, strict=True)
+    return [ResultField("coefficients", f"coefficient {k}", *pair) for k, pair in enumerate(pairs, 1)]
 
 
 def _fit_note(found: StiffnessResult) -> str:
@@ -124,39 +125,9 @@ def _fit_note(found: StiffnessResult) -> str:
     low, high = found.fitted_range
     branch = "both branches" if found.branch == "both" else f"the {found.branch} branch"
     fitted = f"Fitted to {branch} from {quantity(low, motion.deflection, 3)} to {quantity(high, motion.deflection, 3)}"
-    parts = [fitted, f"R² {found.r2:.4f}"]
-    if found.repeatability is not None:
-        parts.append(f"standard deviation between trials {quantity(found.repeatability, motion.stiffness, 2)}")
-    if found.loss_factor is not None:
-        parts.append(f"loss factor {number(found.loss_factor, 2)}")
-    if found.hysteresis_energy is not None:
-        parts.append(f"energy dissipated per cycle {quantity(found.hysteresis_energy, 'J', 2)}")
-    if found.operating_deflection is not None:
-        parts.append(f"static operating point at {quantity(found.operating_deflection, motion.deflection, 3)}")
-    return "; ".join(parts) + "."
-
-
-def _trial_table(found: StiffnessResult) -> Table:
-    motion = MOTIONS[found.motion]
-    stiffness, force = display_unit(motion.stiffness), display_unit(motion.force)
-    rows = tuple(
-        (
-            trial.name,
-            *estimate_cells(trial.stiffness, motion.stiffness)[:3],
-            number(force.factor * trial.rms_residual, 2),
-            number(trial.loss_factor, 2),
-            str(trial.points),
-        )
-        for trial in found.trials
-    )
-    header = (
-        "trial",
-        *(stiffness.label(words) for words in ("stiffness", "standard error", "95 % interval")),
-        force.label("r.m.s. residual"),
-        "loss factor [–]",
-        "points",
-    )
-    return Table("Individual trials", header, rows, "lrrrrrr")
+    names = ("r2", "repeatability", "loss_factor", "hysteresis_energy", "operating_deflection")
+    known = [field for field in fields_of(found, *names) if field.value is not None]
+    return "; ".join([fitted, *(f"{field.label} {field.in_words()}" for field in known)]) + "."
 
 
 def _pressure(result: CampaignResult) -> tuple[Block, ...]:
@@ -234,27 +205,12 @@ def decay_chart(one: DecayResult, time: Array, signal: Array, name: str, file: s
     return Chart(decay_panels(one, time, signal, name), file, caption, alternative, columns=3)
 
 
-def decay_table(found: Any, caption: str) -> Table:
+def decay_table(found: DecayResult | CombinedDecay, caption: str) -> Table:
     """What one or several free decays say of damping."""
-    motion = MOTIONS[found.motion]
-    quantities = (
-        ("viscous damping coefficient", found.damping_coefficient, motion.damping),
-        ("viscous damping ratio", found.damping_ratio, "1"),
-        (f"dry friction {motion.force_word}", found.coulomb_force, motion.force),
-        ("quadratic drag", found.quadratic_drag, motion.drag),
-        ("natural frequency", found.natural_frequency_hz, "Hz"),
-        (f"stiffness from {motion.inertia_word} and natural frequency", found.stiffness, motion.stiffness),
-        ("equilibrium position", found.equilibrium, motion.deflection),
-        ("logarithmic decrement (friction neglected, for comparison)", found.logarithmic_decrement, "1"),
-    )
-    rows = tuple((words, *estimate_cells(one, si)) for words, one, si in quantities if one is not None)
-    return Table(
-        caption,
-        ESTIMATE,
-        rows,
-        "lrrrl",
-        f"{number(found.cycles, 3)} cycles in total; values are referred to the {motion.inertia_word} that swings.",
-    )
+    fields = [field for field in fields_of(found) if hasattr(field.value, "interval")]
+    word = MOTIONS[found.motion].inertia_word
+    note = f"{number(found.cycles, 3)} cycles in total; values are referred to the {word} that swings."
+    return as_table(fields_table(caption, fields), note)
 
 
 _METHODS = {

@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from jounce.core.results import fields_of, fields_table
 from jounce.plots import figure_of
-from jounce.plots.display import estimate_cells, percent, quantity
-from jounce.report.characterisation import ESTIMATE, decay_chart, decay_table, each_decay, stiffness_blocks
-from jounce.report.page import Block, Details, Findings, Page, Paragraph, Picture, Section, Table, unique_slugs
+from jounce.report.characterisation import decay_chart, decay_table, each_decay, stiffness_blocks
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Details,
+    Findings,
+    Page,
+    Paragraph,
+    Picture,
+    Section,
+    as_table,
+    unique_slugs,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from jounce.core.findings import Finding
     from jounce.core.types import Array
@@ -83,15 +94,21 @@ def decay_page(
     return _page(title, blocks, "Damping from free decay")
 
 
-def damper_page(found: DamperResult, curve: DamperCurve, findings: Sequence[Finding], *, title: str) -> Page:
+def damper_page(
+    found: DamperResult,
+    curve: DamperCurve | Callable[[], DamperCurve],
+    findings: Sequence[Finding],
+    *,
+    title: str,
+) -> Page:
     """Put a fitted damper law on a page, with the loops that it was fitted to.
 
     Parameters
     ----------
     found : DamperResult
         As :func:`jounce.fit_damper` gives it.
-    curve : DamperCurve
-        Measured and fitted force side by side.
+    curve : DamperCurve or callable
+        Measured and fitted force side by side, or what gives them where a figure is drawn.
     findings : sequence of Finding
         What weakens the numbers.
     title : str
@@ -102,21 +119,30 @@ def damper_page(found: DamperResult, curve: DamperCurve, findings: Sequence[Find
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    rows = tuple(
-        (name.replace("_", " "), *estimate_cells(one, found.units[name])) for name, one in found.parameters.items()
-    )
-    note = (
-        f"Residual {percent(found.nrmse)} of the force range, {quantity(found.rms_residual, 'N', 3)} r.m.s.; energy "
-        f"per cycle {quantity(found.energy_per_cycle, 'J')}, fitted {quantity(found.fitted_energy_per_cycle, 'J')}."
-    )
+    parameters = fields_of(found, "parameters")
+    names = ("nrmse", "rms_residual", "r2", "energy_per_cycle", "fitted_energy_per_cycle")
+    note = "; ".join(f"{field.label} {field.in_words()}" for field in fields_of(found, *names)) + "."
     counted = (
         f"{found.samples} samples of {found.cycles:g} cycles. In the record the stroke is positive in "
         f"{found.stroke_positive}, the force in {found.force_positive}; the law is positive in compression."
     )
     words = "Force against velocity and against displacement, measured and fitted."
-    picture = Picture(figure_of(curve, law=found.law), "damper", words, words)
-    table = Table(f"Damper, {found.law} law", ESTIMATE, rows, "lrrrl", note)
-    return _page(title, [table, Paragraph(counted, "muted"), *_said(findings), picture], f"Damper, {found.law} law")
+    picture = Picture(lambda: figure_of(curve() if callable(curve) else curve, law=found.law), "damper", words, words)
+    table = as_table(fields_table(f"Damper, {found.law} law", parameters), note)
+    tables = {"damper": found.damper, "friction": found.friction}
+    rig = Bullets(tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None))
+    in_rig = Paragraph("In a rig file, below [strut], positive in compression (bump):")
+    blocks = [table, Paragraph(counted, "muted"), in_rig, rig, *_said(findings), picture]
+    return _page(title, blocks, f"Damper, {found.law} law")
+
+
+def _toml(table: dict[str, Any]) -> str:
+    """Write a table on one line as a rig file takes it."""
+    import tomlkit
+
+    inline = tomlkit.inline_table()
+    inline.update({key: float(f"{value:.6g}") if isinstance(value, float) else value for key, value in table.items()})
+    return inline.as_string()
 
 
 def _said(findings: Sequence[Finding]) -> list[Block]:

@@ -18,6 +18,8 @@ from jounce.report.live import Viewer
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from jounce.core.tables import TextTable
+
 Tone = Literal["plain", "good", "fair", "bad", "muted"]
 
 
@@ -103,6 +105,12 @@ def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) 
         unit = display_unit(si, abs(value or 0.0))
         cells.append((label, number(None if value is None else value * unit.factor), unit.name or "–"))
     return Table(caption, ("quantity", "value", "unit"), tuple(cells), "lrl")
+
+
+def as_table(table: TextTable, note: str = "") -> Table:
+    """Take a table of a result over into a page."""
+    sides = "".join("l" if k in table.texts else "r" for k in range(len(table.header)))
+    return Table(table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note)
 
 
 def _written(column: Column) -> tuple[str, list[Cell | str]]:

@@ -38,7 +38,7 @@ def test_fields_become_plain_data_also_of_results_within():
     assert to_plain({"front": axle}) == {"front": axle.to_dict()}
 
 
-FORMATS = Formats("axles", {".txt": lambda axle, file: file.write_text(str(axle), encoding="utf-8")})
+FORMATS = Formats("axles", {".txt": lambda axle, file: file.write_text(repr(axle), encoding="utf-8")})
 
 
 def test_suffix_chooses_the_format(tmp_path: Path):

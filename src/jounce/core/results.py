@@ -1,0 +1,238 @@
+"""Fields of results: what each is called, and its unit, said once beside its type.
+
+    @dataclass(frozen=True)
+    class Fit(Shown):
+        rate: Annotated[Estimate, Shows("spring rate", "N/m")]
+        nrmse: Annotated[float, Shows("residual, of the force range", "%")]
+
+Terminal, page, notebook and ``print`` show these fields by :func:`fields_of` and :func:`tables_of`.
+"""
+
+from __future__ import annotations
+
+import builtins
+import inspect
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from jounce.core.display import DisplayUnit, display_unit
+from jounce.core.numbers import estimate_cells, number
+from jounce.core.tables import TextTable
+
+ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
+"""Header of a table of estimates."""
+
+
+@dataclass(frozen=True)
+class Shows:
+    """Mark of a field: its label and the SI unit of its value, as text or as a function of the result.
+
+    The unit ``%`` shows a share as percentage; an empty one belongs to texts and counts. Estimates by name have a unit
+    each.
+    """
+
+    label: str | Callable[[Any], str]
+    unit: str | Callable[[Any], str | Mapping[str, str]] = ""
+    digits: int = 4
+
+
+@dataclass(frozen=True)
+class ResultField:
+    """One field of a result with its label, SI unit and value."""
+
+    name: str
+    label: str
+    unit: str
+    value: Any
+    digits: int = 4
+
+    @property
+    def size(self) -> float:
+        """Absolute value of a number; 0 for what is none."""
+        value = getattr(self.value, "value", self.value)
+        ends = value if isinstance(value, tuple) else (value,)
+        return max((abs(end) for end in ends if isinstance(end, float)), default=0.0)
+
+    def cells(self, shown: DisplayUnit | None = None) -> tuple[str, str, str, str]:
+        """Write value, standard error, 95 % interval and unit, in the usual unit or in one that is given."""
+        if self.unit == "%":
+            return number(None if self.value is None else 100.0 * self.value, self.digits), "", "", "%"
+        unit = shown or display_unit(self.unit, self.size)
+        if hasattr(self.value, "interval"):
+            return estimate_cells(self.value, self.unit, unit)
+        if self.value is None:
+            return "–", "", "", unit.name
+        if self.unit and isinstance(self.value, float):
+            return number(self.value * unit.factor, self.digits), "", "", unit.name
+        if self.unit and isinstance(self.value, tuple):
+            return " to ".join(number(end * unit.factor, self.digits) for end in self.value), "", "", unit.name
+        return _words(self.value), "", "", ""
+
+    def in_words(self) -> str:
+        """Write the value with its unit, as in a sentence."""
+        value, _, _, unit = self.cells()
+        return f"{value} {unit}".strip()
+
+    def text(self, shown: DisplayUnit | None = None) -> str:
+        """Write the value with its interval, without the unit."""
+        value, _, interval, _ = self.cells(shown)
+        return f"{value} ({interval})" if interval not in ("", "–") else value
+
+
+def _words(value: Any) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return number(value)
+    return ", ".join(map(str, value)) if isinstance(value, tuple | list) else str(value)
+
+
+def marks_of(kind: Any) -> Mapping[str, Shows]:
+    """Give the marks of a class and of those it inherits from: of its fields, then of its properties."""
+    return _marks(kind)
+
+
+@cache
+def _marks(kind: Any) -> Mapping[str, Shows]:
+    annotations = [
+        (name, annotation, base.__module__)
+        for base in reversed(kind.__mro__)
+        for name, annotation in (*inspect.get_annotations(base).items(), *_of_properties(base))
+    ]
+    return {
+        name: mark
+        for name, annotation, module in annotations
+        for mark in _metadata(annotation, module)
+        if isinstance(mark, Shows)
+    }
+
+
+def _of_properties(kind: type) -> Iterator[tuple[str, Any]]:
+    for name, member in vars(kind).items():
+        if isinstance(member, property) and member.fget is not None:
+            yield name, member.fget.__annotations__.get("return")
+
+
+def _metadata(annotation: Any, module: str) -> tuple[Any, ...]:
+    """What an annotation carries beside its type; one without a mark is not evaluated."""
+    if isinstance(annotation, str):
+        if "Shows(" not in annotation:
+            return ()
+        names = vars(sys.modules[module])
+        annotation = eval(annotation, names, _Names(names))  # noqa: S307 - our own source
+    return getattr(annotation, "__metadata__", ())
+
+
+class _Names(dict[str, Any]):
+    """Names of a module; a name that is imported for type checkers only stands for any type."""
+
+    def __missing__(self, name: str) -> Any:
+        return getattr(builtins, name, _Unknown)
+
+
+class _Unknowns(type):
+    def __getitem__(cls, _: Any) -> Any:
+        return cls
+
+    def __or__(cls, _: Any) -> Any:
+        return cls
+
+    __ror__ = __or__
+
+
+class _Unknown(metaclass=_Unknowns):
+    """A type that only type checkers know."""
+
+
+def fields_of(result: Any, *names: str) -> list[ResultField]:
+    """Give the marked fields of a result, or those that are named, with their values.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> from jounce.identify.estimate import Estimate
+    >>> @dataclass
+    ... class Fit:
+    ...     rate: Annotated[Estimate, Shows("spring rate", "N/m")]
+    >>> [(one.label, one.cells()) for one in fields_of(Fit(Estimate(22731.4, 12.3, (22705.0, 22757.0))))]
+    [('spring rate', ('22.731', '0.012', '22.705 to 22.757', 'N/mm'))]
+    """
+    marks = marks_of(type(result))
+    return [field for name in names or marks for field in _fields(name, marks[name], result)]
+
+
+def _fields(name: str, mark: Shows, result: Any) -> Iterator[ResultField]:
+    label, unit = (part(result) if callable(part) else part for part in (mark.label, mark.unit))
+    value = getattr(result, name)
+    if isinstance(unit, str):
+        yield ResultField(name, str(label), unit, value, mark.digits)
+        return
+    for key, estimate in value.items():
+        yield ResultField(key, key.replace("_", " "), unit[key], estimate)
+
+
+def tables_of(result: Any) -> Iterator[TextTable]:
+    """Write a result as tables: its numbers, then what it has several of, a row for each."""
+    fields = fields_of(result)
+    single = [field for field in fields if not _is_group(field.value)]
+    yield fields_table(type(result).__name__, single)
+    for field in fields:
+        if field not in single and field.value:
+            yield group_table(field.label, field.value)
+
+
+def fields_table(title: str, fields: Sequence[ResultField]) -> TextTable:
+    """Write fields that have a value as rows, with columns for their uncertainty where there is one."""
+    known = [field for field in fields if field.value is not None]
+    rows = [(field.label, *field.cells()) for field in known]
+    if any(hasattr(field.value, "interval") for field in known):
+        return TextTable(title, ESTIMATE, rows, (0, 4))
+    return TextTable(title, ("quantity", "value", "unit"), [(label, value, unit) for label, value, _, _, unit in rows],
+                     (0, 2))  # fmt: skip
+
+
+def _is_group(value: Any) -> bool:
+    """Whether a value is several results, or none of them."""
+    if not isinstance(value, Mapping | tuple | list):
+        return False
+    items = list(value.values()) if isinstance(value, Mapping) else list(value)
+    return not items or bool(marks_of(type(items[0])))
+
+
+def group_table(title: str, group: Mapping[str, Any] | Sequence[Any]) -> TextTable:
+    """Write several results of one class as a table: a row for each, named by its key or its first field."""
+    items = list(group.values()) if isinstance(group, Mapping) else list(group)
+    columns = [list(column) for column in zip(*map(fields_of, items), strict=True)]
+    columns = [column for column in columns if any(field.value is not None for field in column)]
+    mixed = [column for column in columns if len({field.unit for field in column}) > 1]
+    units = [_largest_unit(row) for row in zip(*mixed, strict=True)]
+    names = ["", *map(str, group)] if isinstance(group, Mapping) else _column(columns.pop(0), units)
+    written = [names, *(_column(column, units if column in mixed else []) for column in columns)]
+    texts = [0, *(k for k, column in enumerate(columns, 1) if _is_text(column[0]))]
+    if units:
+        texts.append(len(written))
+        written.append(["unit", *(unit.name for unit in units)])
+    header, *rows = zip(*written, strict=True)
+    return TextTable(title, header, rows, texts)
+
+
+def _column(fields: Sequence[ResultField], units: Sequence[DisplayUnit]) -> list[str]:
+    """Write one field of several results: its header, and a cell for each, in a unit of its own or in that of all."""
+    first = fields[0]
+    if units:
+        return [first.label, *(field.text(unit) for field, unit in zip(fields, units, strict=True))]
+    unit = _largest_unit(fields)
+    return [unit.label(first.label) if unit.name else first.label, *(field.text(unit) for field in fields)]
+
+
+def _is_text(field: ResultField) -> bool:
+    return not field.unit and (isinstance(field.value, bool) or not isinstance(field.value, int | float))
+
+
+def _largest_unit(fields: Sequence[ResultField]) -> DisplayUnit:
+    """Unit in which the largest of some numbers is usually shown."""
+    largest = max(fields, key=lambda field: field.size)
+    return display_unit(largest.unit, largest.size)
