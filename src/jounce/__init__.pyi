@@ -147,6 +147,7 @@ from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper
 from .ride.metrics import RideMetrics as RideMetrics
 from .ride.metrics import ride_metrics as ride_metrics
+from .ride.modal import modal_analysis as modal_analysis
 from .ride.spectra import power_spectrum as power_spectrum
 from .ride.spectra import transfer_function as transfer_function
 from .ride.stationary import stationary as stationary
@@ -162,6 +163,7 @@ from .roads.trial import Trial as Trial
 from .roads.waves import swept_sine as swept_sine
 from .roughness.iri import Roughness as Roughness
 from .roughness.iri import iri as iri
+from .roughness.iri import profile_roughness as profile_roughness
 from .roughness.spectra import estimate_roughness as estimate_roughness
 from .roughness.spectra import road_psd as road_psd
 from .roughness.spectra import white_noise_intensity as white_noise_intensity

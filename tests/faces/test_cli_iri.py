@@ -40,8 +40,8 @@ def test_units_of_the_header_count(cli) -> None:
 
 def test_people_get_a_table(cli) -> None:
     found = cli("iri", FILES / "profile_1.txt", "--segment", "200 m")
-    assert "IRI 3.335 m/km" in found.out
-    assert "partial" in found.out
+    assert "IRI of the whole profile: 3.335 m/km" in found.out
+    assert "shorter than the others" in found.out
     assert "no header" in found.out
 
 

@@ -33,6 +33,7 @@ from jounce.cli import (
     study,
     sweep,
 )
+from jounce.cli.derived import derived
 from jounce.cli.everywhere import as_usual, completed, open_pages
 from jounce.cli.options import AsJson
 from jounce.cli.pipes import without_pipes
@@ -81,12 +82,12 @@ def _panels() -> dict[str, dict[str, Any]]:
         },
         "Simulation": {
             "simulate": simulate.simulate,
-            "modes": simulate.modes,
+            "modes": derived("modes"),
             "ride": ride.ride,
             "ride-metrics": ride.ride_metrics,
             "compare": ride.compare,
             "sweep": sweep.sweep,
-            "iri": ride.iri,
+            "iri": derived("iri"),
         },
         "Kinematics and design": {
             "kinematics": kinematics.kinematics,

@@ -15,7 +15,6 @@ from jounce.cli.options import (
     Database,
     FigureFile,
     Force,
-    NumbersFile,
     ReportFile,
     Resample,
     SampleTime,
@@ -23,18 +22,15 @@ from jounce.cli.options import (
     Variable,
     VehicleName,
     changes,
-    check_numbers,
     check_outputs,
     chosen_rig,
-    columns,
     optional_positive,
     reading,
-    write_numbers,
     write_picture,
     write_report,
 )
 from jounce.cli.reply import Reply, progress, show_findings, show_written, table
-from jounce.core.display import shown_as, size
+from jounce.core.display import size
 from jounce.core.errors import DescriptionError
 from jounce.core.trust import trusting
 from jounce.core.typed import positive_quantity, quantity
@@ -43,12 +39,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.console import Console
 
-    from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.report import Page
     from jounce.ride.metrics import RideMetrics
     from jounce.ride.study import Ride, RideStudy, RideTrial
-    from jounce.roughness.iri import Roughness
 
 
 _TO_THE_END = (
@@ -351,66 +345,3 @@ def _draw_metrics(console: Console, title: str, metrics: RideMetrics) -> None:
     console.print(table(title, ("metric", "place", "value", "unit"), rows, text=(0, 1, 3)))
     for place, words in metrics.comfort.items():
         console.print(f"{place}: {words}")
-
-
-def iri(
-    profile: Annotated[
-        str, typer.Argument(metavar="PROFILE", help="Columns x [m] and z [m], or a straight .crg road.")
-    ],
-    segment: Annotated[str, typer.Option(help="Length of the segments.")] = "100 m",
-    offset: Annotated[str, typer.Option(help="Lateral offset of the profile in a .crg road.")] = "0 m",
-    columns_: Columns = None,
-    out: NumbersFile = None,
-    figure: FigureFile = None,
-    report: ReportFile = None,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """Give the international roughness index (IRI) of a profile and of its segments.
-
-    Example: jounce iri track.csv --segment "100 m"
-    """
-    check_numbers(out, force=force)
-    check_outputs(figure=figure, report=report, force=force)
-    length, lateral = positive_quantity(segment, "m", "--segment"), quantity(offset, "m", "--offset")
-    from jounce.core.serialise import to_plain
-    from jounce.roughness.iri import iri as roughness_of
-    from jounce.roughness.iri import read_profile
-
-    x, z, notes = read_profile(profile, columns=columns(columns_), lateral_offset=lateral)
-    with progress() as say:
-        say("driving the quarter car of the index")
-        found = roughness_of(x, z, segment=length, place=profile)
-    findings = [*notes, *found.findings]
-    plain = {"profile": profile, "offset": lateral, **to_plain(found), "findings": to_plain(findings)}
-    title = f"Roughness of {Path(profile).stem}"
-
-    def picture() -> Figure:
-        from jounce.plots.signals import roughness
-
-        return roughness(found, x, z)
-
-    def page() -> Page:
-        from jounce.report import roughness_page
-
-        return roughness_page(found, x, z, findings, title=title)
-
-    written = write_numbers(plain, plain["segments"], out, force=force)
-    drawn, missing = write_picture(picture, figure, title, force=force)
-    document, undrawn = write_report(page, report, force=force)
-    plain |= {"out": written, "figure": drawn, "report": document}
-
-    def tell(console: Console) -> None:
-        _draw_iri(console, profile, found, findings)
-        show_written(console, plain)
-
-    return Reply(plain, tell, as_json, missing=[*missing, *undrawn])
-
-
-def _draw_iri(out: Console, profile: str, found: Roughness, findings: list[Finding]) -> None:
-    rows = [(part.start, part.end, part.iri_m_per_km, "partial" if part.partial else "") for part in found.segments]
-    unit = shown_as("m/km")
-    out.print(f"{profile}: IRI {found.iri_m_per_km * unit.factor:.4g} {unit.name}", soft_wrap=True)
-    out.print(table("", ("from m", "to m", "IRI m/km", ""), rows, text=(3,)))
-    out.print(f"{found.end - found.start:g} m, samples every {found.spacing:g} m, slopes over {found.base:g} m")
-    show_findings(out, findings)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, cast
 
@@ -20,18 +19,15 @@ from jounce.cli.options import (
     FigureFile,
     Force,
     LateralAcceleration,
-    NumbersFile,
     PitchMoment,
     ReportFile,
     RightRoad,
     RigName,
     RoadName,
     changes,
-    check_numbers,
     check_outputs,
     chosen_rig,
     trial_of,
-    write_numbers,
     write_picture,
     write_report,
 )
@@ -163,94 +159,3 @@ def _draw(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
     )
     show_findings(out, findings)
     show_written(out, plain)
-
-
-_MOST_BESIDE = 4  # amplitudes in the rows of the modes; more of them are a table of their own
-_NUMBERS = ("frequency_hz", "damped_frequency_hz", "damping_ratio")
-
-
-def modes(
-    rig: RigName,
-    set_: Changes = None,
-    out: NumbersFile = None,
-    figure: FigureFile = None,
-    report: ReportFile = None,
-    force: Force = False,
-    as_json: AsJson = False,
-) -> Reply:
-    """List the oscillating modes of a rig or vehicle, and its static equilibrium.
-
-    Example: jounce modes kart-quarter-car --set strut.angle="16 deg"
-    """
-    check_numbers(out, force=force)
-    check_outputs(figure=figure, report=report, force=force)
-    from jounce.core.serialise import to_plain
-    from jounce.ride.stationary import linear_findings
-    from jounce.simulation import equilibrium
-    from jounce.simulation import modes as find_modes
-
-    wanted = changes(set_)
-    with progress() as say:
-        say("loading")
-        chosen = chosen_rig(rig, wanted)
-        say("finding modes")
-        found, rest = find_modes(chosen), equilibrium(chosen)
-        findings = [_of_modes(finding) for finding in linear_findings(chosen, {}, {})]
-    plain = {"rig": rig, "changes": wanted, "modes": to_plain(list(found)), "equilibrium": rest}
-    plain["findings"] = to_plain(findings)
-    name = Path(rig).stem
-
-    def picture() -> Figure:
-        from jounce.plots import modes as draw_modes
-
-        return draw_modes(found)
-
-    def page() -> Page:
-        from jounce.report import modes_page
-
-        return modes_page(found, rest, findings, title=f"Modes of {name}")
-
-    rows = [
-        {"mode": k, **{key: mode[key] for key in _NUMBERS}, **{n: _amplitude(v) for n, v in mode["shape"].items()}}
-        for k, mode in enumerate(plain["modes"], 1)
-    ]
-    written = write_numbers(plain, rows, out, force=force)
-    drawn, missing = write_picture(picture, figure, f"Modes of {name}", force=force)
-    document, undrawn = write_report(page, report, force=force)
-    plain |= {"out": written, "figure": drawn, "report": document}
-    return Reply(plain, lambda console: _draw_modes(console, plain, findings), as_json, missing=[*missing, *undrawn])
-
-
-def _draw_modes(out: Console, plain: dict[str, Any], findings: list[Finding]) -> None:
-    from jounce.recordings.schema import state_unit
-
-    found = plain["modes"]
-    names = list(found[0]["shape"]) if found else []
-    beside = names if len(names) <= _MOST_BESIDE else []
-    rows = [
-        [i, *(mode[key] for key in _NUMBERS), *(_amplitude(mode["shape"][name]) for name in beside)]
-        for i, mode in enumerate(found, 1)
-    ]
-    header = ("mode", "natural Hz", "damped Hz", "damping ratio", *(f"|{name}|" for name in beside))
-    out.print(table(f"Modes of {plain['rig']}", header, rows))
-    if names and not beside:
-        shapes = [[f"|{name}|", *(_amplitude(mode["shape"][name]) for mode in found)] for name in names]
-        out.print(table("Shapes", ("mode", *map(str, range(1, len(found) + 1))), shapes))
-    if not found:
-        out.print("no oscillating mode: all motions are overdamped")
-    rest = [(name, state_unit(name), value) for name, value in plain["equilibrium"].items()]
-    out.print(table("Static equilibrium", ("quantity", "unit", "value"), rest, text=(0, 1)))
-    show_findings(out, findings)
-    show_written(out, plain)
-
-
-def _of_modes(finding: Finding) -> Finding:
-    """Modes know no dry friction, where other linear models count its slope at rest."""
-    if not finding.place.endswith("friction.force"):
-        return finding
-    text = "dry friction is left out: it damps by no ratio, and holds what moves less than it gives way"
-    return replace(finding, severity="note", message=text)
-
-
-def _amplitude(shape: list[float]) -> float:
-    return abs(complex(*shape))

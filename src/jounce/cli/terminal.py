@@ -19,7 +19,8 @@ def show_page(out: Console, page: Page) -> None:
     """Print a page."""
     out.print(page.title if not page.subtitle else f"{page.title}: {page.subtitle}")
     for section in page.sections:
-        _show_blocks(out, section.blocks)
+        if not section.is_drawn:
+            _show_blocks(out, section.blocks)
 
 
 def _show_blocks(out: Console, blocks: Sequence[Block]) -> None:

@@ -9,6 +9,7 @@ are written, which options make a rig. The function itself stays as it is; `joun
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal, TypeVar
@@ -129,6 +130,20 @@ class Pairs(Mark):
 
 
 @dataclass(frozen=True)
+class Columns(Pairs):
+    """Columns by quantity, one or several pairs in each text; or all names of a file without a header in one text."""
+
+    def read(self, given: Any, where: str) -> Any:
+        """Split the pairs; names in order stay one text."""
+        if isinstance(given, Mapping):
+            return dict(given)
+        if len(given) == 1 and "=" not in given[0] and "[" in given[0]:
+            return given[0]
+        parts = [part for text in given for part in re.split(r",\s*(?=[\w.]+\s*=)", text)]
+        return super().read(parts, where)
+
+
+@dataclass(frozen=True)
 class Ranges(Pairs):
     """Pairs of a name and ``LOW..HIGH UNIT``, or any other value that the function takes."""
 
@@ -169,9 +184,8 @@ class Band(Mark):
         return tuple(quantity(str(end), self.unit, where) for end in pair)
 
 
-MARKS = {
-    kind.__name__: kind for kind in (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Ranges, Settings, Band)
-}
+_KINDS = (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Columns, Ranges, Settings, Band)
+MARKS: Mapping[str, type[Mark]] = {kind.__name__: kind for kind in _KINDS}
 
 
 @dataclass(frozen=True)

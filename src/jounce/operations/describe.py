@@ -25,6 +25,8 @@ MODULES = (
     "jounce.bench.springs",
     "jounce.design.pareto",
     "jounce.design.springs",
+    "jounce.ride.modal",
+    "jounce.roughness.iri",
 )
 """Modules whose functions are operations, in the order of their commands in the help."""
 
@@ -33,7 +35,8 @@ def described() -> list[dict[str, Any]]:
     """Describe every operation as plain data, for ``index.json``."""
     for module in MODULES:
         import_module(module)
-    return [_plain(_operation(registration)) for registration in REGISTERED.values()]
+    registered = sorted(REGISTERED.values(), key=lambda one: MODULES.index(one.function.__module__))
+    return [_plain(_operation(registration)) for registration in registered]
 
 
 def _operation(registration: Registration) -> Operation:

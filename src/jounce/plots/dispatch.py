@@ -111,8 +111,10 @@ def _registered() -> Callable[..., Figure]:
     from jounce.papers.audi_a6 import AudiCase
     from jounce.papers.audi_a6_exciter import EccentricExciter
     from jounce.parts.corners import Corner
+    from jounce.ride.modal import ModalAnalysis
     from jounce.ride.study import Ride, RideStudy
     from jounce.roads.road import Road
+    from jounce.roughness.iri import ProfileRoughness
     from jounce.simulation import LinearModel, Mode
 
     @singledispatch
@@ -153,6 +155,8 @@ def _registered() -> Callable[..., Figure]:
     draw.register(tuple, of_sequence)
     draw.register(Road, signals.road_profile)
     draw.register(LinearModel, signals.frequency_response)
+    draw.register(ModalAnalysis, lambda result: signals.modes(result.modes))
+    draw.register(ProfileRoughness, lambda result: signals.roughness(result.roughness, result.distance, result.height))
     draw.register(Corner, mechanism)
     draw.register(KinematicDesign, kinematic_design.target_curves)
     draw.register(KinematicFront, kinematic_design.front_lines)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 
@@ -82,3 +83,15 @@ def correlation(value: float) -> str:
     """Write a correlation [1] with its sign and two decimals, a vanishing one as ``0.00``."""
     text = f"{value:+.2f}"
     return "0.00" if text[1:] == "0.00" else text.replace("-", "−")
+
+
+_EXPONENT = re.compile(r"(?<![\w.])((?:\w+[*/·])*(?:km|mm|m|s|N|rad))\^([23])(?!\d)")
+
+
+def raised(text: str) -> str:
+    """Write the units of a sentence with raised exponents, as labels have them.
+
+    >>> raised("256e-6 m^3, above 0.5 m/s^2"), raised("x^2 in a law")
+    ('256e-6 m³, above 0.5 m/s²', 'x^2 in a law')
+    """
+    return _EXPONENT.sub(lambda found: found[1] + "²³"[int(found[2]) - 2], text)

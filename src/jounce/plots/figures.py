@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.workbooks import CONTROL
 from jounce.core.writing import Formats
+from jounce.plots.display import raised
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -256,18 +257,6 @@ def _shorten(figure: Figure) -> None:
         assert isinstance(one, Text)
         lines = CONTROL.sub(" ", one.get_text()).split("\n")
         one.set_text("\n".join(at_tick(line, _LONGEST_LINE) for line in lines))
-
-
-_EXPONENT = re.compile(r"(?<![\w.])((?:\w+[*/·])*(?:km|mm|m|s|N|rad))\^([23])(?!\d)")
-
-
-def raised(text: str) -> str:
-    """Write the units of a sentence with raised exponents, as labels have them.
-
-    >>> raised("256e-6 m^3, above 0.5 m/s^2"), raised("x^2 in a law")
-    ('256e-6 m³, above 0.5 m/s²', 'x^2 in a law')
-    """
-    return _EXPONENT.sub(lambda found: found[1] + "²³"[int(found[2]) - 2], text)
 
 
 def name_figure(figure: Figure, title: str) -> Figure:

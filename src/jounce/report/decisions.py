@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
 from jounce.plots import figure_of
-from jounce.plots.display import number, percent, quantity
-from jounce.plots.figures import raised
+from jounce.plots.display import number, percent, quantity, raised
 from jounce.report.page import (
     Block,
     Cell,

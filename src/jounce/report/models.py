@@ -2,29 +2,38 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.display import display_unit, shown_as
+from jounce.plots import figure_of
 from jounce.plots.display import SMALLEST, number, percent
-from jounce.plots.signals import modes as draw_modes
 from jounce.recordings.schema import state_unit
 from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, as_printed
-from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+
+    import xarray as xr
 
     from jounce.core.findings import Finding
     from jounce.core.types import Array
     from jounce.design.model_comparison import ModelComparison
     from jounce.parts import Rig
-    from jounce.roughness.iri import Roughness
+    from jounce.ride.modal import ModalAnalysis
+    from jounce.roughness.iri import ProfileRoughness, Roughness
     from jounce.simulation import Mode
 
 
 _ROUNDING = 1e-9  # of quantities without a smallest value of their own
+
+
+def curve_blocks(*runs: Any, **options: Any) -> tuple[Block, ...]:
+    """Put curves into a viewer, as :func:`jounce.report.recordings.curve_blocks` does, which loads much."""
+    from jounce.report.recordings import curve_blocks as blocks
+
+    return blocks(*runs, **options)
 
 
 def modes_page(
@@ -69,7 +78,7 @@ def modes_page(
         words = "Shape of each mode: motion of every coordinate relative to the largest."
         answer = (
             Table("Modes by rising natural frequency", header, rows, "lrrrl"),
-            Picture(draw_modes(found), "modes", words, words),
+            Picture(lambda: figure_of(list(found)), "modes", words, words),
             Table(
                 "Amplitudes of the shapes",
                 ("coordinate", *map(str, range(1, len(found) + 1))),
@@ -82,6 +91,11 @@ def modes_page(
     told = (Findings(tuple(findings)),) if findings else ()
     sections = (Section("Modes", (*answer, *told)), Section("Static equilibrium", (statics,)))
     return Page(title, sections, "Linear model about rest")
+
+
+def modal_analysis_page(found: ModalAnalysis, *, title: str) -> Page:
+    """Put a modal analysis on a page, as :func:`modes_page` does."""
+    return modes_page(found.modes, found.equilibrium, found.findings, title=title)
 
 
 def _at_rest(name: str, value: float) -> tuple[str, str]:
@@ -127,8 +141,6 @@ def roughness_page(
     >>> [section.title for section in roughness_page(found, x, z, found.findings, title="Waves").sections]
     ['Answer', 'Profile']
     """
-    import xarray as xr
-
     length, index = shown_as("m", largest=found.end), display_unit("m/km")
 
     def along(metres: float) -> str:
@@ -152,21 +164,31 @@ def roughness_page(
     )
     segments = Table("Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl")
     note = f"Samples every {found.spacing:g} m, slopes over {found.base:g} m."
-    steps = np.full(len(distance), np.nan)
-    for part in found.segments:
-        steps[(distance >= part.start - 1e-9) & (distance <= part.end + 1e-9)] = part.iri_m_per_km
-    profile = xr.Dataset(
-        {
-            "height": ("distance", height, {"units": "m", "long_name": "height of the profile"}),
-            "iri": ("distance", steps, {"units": "m/km", "long_name": "IRI of the segment"}),
-        },
-        {"distance": ("distance", distance, {"units": "m"})},
-    )
+
+    def profile() -> xr.Dataset:
+        import xarray as xr
+
+        steps = np.full(len(distance), np.nan)
+        for part in found.segments:
+            steps[(distance >= part.start - 1e-9) & (distance <= part.end + 1e-9)] = part.iri_m_per_km
+        return xr.Dataset(
+            {
+                "height": ("distance", height, {"units": "m", "long_name": "height of the profile"}),
+                "iri": ("distance", steps, {"units": "m/km", "long_name": "IRI of the segment"}),
+            },
+            {"distance": ("distance", distance, {"units": "m"})},
+        )
+
     answer: list[Block] = [Facts(tuple(facts)), segments, Paragraph(note, "muted")]
     if findings:
         answer.append(Findings(tuple(findings)))
-    curves = curve_blocks({"": {"profile": profile}}, ["height", "iri"], title=title)
-    return Page(title, (Section("Answer", tuple(answer)), Section("Profile", curves)), "International roughness index")
+    curves = Section("Profile", lambda: curve_blocks({"": {"profile": profile()}}, ["height", "iri"], title=title))
+    return Page(title, (Section("Answer", tuple(answer)), curves), "International roughness index")
+
+
+def profile_page(found: ProfileRoughness, *, title: str) -> Page:
+    """Put a profile of a file with its roughness on a page, as :func:`roughness_page` does."""
+    return roughness_page(found.roughness, found.distance, found.height, found.findings, title=title)
 
 
 def model_comparison_page(found: ModelComparison, *, title: str, rig: Rig | None = None) -> Page:

@@ -6,19 +6,19 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from jounce.core.display import display_unit
 from jounce.core.findings import Finding, not_drawn
-from jounce.plots.display import number
-from jounce.plots.figures import raised
-from jounce.report.chart import Chart
-from jounce.report.live import Viewer
+from jounce.plots.display import number, raised
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from jounce.core.tables import TextTable
+    from jounce.report.chart import Chart
+    from jounce.report.live import Viewer
 
 Tone = Literal["plain", "good", "fair", "bad", "muted"]
 
@@ -193,10 +193,23 @@ class Subsection:
 
 @dataclass(frozen=True)
 class Section:
-    """A heading with blocks; listed in the table of contents."""
+    """A heading with blocks, or with a function that draws them; listed in the table of contents.
+
+    A function draws only where a document is written: a terminal shows the other sections.
+    """
 
     title: str
-    blocks: tuple[Block, ...]
+    source: tuple[Block, ...] | Callable[[], tuple[Block, ...]]
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether a function draws it."""
+        return callable(self.source)
+
+    @cached_property
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks; drawn now where a function draws them."""
+        return self.source() if callable(self.source) else self.source
 
 
 @dataclass(frozen=True)
@@ -232,10 +245,14 @@ class Page:
 
     def pictures(self) -> tuple[Picture | Chart, ...]:
         """All figures in order."""
+        from jounce.report.chart import Chart
+
         return tuple(block for block in self.blocks() if isinstance(block, Picture | Chart))
 
     def viewers(self) -> tuple[Viewer, ...]:
         """All viewers in order."""
+        from jounce.report.live import Viewer
+
         return tuple(block for block in self.blocks() if isinstance(block, Viewer))
 
     def blocks(self) -> Iterator[Block]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,12 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 from jounce.core.columns import text_of
 from jounce.core.errors import RecordingError
 from jounce.core.findings import Finding
+from jounce.core.operation import File, Number, operation
 from jounce.core.recursion import first_order
 from jounce.core.samples import as_samples
+from jounce.core.serialise import Plain, to_plain
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.recordings.files import read_columns
+from jounce.recordings.options import COLUMNS
 from jounce.recordings.quality import check_ascending
 from jounce.roads.loading import road_library
 from jounce.roads.measured import read_crg_profile
@@ -363,6 +367,97 @@ def read_profile(
         return _bare_columns(file)
     values, findings = read_columns(file, {"x": "m", "z": "m"}, columns=columns)
     return values["x"], values["z"], findings
+
+
+@dataclass(frozen=True)
+class ProfileRoughness(Plain):
+    """A profile of a file and its roughness.
+
+    Attributes
+    ----------
+    profile : str
+        The file, or the name of a shipped road.
+    offset : float
+        Lateral offset of the profile in an OpenCRG road, m.
+    roughness : Roughness
+        Index of the whole and of each segment.
+    distance, height : ndarray, shape (n,)
+        The profile, m.
+    findings : tuple of Finding
+        What was assumed when reading, and what weakens the numbers.
+    """
+
+    profile: str
+    offset: float
+    roughness: Roughness
+    distance: Array
+    height: Array
+    findings: tuple[Finding, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Give plain values, SI."""
+        found = to_plain(self.roughness)
+        return {"profile": self.profile, "offset": self.offset, **found, "findings": to_plain(self.findings)}
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Give the segments as rows of a table, SI."""
+        return list(to_plain(self.roughness.segments))
+
+
+@operation(
+    "iri",
+    offers=("numbers", "figure", "report"),
+    faces={"segment": "100 m", "offset": "0 m"},
+    page="jounce.report.models:profile_page",
+    title="Roughness of {profile}",
+    doing="driving the quarter car of the index",
+    example='jounce iri track.csv --segment "100 m"',
+)
+def profile_roughness(
+    profile: Annotated[
+        Path | str, File("Columns x [m] and z [m], or a straight .crg road.", "PROFILE", shipped=("roads",))
+    ],
+    *,
+    segment: Annotated[float | str, Number("Length of the segments.", "LENGTH", "m", is_positive=True)] = 100.0,
+    offset: Annotated[float | str, Number("Lateral offset of the profile in a .crg road.", "LENGTH", "m")] = 0.0,
+    columns: Annotated[Mapping[str, str] | None, COLUMNS] = None,
+) -> ProfileRoughness:
+    r"""Give the international roughness index (IRI) of a profile and of its segments.
+
+    Parameters
+    ----------
+    profile : path or str
+        Text with the columns ``x`` and ``z``, or with two bare columns of numbers in m; any other format that
+        recordings are read from; a straight OpenCRG road, or the name of a shipped one.
+    segment : float or str
+        Length of the segments, m.
+    offset : float or str
+        Lateral offset of the profile in an OpenCRG road, m, left positive.
+    columns : mapping, optional
+        Where ``x`` and ``z`` are when they have other names: ``{"z": "elevation [mm]"}``.
+
+    Returns
+    -------
+    ProfileRoughness
+        SI; the index in m/km.
+
+    Raises
+    ------
+    RecordingError
+        For files that cannot be read, and as for :func:`iri`.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "track.csv"
+    >>> _ = file.write_text("x [m], z [mm]\n" + "".join(f"{0.25 * i}, {i % 2}\n" for i in range(100)))
+    >>> len(profile_roughness(file, segment="10 m").roughness.segments)
+    3
+    """
+    lateral = to_si(offset, "m", where="offset")
+    x, z, notes = read_profile(profile, columns=columns, lateral_offset=lateral)
+    found = iri(x, z, segment=segment, place=str(profile))
+    return ProfileRoughness(str(profile), lateral, found, x, z, (*notes, *found.findings))
 
 
 def _rows(file: Path) -> list[tuple[int, list[str]]]:
