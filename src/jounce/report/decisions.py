@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
-from jounce.plots import figure_of
 from jounce.plots.display import number, percent, quantity, raised
 from jounce.report.page import (
     Block,
@@ -15,10 +14,10 @@ from jounce.report.page import (
     Facts,
     Findings,
     Page,
-    Picture,
     Section,
     Table,
     Tone,
+    picture_of,
     table_of,
 )
 
@@ -73,7 +72,7 @@ def optimisation_page(found: Optimisation, *, title: str) -> Page:
         rows.append((name, unit.name or "–", *ends, _change(found, name)))
     words = "What is minimised, the limits and the numbers, from the start to the best design."
     metrics = (
-        Picture(lambda: figure_of(found), "optimisation", words, words),
+        picture_of(found, "optimisation", words),
         Table("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
     )
     return Page(
@@ -168,7 +167,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
         *(Column(path, values.tolist(), front.number_units[path]) for path, values in front.numbers.items()),
     )
     words = f"Designs on the front, from {front.heading}, beside the present one; numbers along the front."
-    picture = Picture(lambda: figure_of(front), "front", words, words)
+    picture = picture_of(front, "front", words)
     answer: list[Block] = [facts, picture, table_of("For comparison", marks)]
     if front.findings:
         answer.append(Findings(front.findings))
@@ -262,7 +261,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     words = (
         "Designs, none of them better in every metric than another: pairs of metrics, and all of them with the numbers."
     )
-    answer: list[Block] = [facts, Picture(lambda: figure_of(front), "front", words, words)]
+    answer: list[Block] = [facts, picture_of(front, "front", words)]
     if front.findings:
         answer.append(Findings(front.findings))
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))

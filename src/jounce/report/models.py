@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.display import display_unit, shown_as
-from jounce.plots import figure_of
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.recordings.schema import state_unit
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, as_printed
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Section, Table, as_printed, picture_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -78,7 +77,7 @@ def modes_page(
         words = "Shape of each mode: motion of every coordinate relative to the largest."
         answer = (
             Table("Modes by rising natural frequency", header, rows, "lrrrl"),
-            Picture(lambda: figure_of(list(found)), "modes", words, words),
+            picture_of(list(found), "modes", words),
             Table(
                 "Amplitudes of the shapes",
                 ("coordinate", *map(str, range(1, len(found) + 1))),

@@ -145,6 +145,17 @@ class Picture:
         return self.source() if callable(self.source) else self.source
 
 
+def picture_of(result: object, name: str, words: str) -> Picture:
+    """Show a result by the figure of its type, drawn where a document is written; the words are its caption, too."""
+
+    def drawn() -> Figure:
+        from jounce.plots import figure_of
+
+        return figure_of(result)
+
+    return Picture(drawn, name, words, words)
+
+
 @dataclass(frozen=True)
 class Fact:
     """One number of the summary with its label, a small note and a tone."""
