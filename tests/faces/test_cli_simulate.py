@@ -200,7 +200,7 @@ def test_modes_say_that_dry_friction_is_left_out(cli, tmp_path: Path) -> None:
 
 def test_coordinates_of_joints_at_rest_have_their_units(cli) -> None:
     text = cli("modes", "kart-double-wishbone").out
-    for name, unit in (("sprung.distance rate", "m/s"), ("lower_arm.angle rate", "rad/s"), ("ball_joint.wx", "rad/s")):
+    for name, unit in (("sprung.distance rate", "m/s"), ("lower_arm.angle rate", "°/s"), ("ball_joint.wx", "°/s")):
         (row,) = (line for line in text.splitlines() if name in line)
         assert row.split(name)[1].split()[0] == unit
 
