@@ -226,7 +226,7 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     assert status == 200
     assert (ask.folder / "karts" / "mine.toml").read_text() == text
     status, answer = ask("PUT", "/api/file", {"path": "karts/mine.toml", "text": "lost", "was": made["digest"]})
-    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
+    assert (status, answer["error"]["what"]) == (409, "the file has changed")
     assert ask("GET", "/api/file?path=karts/mine.toml")[1] == saved
     assert ("karts/mine.toml", "rig") in {
         (one["path"], one["kind"]) for one in ask("GET", "/api/project")[1]["entries"]
@@ -297,7 +297,7 @@ def test_a_run_is_kept_of_the_rig_that_was_looked_at(ask):
     assert heavier != text
     assert ask("PUT", "/api/file", {"path": "looked-at.toml", "text": heavier, "was": written["digest"]})[0] == 200
     status, answer = ask("POST", "/api/keep", asked)
-    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
+    assert (status, answer["error"]["what"]) == (409, "the file has changed")
     assert not (ask.folder / "runs" / "looked at.nc").exists()
     now = ask("GET", "/api/rig?name=looked-at.toml")[1]
     assert ask("POST", "/api/keep", asked | {"digest": now["digest"]})[0] == 200
@@ -778,7 +778,7 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     name = f"kart-{width}.toml"
     page.get_by_label("Shipped rig").select_option("kart-double-wishbone")
     page.get_by_label("Name of your file").fill(name)
-    page.get_by_role("button", name="Copy it here").click()
+    page.get_by_role("button", name="Copy into this project").click()
     ready("rig")
     assert (ask.folder / name).is_file()
 
@@ -789,7 +789,7 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     page.get_by_role("alert").first.wait_for()
     assert "lefft" in page.get_by_role("alert").first.inner_text()
     text.fill(right)
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     assert page.get_by_role("button", name="Save").is_disabled()
 
     mass = page.get_by_label("mass", exact=True).first
@@ -798,7 +798,7 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     page.get_by_text("a unit that converts to kg").first.wait_for()
     assert page.get_by_label("mass", exact=True).first.get_attribute("aria-invalid") == "true"
     page.get_by_role("button", name="Undo").click()
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     assert text.input_value() == right
     page.get_by_label("Hardpoint", exact=True).select_option("tie_rod_inner")
     page.get_by_label("z [mm]", exact=True).fill("111")
@@ -806,13 +806,13 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     page.get_by_role("button", name="Save").click()
     added = page.locator(".difference .added")
     assert added.inner_text().startswith('+tie_rod_inner = ["-106.1 mm", "101.6 mm", "111 mm"]')
-    page.get_by_role("button", name="Write it").click()
+    page.get_by_role("button", name="Write to the file").click()
     page.get_by_text("Saved.").wait_for()
     wanted = right.replace('tie_rod_inner = ["-106.1 mm", "101.6 mm", "110 mm"]',
                            'tie_rod_inner = ["-106.1 mm", "101.6 mm", "111 mm"]')  # fmt: skip
     assert (ask.folder / name).read_text() == wanted
 
-    page.get_by_role("link", name="Drive it over an obstacle").click()
+    page.get_by_role("link", name="Drive over an obstacle").click()
     ready("trial")
     page.wait_for_selector(".player .u-over", timeout=60_000)
     page.get_by_label("strut.spring.rate [N/mm]", exact=True).press("ArrowRight")

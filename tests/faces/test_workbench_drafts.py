@@ -112,11 +112,11 @@ def test_a_tab_that_was_closed_says_that_its_file_was_changed_since(page: Any, p
     (folder / CORNER).write_text(changed)
     page = context.new_page()
     show(page, base, f"rig?name={CORNER}")
-    page.get_by_text("The file was changed since then").wait_for()
+    page.get_by_text("The file has changed since then").wait_for()
     offers(page).get_by_role("button", name="Restore").click()
     page.get_by_text("Restored.").wait_for()
     page.get_by_role("button", name="Save").click()
-    difference = page.get_by_role("region", name="What is changed")
+    difference = page.get_by_role("region", name="Changes to the file")
     assert {"-# theirs", "+# mine"} <= set(difference.inner_text().splitlines())
     assert (folder / CORNER).read_text() == changed
     (folder / CORNER).unlink()
@@ -162,18 +162,18 @@ def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path
     page.get_by_label("Rig").select_option(RIG)
     page.get_by_label("Count").fill("33")
     page.get_by_label("tyre.stiffness, share").wait_for()
-    page.get_by_role("button", name="leave out tyre.stiffness").click()
-    page.get_by_role("button", name="Another number").click()
-    page.get_by_label("number that varies").last.fill("sprung.mass")
-    page.get_by_label("number that varies").last.press("Tab")
-    page.get_by_label("how it is spread").last.select_option("range")
+    page.get_by_role("button", name="remove tyre.stiffness").click()
+    page.get_by_role("button", name="Add a parameter").click()
+    page.get_by_label("parameter to vary").last.fill("sprung.mass")
+    page.get_by_label("parameter to vary").last.press("Tab")
+    page.get_by_label("distribution").last.select_option("range")
     page.get_by_label("sprung.mass, to").fill("18 kg")
     again("studies")
     assert page.get_by_label("Rig").input_value() == RIG
     assert page.get_by_label("Count").input_value() == "33"
     assert page.get_by_label("sprung.mass, to").input_value() == "18 kg"
     assert not page.get_by_label("tyre.stiffness, share").is_visible()
-    page.get_by_role("button", name="Write the study").click()
+    page.get_by_role("button", name="Save the study").click()
     page.get_by_text("study.toml: 33 variants").wait_for()
     to_project(page)
     assert not offers(page).is_visible()  # it is written
@@ -181,11 +181,11 @@ def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path
     show(page, base, "ride")
     page.get_by_label("Seed").fill("7")
     page.get_by_label("passive").uncheck()
-    page.get_by_label("its bounds").fill("1..2 kN*s/m")
+    page.get_by_label("bounds").fill("1..2 kN*s/m")
     again("ride")
     assert page.get_by_label("Seed").input_value() == "7"
     assert not page.get_by_label("passive").is_checked()
-    assert page.get_by_label("its bounds").input_value() == "1..2 kN*s/m"
+    assert page.get_by_label("bounds").input_value() == "1..2 kN*s/m"
 
     show(page, base, "inspection")
     page.get_by_label("Number plate").first.fill("B-AB 77")
@@ -194,24 +194,24 @@ def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path
 
     show(page, base, "campaign")
     page.get_by_label("Folder").fill("mine")
-    page.get_by_role("button", name="Start from it").click()
+    page.get_by_role("button", name="Copy into this project").click()
     page.get_by_role("heading", name="My bench campaign").wait_for()
     show(page, base, "campaign?file=mine/campaign.toml&read=one.csv")
     spring = page.locator("section.job", has=page.get_by_role("heading", name="spring", exact=True))
-    spring.get_by_label("Ignore smaller deflections").fill("3 mm")
+    spring.get_by_label("Ignore deflections below").fill("3 mm")
     page.get_by_label("Oscillating mass").fill("17 kg")
-    page.get_by_label("Folder of the results").fill("mine/again")
-    page.get_by_label("what sprung.z is read as").fill("unsprung.z")
-    page.get_by_label("what sprung.z is read as").press("Tab")
+    page.get_by_label("Results folder").fill("mine/again")
+    page.get_by_label("quantity of sprung.z").fill("unsprung.z")
+    page.get_by_label("quantity of sprung.z").press("Tab")
     page.get_by_label("Tyre pressure").fill("0.3 MPa")
     again("campaign?file=mine/campaign.toml")
-    assert page.get_by_label("what sprung.z is read as").input_value() == "unsprung.z"
+    assert page.get_by_label("quantity of sprung.z").input_value() == "unsprung.z"
     assert page.get_by_label("Tyre pressure").input_value() == "0.3 MPa"
-    assert spring.get_by_label("Ignore smaller deflections").input_value() == "3 mm"
+    assert spring.get_by_label("Ignore deflections below").input_value() == "3 mm"
     assert page.get_by_label("Oscillating mass").input_value() == "17 kg"
-    assert page.get_by_label("Folder of the results").input_value() == "mine/again"
+    assert page.get_by_label("Results folder").input_value() == "mine/again"
     again("campaign?file=mine/campaign.toml")  # it is not saved by being restored
-    assert page.get_by_label("what sprung.z is read as").input_value() == "unsprung.z"
+    assert page.get_by_label("quantity of sprung.z").input_value() == "unsprung.z"
 
 
 @pages
@@ -224,17 +224,17 @@ def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(page: Any
     def left_and_restored() -> None:
         to_project(page)
         show(page, base, address)
-        assert not page.get_by_text("The file was changed since then").is_visible()
+        assert not page.get_by_text("The file has changed since then").is_visible()
         offers(page).get_by_role("button", name="Restore").click()
         page.get_by_text("Restored.").wait_for()
 
     def typed(was: str, now: str) -> None:
         if not text.is_visible():
-            page.get_by_text("The campaign's file", exact=True).click()
+            page.get_by_text("Campaign file", exact=True).click()
         text.fill(text.input_value().replace(was, now, 1))
 
     show(page, base, address)
-    text, out = page.get_by_label("text of entered/campaign.toml"), page.get_by_label("Folder of the results")
+    text, out = page.get_by_label("text of entered/campaign.toml"), page.get_by_label("Results folder")
     mass = page.get_by_label("Oscillating mass")
     assert mass.input_value() == "16 kg"
     typed('title = "My', 'title = "Your')
@@ -284,7 +284,7 @@ def test_a_trial_that_was_left_is_taken_up_again(page: Any, project: tuple[Path,
     page.get_by_label("Depth").fill("33 mm")
     page.get_by_role("textbox", name="Speed").fill("3 m/s")
     page.get_by_label("strut.spring.rate [N/mm], typed").fill("30")
-    page.get_by_label("another number").select_option("strut.spring.preload")
+    page.get_by_label("another parameter").select_option("strut.spring.preload")
     page.get_by_label("strut.spring.preload [N], typed").fill("20")
     to_project(page)
     offers(page).get_by_role("link", name=RIG).click()
@@ -300,8 +300,8 @@ def test_a_trial_that_was_left_is_taken_up_again(page: Any, project: tuple[Path,
     command = page.get_by_label("The same on the command line")
     command.filter(has_text="strut.spring.preload").filter(has_text="3 m/s").wait_for()
     assert "tyre.stiffness" not in command.inner_text()
-    page.get_by_role("button", name="Keep it").click()
-    page.get_by_text("Kept as").wait_for()
+    page.get_by_role("button", name="Save the run").click()
+    page.get_by_text("Saved as").wait_for()
     to_project(page)
     assert not offers(page).is_visible()  # it lies in the project
 
@@ -355,7 +355,7 @@ def test_what_is_edited_is_undone(page: Any, project: tuple[Path, str]) -> None:
     page.keyboard.press("Control+y")
     redo.click()
     assert (page.get_by_label("Depth").input_value(), spring.input_value()) == ("33 mm", "30")
-    page.get_by_role("button", name="All as they were").click()
+    page.get_by_role("button", name="Reset all").click()
     undo.click()
     assert spring.input_value() == "30"
 
@@ -370,15 +370,15 @@ def test_what_is_edited_is_undone(page: Any, project: tuple[Path, str]) -> None:
 
     show(page, base, "campaign")
     page.get_by_label("Folder").fill("taken")
-    page.get_by_role("button", name="Start from it").click()
+    page.get_by_role("button", name="Copy into this project").click()
     page.get_by_role("heading", name="My bench campaign").wait_for()
     text = (folder / "taken" / "campaign.toml").read_text()
     show(page, base, "campaign?file=taken/campaign.toml&read=taken/trials/01.csv")
-    page.get_by_role("button", name="Enter it into the campaign").click()
-    page.get_by_text("Entered into the campaign.").wait_for()
+    page.get_by_role("button", name="Add to the campaign").click()
+    page.get_by_text("Added to the campaign.").wait_for()
     assert (folder / "taken" / "campaign.toml").read_text() != text
     undo.click()
-    page.get_by_text("Entered into the campaign.").wait_for(state="hidden")
+    page.get_by_text("Added to the campaign.").wait_for(state="hidden")
     assert (folder / "taken" / "campaign.toml").read_text() == text
 
 
@@ -404,7 +404,7 @@ def test_how_an_edit_is_done_in_python_follows_the_text(page: Any, project: tupl
     text.fill(whole.replace('mass = "16 kg"', 'mass = "17 kg"', 1))
     says("with_changes({'sprung.mass': 17.0})")
     page.get_by_role("button", name="Save", exact=True).click()
-    page.get_by_role("button", name="Write it").click()
+    page.get_by_role("button", name="Write to the file").click()
     page.get_by_text("Saved.", exact=True).wait_for()
     says("print(rig)")
     command.wait_for()

@@ -130,7 +130,7 @@ def test_the_keyboard_goes_everywhere_and_is_seen(workbench, browser):
     page.wait_for_selector("html[data-ready=record]")
     until(page, "document.activeElement.id === 'main'")  # the link is gone: on to what it led to
     page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.textContent") == "Beside a run"
+    assert page.evaluate("document.activeElement.textContent") == "Compare with a simulation"
     page.context.close()
     assert opened.troubles == []
 
@@ -500,6 +500,6 @@ def test_pages_work_where_a_browser_keeps_nothing_and_a_proxy_lets_no_socket_thr
     code.get_by_role("button").click()
     code.get_by_role("button", name="Selected: copy it").wait_for()
     assert "jn.load(" in page.evaluate("getSelection().toString()")
-    assert page.get_by_text("The server does not tell about jobs any more").count() == 0
+    assert page.get_by_text("The server no longer reports on jobs").count() == 0
     context.close()
     assert troubles == []

@@ -126,7 +126,7 @@ def test_what_is_typed_into_a_form_is_not_taken_away_by_the_answer_to_the_field_
     page.keyboard.type(" kg")
     page.keyboard.press("Tab")
     forms.go()
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     assert [mass_of(page, one).input_value() for one in ("sprung", "unsprung")] == ["17 kg", "6 kg"]
     assert '"6 kg"' in text.input_value()
 
@@ -141,9 +141,9 @@ def test_what_is_typed_into_a_text_stays_while_its_first_answer_and_that_of_a_sa
     forms.go()
     assert text.input_value().startswith("# first\n")
     forms.end()
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     page.get_by_role("button", name="Save").click()
-    page.get_by_role("button", name="Write it").click()
+    page.get_by_role("button", name="Write to the file").click()
     saves.come()
     text.press("Control+Home")
     page.keyboard.type("# second\n")
@@ -171,7 +171,7 @@ def test_what_is_set_and_typed_at_once_stands_in_the_text_after_every_answer(pag
         forms.go()
         assert text.input_value().startswith("# mine\n")
     forms.end()
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     assert all(one in text.input_value() for one in ("# mine\n", *wanted.values()))
     assert [page.locator(f"[data-path='{path}'] input").first.input_value() for path in wanted] == [*wanted.values()]
 
@@ -184,10 +184,10 @@ def test_what_a_save_would_change_stays_on_the_page_when_its_text_is_found_to_be
                      [...document.querySelectorAll("button")].find((own) => own.textContent === "Save").click(); }"""
     )
     forms.go()
-    write = page.get_by_role("button", name="Write it")
+    write = page.get_by_role("button", name="Write to the file")
     write.wait_for()
     forms.go()  # of what was typed, which is asked about when nothing more is
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     assert write.is_visible()
     mass = mass_of(page, "sprung")
     typed(mass, "21 kg")
@@ -210,7 +210,7 @@ def test_undo_takes_back_the_edit_that_is_under_way_and_what_was_typed_last(page
     forms.come()
     page.get_by_role("button", name="Undo").click()
     forms.end()
-    page.get_by_text("nothing is wrong with it").wait_for()
+    page.get_by_text("no problems found").wait_for()
     until(page, lambda: text.input_value() == one)
     page.get_by_role("button", name="Redo").click()
     until(page, lambda: "7 kg" in text.input_value())
@@ -226,7 +226,7 @@ def test_undo_takes_back_the_edit_that_is_under_way_and_what_was_typed_last(page
 
 def test_the_rows_of_another_vehicle_go_at_once_and_its_search_waits_for_its_numbers(page, base):
     show(page, base, "ride")
-    bounds, search = page.get_by_label("its bounds"), page.get_by_role("button", name="Search")
+    bounds, search = page.get_by_label("bounds"), page.get_by_role("button", name="Search")
     bounds.wait_for()
     rigs = Held(page, "**/api/rig?*")
     vehicle = page.get_by_label("Vehicle or rig").nth(1)
@@ -234,7 +234,7 @@ def test_the_rows_of_another_vehicle_go_at_once_and_its_search_waits_for_its_num
     rigs.come()
     assert bounds.count() == 0
     assert search.is_disabled()
-    assert page.get_by_role("button", name="Another number").is_disabled()
+    assert page.get_by_role("button", name="Add a parameter").is_disabled()
     vehicle.select_option("audi-a6-quarter-car")
     until(page, lambda: len(rigs.routes) == 2)
     rigs.routes.reverse()  # the answer to the choice before comes last
@@ -248,12 +248,12 @@ def test_the_rows_of_another_vehicle_go_at_once_and_its_search_waits_for_its_num
 def test_what_is_begun_is_what_was_asked_for_whatever_is_typed_meanwhile(page, base):
     show(page, base, "studies")
     page.get_by_label("Count").fill("4")
-    name, into = page.get_by_label("File of the study"), page.get_by_label("Folder of the results")
+    name, into = page.get_by_label("Study file"), page.get_by_label("Results folder")
     typed(name, "mine.toml")
     studies, jobs = Held(page, "**/api/study"), Held(page, "**/api/jobs")
-    page.get_by_role("button", name="Write it and begin").click()
+    page.get_by_role("button", name="Save and start").click()
     studies.come()
-    assert page.get_by_role("button", name="Write the study").is_disabled()
+    assert page.get_by_role("button", name="Save the study").is_disabled()
     name.fill("other.toml")
     into.fill("elsewhere")
     studies.go({"digest": "of mine", "count": 4, "path": "mine.toml"})
@@ -262,20 +262,20 @@ def test_what_is_begun_is_what_was_asked_for_whatever_is_typed_meanwhile(page, b
     assert (asked["study"], asked["out"]) == ("mine.toml", "mine-swept")
     jobs.refuse("enough")
     page.get_by_text("enough").wait_for()
-    page.get_by_role("button", name="Write the study").click()
+    page.get_by_role("button", name="Save the study").click()
     (second,) = studies.come()
     assert json.loads(second.request.post_data)["was"] == ""  # another file than the one that was written
     studies.refuse("it lies there")
     assert name.input_value() == "other.toml"
-    page.get_by_role("button", name="Write the study").wait_for()
+    page.get_by_role("button", name="Save the study").wait_for()
     typed(name, "mine.toml")
-    page.get_by_role("button", name="Write the study").click()
+    page.get_by_role("button", name="Save the study").click()
     assert json.loads(studies.come()[0].request.post_data)["was"] == "of mine"
     studies.end()
 
 
 def test_an_answer_takes_nobody_from_the_page_where_they_are_by_now(page, base):
-    answers = [("ride", "**/api/jobs", "Drive"), ("campaign", "**/api/ask", "Start from it")]
+    answers = [("ride", "**/api/jobs", "Drive"), ("campaign", "**/api/ask", "Copy into this project")]
     for address, glob, button in answers:
         show(page, base, address)
         held = Held(page, glob)
@@ -287,7 +287,7 @@ def test_an_answer_takes_nobody_from_the_page_where_they_are_by_now(page, base):
     show(page, base, "campaign")
     held = Held(page, "**/api/ask")
     page.get_by_label("Folder").fill("mine")
-    page.get_by_role("button", name="Start from it").click()
+    page.get_by_role("button", name="Copy into this project").click()
     held.come()
     page.get_by_label("Folder").fill("another")
     asked = Held(page, "**/api/campaign?*")
@@ -308,12 +308,12 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
     plate.fill("B-AB 1")
     for one in ("axle.csv", "second.csv"):
         files.go({"path": f"records/{one}", "size": 9})
-    page.get_by_text("records/axle.csv, records/second.csv: here now.").wait_for()
+    page.get_by_text("records/axle.csv, records/second.csv: uploaded.").wait_for()
     files.refuse("the file exists")
     page.get_by_text("the file exists").wait_for()
-    assert page.get_by_text("records/axle.csv, records/second.csv: here now.").is_visible()
+    assert page.get_by_text("records/axle.csv, records/second.csv: uploaded.").is_visible()
     assert (plate.input_value(), record.input_value()) == ("B-AB 1", "records/axle.csv")
-    page.get_by_text("No record at hand?").click()
+    page.get_by_text("No record available?").click()
     out = page.get_by_label("Record", exact=True)
     out.fill("first.csv")
     page.get_by_role("button", name="Simulate the test").click()
@@ -321,7 +321,7 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
     out.fill("next.csv")
     asks.go({"result": {}, "python": "", "command": "", "files": {}, "report": ""})
     page.get_by_text("first.csv was written.").wait_for()
-    assert "record=first.csv" in page.get_by_role("link", name="Evaluate it").get_attribute("href")
+    assert "record=first.csv" in page.get_by_role("link", name="Evaluate").get_attribute("href")
 
 
 def test_a_file_is_read_as_one_of_the_same_columns_was_unless_it_is_said_otherwise(page, base):
@@ -336,13 +336,13 @@ def test_a_file_is_read_as_one_of_the_same_columns_was_unless_it_is_said_otherwi
     answer = {"result": found, "python": "", "command": "", "files": {}, "report": ""}
     page.goto(f"{base}#/campaign?file=mine/campaign.toml&read=three.csv")
     asks.go(answer)
-    page.get_by_role("button", name="Read it as one.csv is read").click()
+    page.get_by_role("button", name="Read with the settings of one.csv").click()
     asked = asks.come()[0].request.post_data_json
     assert {key: asked[key] for key in read} == read
     asks.go(answer)
-    assert page.get_by_label("what up is read as").input_value() == "sprung.az"
+    assert page.get_by_label("quantity of up").input_value() == "sprung.az"
     assert page.get_by_label("unit of t", exact=True).input_value() == "ms"
-    assert not page.get_by_role("button", name="Read it as").count()
+    assert not page.get_by_role("button", name="Read with the settings").count()
 
 
 def test_what_is_moved_or_wanted_while_a_rig_is_written_is_there_after_it(page, base, workbench):
@@ -352,13 +352,13 @@ def test_what_is_moved_or_wanted_while_a_rig_is_written_is_there_after_it(page, 
     number = page.locator(".sliders:not(.drives) .slider input[type=number]")
     number.nth(0).fill("201")
     saves = Held(page, "**/api/file")
-    page.get_by_role("button", name="Write these changes into the file").click()
+    page.get_by_role("button", name="Save these changes to the file").click()
     saves.come()
     number.nth(1).fill("202")
     page.evaluate("delete document.documentElement.dataset.ready")
     saves.go()
     page.wait_for_selector("html[data-ready=kinematics]")
-    page.get_by_text("The changes stand in the file").wait_for()
+    page.get_by_text("Saved. The previous state").wait_for()
     assert [number.nth(i).input_value() for i in (0, 1)] == ["201", "202"]
     assert "201 mm" in (workbench[0] / CORNER).read_text()
     assert "202 mm" not in (workbench[0] / CORNER).read_text()
@@ -389,13 +389,13 @@ def test_a_file_that_arrives_late_does_not_take_the_place_of_the_one_that_is_ent
     content = {"mimeType": "text/csv", "buffer": b"time [s], sprung.z [mm]\n0, 1\n"}
     page.locator(".drop input[type=file]").set_input_files([{"name": "late.csv", **content}])
     files.come()
-    page.get_by_role("button", name="look at one.csv").click()
+    page.get_by_role("button", name="view one.csv").click()
     page.get_by_label("Speed").fill("3 m/s")
     files.go({"path": "measured/late.csv", "size": 9})
-    page.get_by_text("measured/late.csv: here now.").wait_for()
+    page.get_by_text("measured/late.csv: uploaded.").wait_for()
     assert page.get_by_role("heading", name="one.csv").is_visible()
     assert page.get_by_label("Speed").input_value() == "3 m/s"
-    page.get_by_role("button", name="look at measured/late.csv").click()
+    page.get_by_role("button", name="view measured/late.csv").click()
     page.get_by_role("heading", name="measured/late.csv").wait_for()
     columns = [{"name": "z", "unit": "mm", "count": 2, "least": 0.0, "greatest": 1.0}]
     preview = {"columns": columns, "more": 0, "problem": None, "findings": [], "content": None, "points": None}
@@ -462,7 +462,7 @@ def test_numbers_whose_file_was_changed_under_their_page_are_told_and_loaded_aga
     show(page, base, f"{page_of}?rig={name}")
     field, told = (
         page.get_by_label(f"{number} [{unit}], typed", exact=True),
-        page.get_by_text(f"{name} was changed meanwhile"),
+        page.get_by_text(f"{name} has changed"),
     )
     before = float(field.input_value())
     assert not told.count()
@@ -470,7 +470,7 @@ def test_numbers_whose_file_was_changed_under_their_page_are_told_and_loaded_aga
     typed(page.get_by_label(used), "19")
     told.wait_for()
     assert float(field.input_value()) == before
-    page.get_by_role("button", name="Load it again").click()
+    page.get_by_role("button", name="Reload").click()
     until(page, lambda: field.count() == 1 and float(field.input_value()) == 1.25 * before)
     page.get_by_text("drawn in").wait_for()
     assert not told.count()

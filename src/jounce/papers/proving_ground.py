@@ -35,7 +35,7 @@ FIGURES: dict[str, tuple[str, str]] = {
     "bump_travel_utilisation": ("1", "bump travel utilisation"),
     "rebound_travel_utilisation": ("1", "rebound travel utilisation"),
     "wheel_load_variation": ("1", "wheel load r.m.s."),
-    "lift_off": ("1", "time lifted off"),
+    "lift_off": ("1", "time off the ground"),
     "damper_power": ("W", "damper power"),
     "tyre_power": ("W", "tyre power"),
     "road_power": ("W", "power from road"),

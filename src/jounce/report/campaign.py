@@ -188,7 +188,7 @@ def answer(result: CampaignResult) -> Section:
         Subsection("Where these values hold", (Paragraph(_where_it_holds(result)), Paragraph(_what_was_done(result))))
     )
     careful = most_important(_of_the_answer(result))
-    blocks.append(Subsection("What to be careful about", (Findings(careful),)))
+    blocks.append(Subsection("Warnings and notes", (Findings(careful),)))
     return Section("Answer", tuple(blocks))
 
 

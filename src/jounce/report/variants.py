@@ -42,7 +42,7 @@ _SHOWN = 10.0  # s, of a long run at first
 _WORDS = {
     "first": "alone",
     "total": "with others",
-    "mean_absolute_effect": "mean size of effects",
+    "mean_absolute_effect": "mean absolute effect",
     "mean_effect": "mean effect",
     "effect_spread": "spread of effects",
     "regression": "regression",

@@ -226,9 +226,9 @@ MERITS: tuple[Merit, ...] = (
     Merit("comfort", "m/s^2", "body, weighted r.m.s. (Wk)", "weighted_rms", worst=False),
     Merit("body_acceleration", "m/s^2", "body r.m.s.", "rms_acceleration", worst=False),
     Merit("travel", "m", "strut travel r.m.s., worst corner", "travel_rms"),
-    Merit("travel_range", "m", "strut travel, whole range, worst corner", "travel_peak_to_peak"),
+    Merit("travel_range", "m", "strut travel, peak to peak, worst corner", "travel_peak_to_peak"),
     Merit("load_coefficient", "1", "dynamic wheel load coefficient, worst corner", "dynamic_load_coefficient"),
-    Merit("lift_off", "1", "time lifted off, worst corner", "lift_off_time"),
+    Merit("lift_off", "1", "time off the ground, worst corner", "lift_off_time"),
 )
 """Comfort, travel and road holding, the columns of the comparison."""
 

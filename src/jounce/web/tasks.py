@@ -258,7 +258,7 @@ class OverlayTask(_Task):
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
             commands.append(command_line(["jounce", "plot", *files, "--figure=rides.png"]))
         return Doing(
-            "Rides over each other", [], python=python, question=self.model_dump(), command="\n".join(commands)
+            "Overlay of rides", [], python=python, question=self.model_dump(), command="\n".join(commands)
         )
 
 

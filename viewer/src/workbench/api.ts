@@ -115,12 +115,12 @@ async function sent(path: string, given: RequestInit): Promise<Response> {
       credentials: "omit",
     });
   } catch {
-    throw new Error(tr("The server does not answer: start it again with jounce serve."));
+    throw new Error(tr("The server does not respond: restart it with jounce serve."));
   }
   if (answer.ok) return answer;
   if (answer.status === 401)
     throw new Error(
-      tr("This page is not known here any more: open the address that jounce serve printed."),
+      tr("This session is no longer valid: open the address that jounce serve printed."),
     );
   const told = (await answer.json().catch(() => null)) as {
     error?: { text: string };

@@ -67,7 +67,7 @@ export function designing(
     make(
       "div",
       { class: "form" },
-      field(tr("Each coordinate by up to"), within),
+      field(tr("Largest move per coordinate"), within),
       field(tr("Searches"), starts),
       begin,
     ),
@@ -80,7 +80,7 @@ export function designing(
         make(
           "p",
           { class: "muted" },
-          tr("Add a target above, and choose a hardpoint that may move."),
+          tr("Add a target above and choose a hardpoint that may move."),
         ),
       );
       return;
@@ -136,7 +136,7 @@ export function designing(
         out: `designs/${stem}-${mark}`,
       })
     ).json()) as Found;
-    const bar = make("progress", { max: "1", "aria-label": tr("share done") }),
+    const bar = make("progress", { max: "1", "aria-label": tr("progress") }),
       said = make("span", {}),
       cancel = make("button", { type: "button" }, tr("Cancel"));
     cancel.addEventListener("click", () => {
@@ -163,7 +163,9 @@ export function designing(
       }
       if (!["running", "cancelling"].includes(found.state)) {
         out.replaceChildren(
-          problem(found.error ? new Refused(found.error) : new Error(tr("The search was ended."))),
+          problem(
+            found.error ? new Refused(found.error) : new Error(tr("The search was stopped.")),
+          ),
         );
         return;
       }
@@ -185,7 +187,7 @@ export function designing(
         numbers: Record<string, number>;
       }[];
     };
-    const button = make("button", { type: "button", class: "main" }, tr("Take the best"));
+    const button = make("button", { type: "button", class: "main" }, tr("Apply the best design"));
     button.addEventListener("click", () =>
       take(
         Object.fromEntries(Object.entries(result.moved).map(([path, one]) => [path, one.after])),
@@ -196,8 +198,8 @@ export function designing(
       if (!Object.keys(moved).length) return "";
       const taking = make(
         "button",
-        { type: "button", "aria-label": tr("Take the design of search #", String(start)) },
-        tr("Take"),
+        { type: "button", "aria-label": tr("Apply the design of search #", String(start)) },
+        tr("Apply"),
       );
       taking.addEventListener("click", () => take(moved));
       return taking;
@@ -209,10 +211,7 @@ export function designing(
         { class: result.met ? "good" : "problem" },
         result.met
           ? tr("Every target is met.")
-          : tr(
-              "# of the targets are missed.",
-              String(result.targets.filter((one) => !one.met).length),
-            ),
+          : tr("Targets missed: #.", String(result.targets.filter((one) => !one.met).length)),
       ),
       make(
         "div",
@@ -229,9 +228,9 @@ export function designing(
               ...[
                 tr("search"),
                 tr("targets"),
-                tr("cost, tolerances²"),
-                tr("moved, share of the boxes"),
-                tr("ended"),
+                tr("cost (error/tolerance)²"),
+                tr("share of allowed movement used"),
+                tr("outcome"),
                 "",
               ].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))),
             ),
@@ -256,7 +255,7 @@ export function designing(
       ),
       make(
         "div",
-        { class: "table", tabindex: "0", role: "region", "aria-label": tr("what was moved") },
+        { class: "table", tabindex: "0", role: "region", "aria-label": tr("moved hardpoints") },
         make(
           "table",
           {},
@@ -266,7 +265,7 @@ export function designing(
             make(
               "tr",
               {},
-              ...[tr("number"), tr("before"), tr("after"), tr("unit")].map((one) =>
+              ...[tr("parameter"), tr("before"), tr("after"), tr("unit")].map((one) =>
                 make("th", { scope: "col" }, one),
               ),
             ),
@@ -293,7 +292,7 @@ export function designing(
         "p",
         { class: "bar" },
         button,
-        make("a", { href: found.report, target: "_blank" }, tr("Its report")),
+        make("a", { href: found.report, target: "_blank" }, tr("Report")),
       ),
     );
   }

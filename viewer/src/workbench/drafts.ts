@@ -181,7 +181,7 @@ export class Drafts<T extends object> {
                 make(
                   "p",
                   { class: "fair" },
-                  tr("The file was changed since then: compare before you write it."),
+                  tr("The file has changed since then: compare before you save."),
                 ),
               ]
             : []),
@@ -218,7 +218,7 @@ export function mayLeave(): boolean {
     !lost.length ||
     confirm(
       tr(
-        "The changes on this page are not saved, and this browser could not keep them. Leave all the same?",
+        "The changes on this page are not saved, and this browser could not store them. Leave anyway?",
       ),
     )
   );

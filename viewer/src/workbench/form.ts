@@ -208,8 +208,8 @@ export class Form {
             {
               type: "button",
               class: "away",
-              title: tr("Take # away", place),
-              "aria-label": tr("Take # away", place),
+              title: tr("Remove #", place),
+              "aria-label": tr("Remove #", place),
               click: () => this.changed(keys, null),
             },
             "×",

@@ -59,7 +59,7 @@ let latest: Job[] | null = null,
 const lost = make(
   "p",
   { class: "problem", role: "alert" },
-  "The server does not tell about jobs any more; those that run go on. Start it again with jounce serve, and open the address that it prints.",
+  "The server no longer reports on jobs; running jobs continue. Restart it with jounce serve and open the address that it prints.",
 );
 
 function open(): void {
@@ -153,7 +153,7 @@ export class JobCard {
     public job: Job,
     private readonly open?: (job: Job) => void,
   ) {
-    this.bar.setAttribute("aria-label", heard(`share of ${titled(job.title)} that is done`));
+    this.bar.setAttribute("aria-label", heard(`progress of ${titled(job.title)}`));
     this.element.append(
       make("div", { class: "bar" }, make("h3", {}, titled(job.title)), this.state, this.times),
       this.bar,
@@ -176,7 +176,7 @@ export class JobCard {
     this.said.hidden = !runs;
     this.said.textContent = tr(
       job.state === "cancelling"
-        ? "stopping; what is finished is kept"
+        ? "stopping; finished results are kept"
         : heard(job.said) || "starting",
     );
     this.tick();
@@ -218,16 +218,16 @@ export class JobCard {
       ...(!runs && job.state !== "done"
         ? [
             act(
-              job.kind === "sweep" ? "Resume" : "Begin again",
+              job.kind === "sweep" ? "Resume" : "Restart",
               () => send("POST", `${path}/again`, {}),
               true,
             ),
           ]
         : []),
-      ...(!runs ? [act("Take off the list", () => send("DELETE", path))] : []),
+      ...(!runs ? [act("Remove", () => send("DELETE", path))] : []),
     );
     this.actions.append(
-      make("details", {}, make("summary", {}, "In Python, and on the command line"), ways(job)),
+      make("details", {}, make("summary", {}, "In Python and on the command line"), ways(job)),
     );
   }
 
@@ -273,7 +273,7 @@ export function jobList(
   shown: (job: Job) => void,
   none: string,
 ): HTMLElement {
-  const place = make("div", { class: "jobs" }, make("p", { class: "muted" }, "asking …"));
+  const place = make("div", { class: "jobs" }, make("p", { class: "muted" }, "loading …"));
   const cards = new Map<string, JobCard>();
   follow(place, (jobs) => {
     const own = jobs.filter((job) => !kinds || kinds.includes(job.kind));
@@ -328,11 +328,7 @@ export function report(address: string, title: string, language = "en"): HTMLEle
       { class: "bar" },
       make("h2", {}, title),
       ...(isGerman && language === "en" ? [make("span", { class: "muted" }, "(englisch)")] : []),
-      make(
-        "a",
-        { href: address, target: "_blank", rel: "noopener" },
-        "open it in a tab of its own",
-      ),
+      make("a", { href: address, target: "_blank", rel: "noopener" }, "open in a new tab"),
     ),
     make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }),
   );
@@ -366,23 +362,20 @@ export function dropZone(
           make(
             "p",
             { class: "state" },
-            `${file.name}: ${written(file.size / 1e6, 3)} MB on the way …`,
+            `${file.name}: uploading ${written(file.size / 1e6, 3)} MB …`,
           ),
         );
         try {
           if (file.size > MOST)
             throw new Error(
-              `${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB are taken here. Copy it into the folder instead.`,
+              `${file.name}: ${written(file.size / 1e6, 3)} MB; at most ${MOST / 1e6} MB can be uploaded. Copy it into the folder instead.`,
             );
           await file
             .slice(0, 1)
             .arrayBuffer()
             .catch(() => {
               throw new Error(
-                tr(
-                  "#: a folder, or a file that cannot be read: choose the files themselves.",
-                  file.name,
-                ),
+                tr("#: a folder, or a file that cannot be read. Choose files.", file.name),
               );
             });
           await upload(path, file);
@@ -393,7 +386,7 @@ export function dropZone(
       }
       said.replaceChildren(
         ...wrong,
-        ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: here now.`)] : []),
+        ...(paths.length ? [make("p", { class: "good" }, `${paths.join(", ")}: uploaded.`)] : []),
       );
       if (paths.length && zone.isConnected) done(paths);
     });

@@ -79,7 +79,7 @@ document
 document.querySelector("header")!.append(languageButton(), themeButton());
 document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
 const skip = document.querySelector(".skip")!;
-skip.textContent = tr("To the content");
+skip.textContent = tr("Skip to the content");
 skip.addEventListener("click", (event) => {
   event.preventDefault();
   document.getElementById("main")!.focus();

@@ -257,7 +257,7 @@ export class Multiples {
     if (band.at.some((place) => place < first - step || place > last + step)) {
       one.verdict.textContent = " ?";
       one.verdict.className = "verdict";
-      one.verdict.title = tr("not swept as far as this is wanted");
+      one.verdict.title = tr("the sweep does not reach this target");
       return;
     }
     const isMet =
@@ -270,7 +270,7 @@ export class Multiples {
       });
     one.verdict.textContent = isMet ? " ✓" : " ✗";
     one.verdict.className = `verdict ${isMet ? "good" : "missed"}`;
-    one.verdict.title = tr(isMet ? "within the tolerance" : "outside of the tolerance");
+    one.verdict.title = tr(isMet ? "within the tolerance" : "outside the tolerance");
   }
 }
 

@@ -84,7 +84,7 @@ export class Outdated {
       return;
     }
     if (this.element.firstChild) return;
-    const again = make("button", { type: "button" }, tr("Load it again"));
+    const again = make("button", { type: "button" }, tr("Reload"));
     again.addEventListener("click", () => {
       if (mayLeave()) dispatchEvent(new HashChangeEvent("hashchange"));
     });
@@ -93,7 +93,7 @@ export class Outdated {
         "p",
         { class: "problem" },
         tr(
-          "# was changed meanwhile: the curves are those of the file as it is by now, the numbers on this page are not.",
+          "# has changed: the curves show the file as it is now, the parameters on this page do not.",
           this.rig.name,
         ),
       ),
@@ -261,8 +261,8 @@ export class Sliders {
     for (const one of rig.numbers) known.set(one.path, one);
     const choice = make(
       "select",
-      { "aria-label": tr("another number") },
-      make("option", { value: "" }, tr("another number …")),
+      { "aria-label": tr("another parameter") },
+      make("option", { value: "" }, tr("another parameter …")),
     );
     for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
     choice.addEventListener("change", () => {
@@ -276,7 +276,7 @@ export class Sliders {
     }
     for (const [path, value] of Object.entries(given))
       if (Number.isFinite(value)) this.take(path, value);
-    const back = make("button", { type: "button" }, tr("All as they were"));
+    const back = make("button", { type: "button" }, tr("Reset all"));
     back.addEventListener("click", () => {
       this.reset();
       this.moved();
@@ -390,7 +390,7 @@ export class Live {
     const began = performance.now();
     const waiting = setTimeout(() => {
       this.state.textContent = tr(
-        "computing; the first time a model is compiled once, which takes some seconds",
+        "computing; the first run compiles the model, which takes a few seconds",
       );
     }, 500);
     try {

@@ -33,8 +33,8 @@ export class Phase {
     make(
       "div",
       { class: "form" },
-      field(tr("Across"), this.across),
-      field(tr("Upward"), this.upward),
+      field(tr("Horizontal axis"), this.across),
+      field(tr("Vertical axis"), this.upward),
       this.values,
     ),
     this.canvas,

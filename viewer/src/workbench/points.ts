@@ -34,7 +34,7 @@ export class Points {
       {},
       ...(
         [
-          ["view", tr("in the plane of the picture")],
+          ["view", tr("in the view plane")],
           ["x", tr("along x")],
           ["y", tr("along y")],
           ["z", tr("along z")],
@@ -56,8 +56,8 @@ export class Points {
     this.element.append(
       field(tr("Hardpoint"), this.choice),
       ...this.inputs.map((input, i) => field(`${"xyz"[i]} [mm]`, input)),
-      field(tr("Dragged"), way),
-      field(tr("Snaps to"), this.snap),
+      field(tr("Drag"), way),
+      field(tr("Grid"), this.snap),
     );
   }
 

@@ -109,7 +109,7 @@ function xy(points: { x: number[]; y: number[]; count: number }): HTMLElement {
   const holder = make("figure", {});
   holder.append(
     picture,
-    make("figcaption", { class: "muted" }, `${points.count} samples as they would be read`),
+    make("figcaption", { class: "muted" }, `preview of ${points.count} samples`),
   );
   return holder;
 }
@@ -183,7 +183,7 @@ export class Reading {
         field("Stroke", sign("stroke_positive", ["compression", "extension"])),
         field("Force", sign("force_positive", ["compression", "tension"])),
         ...(form === "recording"
-          ? [field("Sample time, where the file has none", text("sample_time", "1 ms"))]
+          ? [field("Sample time, if not in the file", text("sample_time", "1 ms"))]
           : []),
         field("Variable or group (.mat, .tdms)", text("variable", "")),
         this.question.button,
@@ -211,7 +211,7 @@ export class Reading {
                   "from",
                   "to",
                   "read as",
-                  "unit, where the file has none",
+                  "unit, if not in the file",
                 ].map((one) => make("th", { scope: "col" }, one)),
               ),
             ),
@@ -284,7 +284,7 @@ export class Reading {
     const button = make(
       "button",
       { type: "button" },
-      tr("Read it as # is read", same.file.split("/").pop()!),
+      tr("Read with the settings of #", same.file.split("/").pop()!),
     );
     button.addEventListener("click", () => {
       this.fields.columns = { ...same.fields.columns };
@@ -313,12 +313,12 @@ export class Reading {
                 list: "channels-to-read",
                 value: own?.name ?? "",
                 placeholder: "as it is",
-                "aria-label": `what ${one.name} is read as`,
+                "aria-label": `quantity of ${one.name}`,
                 size: "16",
               })
             : make(
                 "select",
-                { "aria-label": `what ${one.name} is read as` },
+                { "aria-label": `quantity of ${one.name}` },
                 ...["", "displacement", "force"].map((word) =>
                   make(
                     "option",

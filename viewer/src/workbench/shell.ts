@@ -92,8 +92,10 @@ export async function choose(
             "p",
             { class: "muted" },
             page === "kinematics"
-              ? tr("Choose a corner with hardpoints.")
-              : tr("Choose what is looked at."),
+              ? tr("Choose a rig with hardpoints.")
+              : kinds.includes("rig")
+                ? tr("Choose a rig or vehicle.")
+                : tr("Choose a record."),
           ),
         ]
       : []),
@@ -106,8 +108,8 @@ export async function choose(
             "p",
             { class: "empty" },
             kinds.includes("rig")
-              ? tr("No rig lies here yet: ")
-              : tr("Nothing of that kind lies here yet: "),
+              ? tr("No rig in this project yet: ")
+              : tr("No record in this project yet: "),
             make("a", { href: address("project") }, tr("to the project")),
             ".",
           ),

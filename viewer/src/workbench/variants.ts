@@ -335,7 +335,7 @@ export function matrix(brushes: Brushes): HTMLElement {
     metrics = brushes.columns.filter((one) => !one.is_number).slice(0, 6);
   return make(
     "div",
-    { class: "wide table", tabindex: "0", role: "region", "aria-label": "matrix of dots" },
+    { class: "wide table", tabindex: "0", role: "region", "aria-label": "scatter plot matrix" },
     make(
       "table",
       { class: "matrix" },
@@ -371,8 +371,8 @@ export interface Influence {
   measures: Record<string, { value: number; interval: [number, number] | null } | number>;
 }
 const INDEX: [string, string][] = [
-  ["total", "share of the variance, with others"],
-  ["mean_absolute_effect", "mean size of effects"],
+  ["total", "share of the variance, with interactions"],
+  ["mean_absolute_effect", "mean absolute effect"],
   ["regression", "regression coefficient"],
 ];
 
@@ -439,7 +439,7 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
       make(
         "caption",
         {},
-        `${metric.name}: from its mean of ${written(mean * metric.factor, 4)} ${metric.unit}, where a number is low and where it is high`,
+        `${metric.name}: mean ${written(mean * metric.factor, 4)} ${metric.unit}; change where a parameter is low and where it is high`,
       ),
       make(
         "thead",
@@ -447,7 +447,7 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
         make(
           "tr",
           {},
-          make("th", { scope: "col" }, "number"),
+          make("th", { scope: "col" }, "parameter"),
           make(
             "th",
             { scope: "col", class: "right" },

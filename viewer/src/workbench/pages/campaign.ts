@@ -75,7 +75,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const files = entries.filter((one) => one.kind === "campaign");
   const folder = make("input", { type: "text", value: "campaign", spellcheck: "false" }),
     told = make("div", { "aria-live": "polite" });
-  const start = make("button", { type: "submit", class: "main" }, "Start from it");
+  const start = make("button", { type: "submit", class: "main" }, "Copy into this project");
   const form = make("form", { class: "form" }, field("Folder", folder), start);
   form.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -90,7 +90,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "p",
       { class: "muted" },
-      "From measurements of springs, tyres, decays and trials to a model that holds: characterised, updated, compared with every trial.",
+      "From measurements of springs, tyres, decays and trials to a validated model: characterised, updated, and compared with every trial.",
     ),
     files.length
       ? make(
@@ -103,7 +103,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       : make(
           "p",
           { class: "empty" },
-          "No campaign lies here yet. Start from the one below, and put your own measurements in.",
+          "No campaign in this project yet. Start from the example below and add your own measurements.",
         ),
     make("h2", {}, "Runs"),
     jobList(
@@ -111,10 +111,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       (one) => {
         location.hash = address("campaign", { job: one.id });
       },
-      "No campaign was run here yet.",
+      "No campaign has been run yet.",
     ),
-    make("h2", {}, "A campaign to start from"),
-    make("p", { class: "muted" }, "It runs as it is, with synthetic recordings."),
+    make("h2", {}, "Example campaign"),
+    make("p", { class: "muted" }, "Ready to run, with synthetic recordings."),
     form,
     told,
   );
@@ -133,7 +133,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       make(
         "p",
         { class: "bar" },
-        make("span", { class: "good" }, latest.said ?? "Entered into the campaign."),
+        make("span", { class: "good" }, latest.said ?? "Added to the campaign."),
         undo,
       ),
     );
@@ -191,11 +191,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     if (own.isTyped()) {
       own.element.open = true;
       told.replaceChildren(
-        problem(
-          new Error(
-            tr("The campaign's file is edited and not saved: save it, or discard what was typed."),
-          ),
-        ),
+        problem(new Error(tr("The campaign file has unsaved edits: save or discard them."))),
       );
     }
     return own.isTyped();
@@ -214,7 +210,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       (error) => told.replaceChildren(problem(error)),
     );
   });
-  const check = make("button", { type: "button" }, "Check it");
+  const check = make("button", { type: "button" }, "Check");
   check.addEventListener("click", () => {
     if (isUnsaved()) return;
     once(check, api.check(path)).then(
@@ -222,7 +218,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
         told.replaceChildren(
           ...(problems.length
             ? problems.map(problem)
-            : [make("p", { class: "good" }, "Nothing is wrong with it.")]),
+            : [make("p", { class: "good" }, "No problems found.")]),
           ...notes.flatMap((one) =>
             typeof one === "string" ? make("p", { class: "muted" }, asSaid(one)) : advised([one], "p"),
           ),
@@ -250,7 +246,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   ) => {
     const button = make(
       "button",
-      { type: "button", "aria-label": tr("look at #", file) },
+      { type: "button", "aria-label": tr("view #", file) },
       file.split("/").pop()!,
     );
     button.addEventListener("click", () => open(file, form, given));
@@ -304,8 +300,8 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     make(
       "div",
       { class: "form" },
-      field("Folder of the results", out),
-      make("label", { class: "field" }, make("span", {}, "Replace what is there"), force),
+      field("Results folder", out),
+      make("label", { class: "field" }, make("span", {}, "Replace existing results"), force),
       check,
       go,
     ),
@@ -317,7 +313,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
           make(
             "p",
             { class: "empty" },
-            "Nothing was measured of the parts: the rig is taken as its file says.",
+            "No measured parts: the rig is used as its file describes it.",
           ),
         ]),
     make("h2", {}, "Trials"),
@@ -359,7 +355,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
         ),
     own.element,
     make("h2", {}, "Measurements"),
-    make("div", { class: "form" }, field("Folder they go to", where)),
+    make("div", { class: "form" }, field("Target folder", where)),
     dropZone(
       () => where.value,
       "Drop measured files here, or choose them (up to 250 MB each).",
@@ -413,11 +409,11 @@ function textOf(
   const element = make(
     "details",
     {},
-    make("summary", {}, "The campaign's file"),
+    make("summary", {}, "Campaign file"),
     make(
       "p",
       { class: "muted" },
-      "Trials that are not to count, a sensor that is upside down (orientation = -1), other free parameters: what is saved here is read at once, and can be taken back.",
+      "Exclude trials, turn a sensor around (orientation = -1) or free other parameters: what you save takes effect at once and can be undone.",
     ),
     area,
     make("div", { class: "bar" }, save, away),
@@ -581,10 +577,7 @@ function part(
           },
     (told) => [
       estimates(told.result as Record<string, unknown>),
-      report(
-        told.report,
-        decays ? "Decay and its bend by friction" : "Fit, with the discarded zone",
-      ),
+      report(told.report, decays ? "Free decay with dry friction" : "Fit, with the ignored zone"),
       ways(told),
     ],
   );
@@ -594,7 +587,7 @@ function part(
     make("h3", {}, heard(tr(one.name))),
     one.found.length
       ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one)))
-      : make("p", { class: "problem" }, `no file is found for ${one.files.join(", ")}`),
+      : make("p", { class: "problem" }, `no file found for ${one.files.join(", ")}`),
     make(
       "div",
       { class: "form" },
@@ -602,7 +595,7 @@ function part(
         ? [field("Oscillating mass", mass), field("From", from), field("To", to)]
         : [
             field("Law", law),
-            field("Ignore smaller deflections", discard),
+            field("Ignore deflections below", discard),
             field("Force at zero", intercept),
           ]),
       question.button,
@@ -682,10 +675,10 @@ function entry(
     .map((one) => ({ file: String(one.file), fields: one as Partial<Fields> }));
   let reading = new Reading(file, form, given as object, form === "recording" ? like : []);
   const kinds: [string, string][] = [
-    ["trial", "a trial"],
-    ["decay", "a free decay"],
-    ["spring", "the spring"],
-    ["tyre", "a tyre at a pressure"],
+    ["trial", "trial"],
+    ["decay", "free decay"],
+    ["spring", "spring"],
+    ["tyre", "tyre at a pressure"],
   ];
   const use = make(
     "select",
@@ -711,18 +704,18 @@ function entry(
       ...whole_.roads.map((one) => make("option", { value: one }, one)),
       make("option", { value: "" }, "none: the support is measured"),
     );
-  const support = text("", "its file, with road.z"),
+  const support = text("", "file with road.z"),
     datum = make(
       "select",
       {},
       make("option", { value: "undeformed" }, "undeformed springs and tyre"),
-      make("option", { value: "rest" }, "the wheel at rest on it"),
+      make("option", { value: "rest" }, "the wheel at rest on the support"),
     );
   const goes = make(
     "select",
     {},
-    make("option", { value: "hold-out" }, "judges only (hold-out)"),
-    make("option", { value: "fit" }, "is fitted"),
+    make("option", { value: "hold-out" }, "hold-out: validation only"),
+    make("option", { value: "fit" }, "used for the fit"),
   );
   const replace = make("input", { type: "checkbox" }),
     discard = text("", "2 mm"),
@@ -741,22 +734,22 @@ function entry(
             field("Road", road),
             ...(road.value
               ? [field("Speed", speed)]
-              : [field("File of the support", support), field("Its height counts from", datum)]),
+              : [field("Support motion file", support), field("Height measured from", datum)]),
             field("Tyre pressure", pressure),
             field("Use", goes),
           ]
         : use.value === "decay"
-          ? [field("In place of the files there", replace)]
+          ? [field("Replace the example files", replace)]
           : [
-              field("In place of the files there", replace),
+              field("Replace the example files", replace),
               ...(use.value === "tyre" ? [field("Pressure", pressure)] : []),
-              field("Ignore smaller deflections", discard),
+              field("Ignore deflections below", discard),
             ]),
     );
   };
   use.addEventListener("change", offer);
   road.addEventListener("change", offer);
-  const go = make("button", { type: "button", class: "main" }, "Enter it into the campaign");
+  const go = make("button", { type: "button", class: "main" }, "Add to the campaign");
   go.addEventListener("click", () => {
     const { columns, variable, sample_time, stroke_positive, force_positive } = reading.fields;
     const how = {
@@ -815,7 +808,7 @@ function entry(
     { class: "job" },
     make("h3", {}, file),
     place,
-    make("div", { class: "form" }, field("It is a measurement of", use), fields, go),
+    make("div", { class: "form" }, field("Type of measurement", use), fields, go),
     told,
   );
   let first = JSON.stringify(typed());
@@ -984,7 +977,7 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
     make(
       "figcaption",
       { class: "muted" },
-      `objective, logarithmic: ${written(steps[0]!.objective, 4)} at first, ${written(last.objective, 4)} after ${last.evaluation} evaluations`,
+      `objective (logarithmic scale): ${written(steps[0]!.objective, 4)} initially, ${written(last.objective, 4)} after ${last.evaluation} evaluations`,
     ),
   );
   const rows = Object.entries(last.parameters).map(([path, one]) => {
@@ -1019,7 +1012,7 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   return make(
     "section",
     { class: "job" },
-    make("h3", {}, runs ? "The search goes on" : "The last search"),
+    make("h3", {}, runs ? "Search in progress" : "Last search"),
     figure,
     make(
       "div",
@@ -1033,7 +1026,7 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
           make(
             "tr",
             {},
-            ...["parameter", "unit", "lower bound", "", "upper bound", "at first", "now", ""].map(
+            ...["parameter", "unit", "lower bound", "", "upper bound", "initial", "now", ""].map(
               (one, k) =>
                 make(
                   "th",
@@ -1066,8 +1059,8 @@ function updated(folder: string): HTMLElement {
             " · ",
             make(
               "a",
-              { href: address("trial", { rig: path }), "aria-label": `${tr("drive it")}: ${path}` },
-              tr("drive it"),
+              { href: address("trial", { rig: path }), "aria-label": `${tr("drive")}: ${path}` },
+              tr("drive"),
             ),
           ),
         ),
@@ -1106,10 +1099,10 @@ function answer(found: Results, units: Units): HTMLElement[] {
   );
   if (found.characterisation.replaced.length)
     shown.push(
-      make("h2", {}, "Characterised"),
+      make("h2", {}, "Measured parts"),
       table(
-        "characterised",
-        ["number", "unit", "in the rig's file", "measured", "standard error", "from"],
+        "measured parts",
+        ["parameter", "unit", "in the rig's file", "measured", "standard error", "from"],
         found.characterisation.replaced.map((one) => {
           const { unit, factor } = units(one.path);
           return [
@@ -1137,13 +1130,13 @@ function answer(found: Results, units: Units): HTMLElement[] {
         [
           "parameter",
           "unit",
-          "at first",
+          "initial",
           "value",
           ...(one.discrepancy
-            ? ["part / model", "95 % interval, model error counted"]
+            ? ["part / model", "95 % interval, with model error"]
             : ["95 % interval, noise only"]),
           "bounds",
-          "known",
+          "status",
         ],
         Object.entries(one.parameters).map(([path, p]) => {
           const law = one.discrepancy?.parameters[path];
@@ -1183,19 +1176,19 @@ function answer(found: Results, units: Units): HTMLElement[] {
             make(
               "p",
               { class: "muted" },
-              `With everything fitted that was doubted, ${written(100 * one.discrepancy.objective, 2)} % of the residual's energy is left.`,
+              `With all uncertain parameters fitted, ${written(100 * one.discrepancy.objective, 2)} % of the residual energy remains.`,
             ),
           ]
         : []),
-      make("h3", {}, "What the data can tell"),
+      make("h3", {}, "Identifiability"),
       make(
         "p",
         { class: "muted" },
-        `${one.identifiability.rank} of ${one.identifiability.parameters.length} directions are told apart; the condition is ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}.`,
+        `${one.identifiability.rank} of ${one.identifiability.parameters.length} parameter combinations are identifiable (condition number ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}).`,
       ),
       table(
         "identifiability",
-        ["unknown", "sensitivity", "most alike"],
+        ["unknown", "sensitivity", "most correlated"],
         one.identifiability.parameters.map((name, k) => {
           const row = one.identifiability.correlation[k] ?? [],
             best = row.reduce(
@@ -1223,7 +1216,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
       make(
         "p",
         { class: "muted" },
-        "Mean error of the channels (NRMSE) before and after each update; trials it was fitted on are marked.",
+        "Mean channel error (NRMSE) before and after each update; trials used for the fit are marked.",
       ),
       table(
         "every update on every trial",
@@ -1241,7 +1234,7 @@ function answer(found: Results, units: Units): HTMLElement[] {
     );
   if (found.findings.length)
     shown.push(
-      make("h2", {}, "What to be careful about"),
+      make("h2", {}, "Warnings and notes"),
       make(
         "ul",
         {},

@@ -47,7 +47,7 @@ const QUANTITIES: [string, string, string, number][] = [
   ["static_load", "static load", "N", 1],
   ["adhesion", "adhesion (EUSAMA)", "%", 100],
   ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1],
-  ["phase_frequency_hz", "frequency of that angle", "Hz", 1],
+  ["phase_frequency_hz", "frequency of the least phase angle", "Hz", 1],
   ["relative_force_amplitude", "relative force amplitude", "%", 100],
   ["tyre_rigidity", "tyre rigidity", "N/mm", 1e-3],
   ["theta_rig", "damping ratio on the tester (THETA)", "1", 1],
@@ -80,7 +80,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     noStore = make(
       "p",
       { class: "empty" },
-      "No store lies here yet: name one where a record is evaluated (lane.sqlite), and it is kept there.",
+      "No store in this project yet. Name one (such as lane.sqlite) when you evaluate a record.",
     );
   const offered = () => {
     search_.hidden = !store.options.length;
@@ -112,7 +112,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "p",
       { class: "muted" },
-      "Records of shock-absorber testers: read, evaluated, graded against limits, put on a protocol, and kept in a store.",
+      "Evaluate records of shock-absorber testers, grade them against limits, and save report and record in a store.",
     ),
     drafts.element,
     make("h2", {}, "Evaluate a record"),
@@ -120,10 +120,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "New records"),
     dropZone(
       () => "records",
-      "Drop records of a tester here, or choose them; they go to the folder records.",
+      "Drop tester records here, or choose them; they are saved in the folder records.",
       here,
     ),
-    make("details", {}, make("summary", {}, "No record at hand? Simulate a test"), test.element),
+    make("details", {}, make("summary", {}, "No record available? Simulate a test"), test.element),
     make("h2", {}, "Store"),
     noStore,
     search_,
@@ -166,8 +166,8 @@ function evaluation(
       choices.testers,
       choices.testers.find((one) => one.includes("egea")),
     ),
-    vehicle = select(rigs, "", "not known");
-  const method = select(choices.methods, "", "that of the tester"),
+    vehicle = select(rigs, "", "not specified");
+  const method = select(choices.methods, "", "the tester's own"),
     text = (value: string, hint = "") =>
       make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
   const store = text(stores[0] ?? "", "lane.sqlite"),
@@ -192,7 +192,7 @@ function evaluation(
         ),
       ),
     );
-  const look = make("button", { type: "button" }, "Look at the record"),
+  const look = make("button", { type: "button" }, "View the record"),
     looked = make("div", {});
   look.addEventListener("click", () => {
     const reading = new Reading(record.value, "recording");
@@ -221,13 +221,17 @@ function evaluation(
     (told: Told<Graded>, asked) => {
       used(was);
       if (told.result.store) stored(asked.store);
-      return [...graded(told.result), report(told.report, "Protocol", asked.language), ways(told)];
+      return [
+        ...graded(told.result),
+        report(told.report, "Test report", asked.language),
+        ways(told),
+      ];
     },
   );
   const none = make(
     "p",
     { class: "empty", hidden: !!records.length },
-    "No record lies here yet: drop one below, or simulate a test.",
+    "No record in this project yet: drop one below, or simulate a test.",
   );
   const whole = make(
     "section",
@@ -238,7 +242,7 @@ function evaluation(
       field("Record of one axle", record),
       field("Record of the other axle", other),
       field("Tester", tester),
-      field("Method that decides", method),
+      field("Deciding method", method),
       field("Vehicle", vehicle),
     ),
     make(
@@ -247,8 +251,8 @@ function evaluation(
       field("Number plate", plate),
       field("Date", date),
       field("Inspector", by),
-      field("Language of the protocol", language),
-      field("Keep it in the store", store),
+      field("Language of the report", language),
+      field("Save in the store", store),
       look,
       question.button,
     ),
@@ -288,7 +292,7 @@ function graded(found: Graded): HTMLElement[] {
             make(
               "span",
               { class: "good" },
-              `kept in the store as record ${found.store.records.join(", ")}`,
+              `saved in the store as record ${found.store.records.join(", ")}`,
             ),
           ]
         : []),
@@ -379,7 +383,12 @@ function graded(found: Graded): HTMLElement[] {
     ...advised(found.findings ?? [], "li"),
   ];
   shown.push(
-    make("details", {}, make("summary", {}, `Why (${reasons.length})`), make("ul", {}, ...reasons)),
+    make(
+      "details",
+      {},
+      make("summary", {}, `Reasons (${reasons.length})`),
+      make("ul", {}, ...reasons),
+    ),
   );
   return shown;
 }
@@ -428,8 +437,8 @@ function simulated(
         make(
           "p",
           { class: "good" },
-          `${asked.out} was written. `,
-          make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate it"),
+          `${asked.out} was saved. `,
+          make("a", { href: address("inspection", { record: asked.out }) }, "Evaluate"),
         ),
         ways(told),
       ];
@@ -488,7 +497,8 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
     }),
     (told: Told<{ records: Stored[] }>, asked) => {
       const { records } = told.result;
-      if (!records.length) return [make("p", { class: "empty" }, "No record fits."), ways(told)];
+      if (!records.length)
+        return [make("p", { class: "empty" }, "No matching records."), ways(told)];
       const rows = records.map((one) => {
         const button = make(
           "button",
@@ -592,7 +602,7 @@ function trends(
     visits: number;
   }[],
 ): HTMLElement[] {
-  if (!found.length) return [make("p", { class: "muted" }, "One visit tells no trend.")];
+  if (!found.length) return [make("p", { class: "muted" }, "One visit shows no trend.")];
   return [
     make(
       "div",

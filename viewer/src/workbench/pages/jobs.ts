@@ -25,15 +25,7 @@ export function results(job: Job): void {
 async function show(place: HTMLElement): Promise<void> {
   place.replaceChildren(
     make("h1", {}, "Jobs"),
-    make(
-      "p",
-      { class: "muted" },
-      "Long work goes on when this page is closed, and when the server is ended: it is found again here.",
-    ),
-    jobList(
-      null,
-      results,
-      "No long work was begun here yet. Studies, campaigns, rides and designs begin it.",
-    ),
+    make("p", { class: "muted" }, "Jobs continue when you close the page or stop the server."),
+    jobList(null, results, "No jobs yet. Studies, campaigns, rides and designs start them."),
   );
 }

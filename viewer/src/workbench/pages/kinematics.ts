@@ -120,7 +120,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       make(
         "p",
         { class: "empty" },
-        tr("This rig has no hardpoints, and so no kinematics: "),
+        tr("This rig has no hardpoints and therefore no kinematics: "),
         make("a", { href: address("kinematics") }, tr("choose another one")),
         ".",
       ),
@@ -192,7 +192,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const against = make(
     "select",
     {},
-    make("option", { value: "" }, tr("nothing else")),
+    make("option", { value: "" }, tr("nothing")),
     ...(earlier.length
       ? [
           make(
@@ -336,7 +336,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
           one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "";
       const waiting = setTimeout(() => {
         state.textContent = tr(
-          "computing; the first time a model is compiled once, which takes some seconds",
+          "computing; the first run compiles the model, which takes a few seconds",
         );
       }, 500);
       try {
@@ -414,12 +414,12 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const legend = make("ul", { class: "legend" }),
     filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
   filter.addEventListener("input", () => multiples.filter(filter.value));
-  const write = make("button", { type: "button" }, tr("Write these changes into the file")),
+  const write = make("button", { type: "button" }, tr("Save these changes to the file")),
     written_ = make("span", { "aria-live": "polite" });
   write.addEventListener("click", () => {
     const changes = { ...sliders.changes };
     if (!Object.keys(changes).length) {
-      written_.textContent = tr("Nothing is changed.");
+      written_.textContent = tr("No changes to save.");
       return;
     }
     void once(
@@ -437,7 +437,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
             later = moved().filter(({ path, value }) => value !== inFile.get(path));
           kept = {
             rig: name,
-            said: tr("The changes stand in the file; what it was before is an earlier version."),
+            said: tr("Saved. The previous state is under earlier versions."),
             targets,
             changes: Object.fromEntries(later.map(({ path, value }) => [path, value])),
           };
@@ -455,7 +455,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         dragged.set(moved());
         void ask();
       })
-    : make("p", { class: "muted" }, tr("Start a rig of your own from this one to design it."));
+    : make("p", { class: "muted" }, tr("To design this rig, copy it into the project."));
   whenColoursChange(() => view.repaint());
   arrange();
   place.replaceChildren(
@@ -465,7 +465,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
           make(
             "p",
             { class: "bar" },
-            make("a", { href: address("rig", { name }) }, tr("To its file")),
+            make("a", { href: address("rig", { name }) }, tr("Open its file")),
           ),
         ]
       : []),
@@ -503,7 +503,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         ),
       ),
     ),
-    make("h2", {}, tr("Numbers")),
+    make("h2", {}, tr("Parameters")),
     sliders.element,
     ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
     make("h2", {}, tr("Targets")),
@@ -566,10 +566,10 @@ class Targets {
       "form",
       { class: "form" },
       field(tr("Quantity"), this.quantity),
-      field(tr("is wanted"), how),
+      field(tr("Condition"), how),
       field(tr("Value"), value),
       field(tr("Tolerance"), tolerance),
-      field(tr("At, or over first:last:step"), where),
+      field(tr("At a value, or over first:last:step"), where),
       this.adds,
     );
     add.addEventListener("submit", (event) => {
@@ -632,7 +632,7 @@ class Targets {
                   "button",
                   {
                     type: "button",
-                    "aria-label": tr("Take # away", one.quantity),
+                    "aria-label": tr("Remove #", one.quantity),
                     click: () => {
                       this.targets.splice(i, 1);
                       this.list();
@@ -651,7 +651,7 @@ class Targets {
               make(
                 "td",
                 { class: "muted" },
-                tr("None yet: add one below, and its band stands in its curve."),
+                tr("No targets yet. Add one; its tolerance band appears in the curve."),
               ),
             ),
           ]),

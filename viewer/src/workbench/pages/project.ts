@@ -42,20 +42,20 @@ const LABELS: Record<string, string> = {
 const OPENS: Record<string, [page: string, key: string, words: string][]> = {
   rig: [
     ["rig", "name", "edit"],
-    ["trial", "rig", "drive it"],
+    ["trial", "rig", "drive"],
     ["kinematics", "rig", "kinematics"],
   ],
   vehicle: [
     ["rig", "name", "edit"],
-    ["trial", "rig", "drive it"],
+    ["trial", "rig", "drive"],
   ],
   record: [
-    ["record", "path", "look at it"],
-    ["trial", "record", "beside a run"],
+    ["record", "path", "view"],
+    ["trial", "record", "compare with a simulation"],
     ["inspection", "record", "inspect"],
   ],
   campaign: [["campaign", "file", "open"]],
-  sweep: [["studies", "study", "begin"]],
+  sweep: [["studies", "study", "open"]],
   swept: [["studies", "folder", "results"]],
   store: [["inspection", "store", "search"]],
 };
@@ -114,7 +114,7 @@ async function show(place: HTMLElement): Promise<void> {
     target.value = `${choice.value}.toml`;
   });
   const told = make("div", { "aria-live": "polite" });
-  const copy = make("button", { type: "submit", class: "main" }, tr("Copy it here"));
+  const copy = make("button", { type: "submit", class: "main" }, tr("Copy into this project"));
   const form = make(
     "form",
     { class: "form" },
@@ -147,7 +147,7 @@ async function show(place: HTMLElement): Promise<void> {
               make(
                 "tr",
                 {},
-                ...[tr("file"), tr("what it is"), tr("size"), tr("written"), tr("to do")].map(
+                ...[tr("file"), tr("type"), tr("size"), tr("modified"), tr("actions")].map(
                   (text, k) =>
                     make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text),
                 ),
@@ -160,13 +160,13 @@ async function show(place: HTMLElement): Promise<void> {
           "p",
           { class: "empty" },
           tr(
-            "No rigs, roads or records lie here yet. Start from a rig that comes with jounce, or put your files into the folder.",
+            "This project has no rigs, roads or records yet. Start from a rig shipped with jounce, or copy your files into the folder.",
           ),
         ),
     make("h2", {}, tr("Start from an example")),
     form,
     told,
-    ...(kept.length ? [make("h2", {}, tr("Runs that were kept")), history(kept)] : []),
+    ...(kept.length ? [make("h2", {}, tr("Saved runs")), history(kept)] : []),
   );
 }
 
@@ -228,17 +228,21 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
           "li",
           {},
           make("a", { href: address("campaign", { file: path }) }, tr("Run #", path)),
-          tr(": parts characterised, the model updated, every trial compared."),
+          tr(": characterise the parts, update the model and compare every trial."),
         ),
       );
   }
   if (!rig)
     steps.push(
-      make("li", {}, tr("Start from a shipped rig, below.")),
+      make("li", {}, tr("Start from a shipped rig (below).")),
       make(
         "li",
         {},
-        make("a", { href: address("campaign") }, tr("Start from a campaign that runs as it is")),
+        make(
+          "a",
+          { href: address("campaign") },
+          tr("Start from an example campaign that is ready to run"),
+        ),
         ".",
       ),
     );
@@ -253,7 +257,7 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
             { href: address("trial", { rig: rig.path }) },
             tr("Drive # over an obstacle", rig.path),
           ),
-          tr(", and keep the run."),
+          tr(" and save the run."),
         ),
       );
     if (kept.length === 1)
@@ -264,9 +268,9 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
           make(
             "a",
             { href: address("trial", { rig: rig.path }) },
-            tr("Change # and keep another run", rig.path),
+            tr("Change # and save another run", rig.path),
           ),
-          tr(", to compare the two."),
+          tr(" to compare the two."),
         ),
       );
     if (record && !of("campaign").length)
@@ -277,7 +281,7 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
           make(
             "a",
             { href: address("trial", { rig: rig.path, record: record.path }) },
-            tr("Look at # beside a run", record.path),
+            tr("Compare # with a simulation", record.path),
           ),
           ".",
         ),
@@ -287,7 +291,7 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
         make(
           "li",
           {},
-          make("a", { href: address("studies") }, tr("Vary its numbers in a study")),
+          make("a", { href: address("studies") }, tr("Vary its parameters in a study")),
           ".",
         ),
       );
@@ -295,8 +299,8 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
   return steps.length
     ? make(
         "section",
-        { class: "next", "aria-label": tr("What to do next") },
-        make("h2", {}, tr("What to do next")),
+        { class: "next", "aria-label": tr("Next steps") },
+        make("h2", {}, tr("Next steps")),
         make("ul", {}, ...steps),
       )
     : make("section", { hidden: true });
@@ -308,7 +312,7 @@ function history(kept: Kept[]): HTMLElement {
       make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 }),
     ),
     out = make("div", {});
-  const compare = make("button", { type: "button" }, tr("Compare those that are chosen"));
+  const compare = make("button", { type: "button" }, tr("Compare selected runs"));
   const short = (digest: string) => make("code", { title: digest }, digest.slice(0, 8));
   compare.addEventListener("click", () => {
     const paths = kept
@@ -316,7 +320,7 @@ function history(kept: Kept[]): HTMLElement {
       .map((one) => one.path)
       .slice(0, 6);
     if (!paths.length) {
-      out.replaceChildren(make("p", { class: "muted" }, tr("Choose one or more of them.")));
+      out.replaceChildren(make("p", { class: "muted" }, tr("Select at least one run.")));
       return;
     }
     once(compare, api.binary("/api/compare", { paths })).then(
@@ -340,7 +344,7 @@ function history(kept: Kept[]): HTMLElement {
     {},
     make(
       "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": tr("Runs that were kept") },
+      { class: "table", tabindex: "0", role: "region", "aria-label": tr("Saved runs") },
       make(
         "table",
         {},
@@ -359,7 +363,7 @@ function history(kept: Kept[]): HTMLElement {
               tr("inputs"),
               tr("seed"),
               tr("version"),
-              tr("kept"),
+              tr("saved"),
             ].map((text) =>
               make(
                 "th",

@@ -162,19 +162,19 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "p",
       { class: "muted" },
-      `${tr("# samples", String(about.count))}, ${about.even ? `${tr("every")} ${localised(String(Number(about.step.toPrecision(6))))} ${about.unit}` : tr("not evenly spaced")}, ${localised(String(Number(about.first.toPrecision(9))))} – ${localised(String(Number(about.last.toPrecision(9))))} ${about.unit}; ${tr("units as they are in the file")}`,
+      `${tr("# samples", String(about.count))}, ${about.even ? `${tr("every")} ${localised(String(Number(about.step.toPrecision(6))))} ${about.unit}` : tr("unevenly spaced")}, ${localised(String(Number(about.first.toPrecision(9))))} – ${localised(String(Number(about.last.toPrecision(9))))} ${about.unit}; ${tr("units as in the file")}`,
     ),
     make(
       "p",
       { class: "bar" },
-      make("a", { href: address("trial", { record: path }) }, tr("Beside a run")),
+      make("a", { href: address("trial", { record: path }) }, tr("Compare with a simulation")),
     ),
     ...(about.left_out ?? []).map((text) =>
       make("p", { class: "problem" }, `${tr("not shown")}: `, asSaid(text)),
     ),
     about.channels.length
       ? player
-      : make("p", { class: "empty" }, tr("There is nothing in it but time.")),
+      : make("p", { class: "empty" }, tr("It has no channel besides time.")),
     state,
     make(
       "p",

@@ -65,9 +65,9 @@ const MERITS: [string, string, string, number][] = [
   ["comfort", "body, weighted r.m.s. (Wk)", "m/s²", 1],
   ["body_acceleration", "body r.m.s.", "m/s²", 1],
   ["travel", "strut travel r.m.s., worst corner", "mm", 1e3],
-  ["travel_range", "strut travel, whole range, worst corner", "mm", 1e3],
+  ["travel_range", "strut travel, peak to peak, worst corner", "mm", 1e3],
   ["load_coefficient", "dynamic wheel load coefficient, worst corner", "%", 100],
-  ["lift_off", "time lifted off, worst corner", "%", 100],
+  ["lift_off", "time off the ground, worst corner", "%", 100],
 ];
 
 /** Units in which SI values are shown. */
@@ -214,7 +214,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "p",
       { class: "muted" },
-      "A vehicle over a rough road, passive and with controllers: comfort beside travel and road holding, in numbers, over time and as spectra.",
+      "Drive a vehicle over a rough road, passive or controlled, and compare comfort, travel and road holding.",
     ),
     offers,
     form,
@@ -226,9 +226,9 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       (one) => {
         location.hash = address("ride", { job: one.id });
       },
-      "Nothing was driven here yet.",
+      "No rides yet.",
     ),
-    make("h2", {}, "Rides over each other"),
+    make("h2", {}, "Overlay rides"),
     overlay(),
   );
   const [folder] = await Promise.all([api.folder(), search.loaded]),
@@ -264,14 +264,10 @@ function overlay(): HTMLElement {
     notes: string[];
     failed: Record<string, string>;
   }
-  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Rides that are done")),
+  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Finished rides")),
     chosen = new Map<string, One>(),
     offered = new Set<string>();
-  const none = make(
-      "p",
-      { class: "empty" },
-      "Drive first: every ride that is done can be chosen here.",
-    ),
+  const none = make("p", { class: "empty" }, "No finished ride yet: drive first."),
     over = make(
       "select",
       {},
@@ -281,7 +277,7 @@ function overlay(): HTMLElement {
   let draw = (): void => {};
   over.addEventListener("change", () => draw());
   const question = new Question<Drawn>(
-    "Draw them",
+    "Draw",
     () => ({ kind: "overlay", rides: [...chosen.values()] }),
     ({ result, ...told }) => {
       const holder = make("div", {});
@@ -378,7 +374,7 @@ function pareto(
     paths = make("datalist", { id: "paths-that-are-free" }),
     said = make("div", { "aria-live": "polite" });
   const limit = text("", "20 mm");
-  const more = make("button", { type: "button" }, "Another number"),
+  const more = make("button", { type: "button" }, "Add a parameter"),
     go = make("button", { type: "button", class: "main" }, "Search");
   let numbers: api.RigNumber[] = [];
   const add = (path = "") => {
@@ -390,14 +386,14 @@ function pareto(
         type: "text",
         value: path,
         list: "paths-that-are-free",
-        "aria-label": "number that is free",
+        "aria-label": "design variable",
         size: "30",
       }),
       within = make("input", {
         type: "text",
         value: bounds,
         placeholder: "low..high unit, or ±30 %",
-        "aria-label": "its bounds",
+        "aria-label": "bounds",
       });
     rows.append(make("div", { class: "bar pair" }, which, within));
   };
@@ -477,7 +473,7 @@ function pareto(
       make(
         "p",
         { class: "muted" },
-        "From the most comfortable design to the one that holds the road best; each of them opens as a ride.",
+        "From the most comfortable design to the one with the best road holding; each opens as a ride.",
       ),
       make(
         "div",
@@ -486,7 +482,7 @@ function pareto(
         field("Road", road),
         field("Speed", speed),
         field("Designs", points),
-        field("Most travel r.m.s., if any", limit),
+        field("Maximum r.m.s. travel (optional)", limit),
       ),
       rows,
       paths,
@@ -520,7 +516,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
           ? [
               report(
                 end.report,
-                "runs" in end.result ? "Over time, as spectra, and every metric" : "Report",
+                "runs" in end.result ? "Time histories, spectra and all metrics" : "Report",
               ),
             ]
           : []),
@@ -548,7 +544,7 @@ function merits(found: Compared): HTMLElement[] {
       make(
         "table",
         {},
-        make("caption", {}, "Smaller is better; in brackets the change from the passive rig"),
+        make("caption", {}, "Smaller is better; change from the passive rig in brackets"),
         make(
           "thead",
           {},
@@ -709,9 +705,9 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
     }),
   );
   for (const one of points) {
-    const link = svg("a", { href: opened(one), "aria-label": `drive ${one.name}` });
+    const link = svg("a", { href: opened(one), "aria-label": `open ${one.name} as a ride` });
     link.append(
-      svg("title", {}, `${one.name}: drive it`),
+      svg("title", {}, `${one.name}: open as a ride`),
       one.on
         ? svg("circle", { cx: px(one.comfort), cy: py(one.holding), r: 6, class: "on" })
         : svg("rect", {
@@ -731,13 +727,13 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
     make(
       "figcaption",
       { class: "muted" },
-      `${raised(found.driven)}; round: the front, square: the rig as it is and single best dampers. Each opens as a ride.`,
+      `${raised(found.driven)}; circles: the front; squares: the present rig and single optimum dampers. Each opens as a ride.`,
     ),
   );
   return [
     ...(found.converged
       ? []
-      : [make("p", { class: "mark fair" }, "Not every design is surely the best of its kind.")]),
+      : [make("p", { class: "mark fair" }, "The search did not converge for every design.")]),
     figure,
     make(
       "div",
@@ -796,8 +792,8 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
                 {},
                 make(
                   "a",
-                  { href: opened(one), "aria-label": `drive ${one.name}, as a ride` },
-                  "drive it",
+                  { href: opened(one), "aria-label": `open ${one.name} as a ride` },
+                  "open",
                 ),
               ),
             ),

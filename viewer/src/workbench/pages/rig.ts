@@ -87,7 +87,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       "p",
       { class: "muted" },
       tr(
-        "Drag a hardpoint, or choose it and type its place; drag beside them to turn the picture.",
+        "Drag a hardpoint, or select it and type its coordinates; drag elsewhere to rotate the view.",
       ),
     ),
     points.element,
@@ -97,7 +97,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const moves = make(
     "a",
     { href: address("kinematics", { rig: name }), hidden: true },
-    tr("Look at its kinematics"),
+    tr("Show its kinematics"),
   );
   const drafts = new Drafts(
     folder,
@@ -203,8 +203,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
               "p",
               { class: "good" },
               tr(
-                "#: nothing is wrong with it.",
-                `${found.model}, ${tr("# numbers", String(found.rig?.numbers.length ?? 0))}`,
+                "#: no problems found.",
+                `${found.model}, ${tr("# parameters", String(found.rig?.numbers.length ?? 0))}`,
               ),
             ),
           ]),
@@ -282,7 +282,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const review = async () => {
     const now = text.value,
       found = await api.form(name, now, [], {});
-    const yes = make("button", { type: "button", class: "main" }, tr("Write it")),
+    const yes = make("button", { type: "button", class: "main" }, tr("Write to the file")),
       no = make("button", { type: "button" }, tr("Back"));
     no.addEventListener("click", () => {
       reviewed = null;
@@ -296,20 +296,14 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     difference.replaceChildren(
       make(
         "section",
-        { class: "difference", "aria-label": tr("What is changed") },
-        make("h2", {}, tr("What is changed")),
+        { class: "difference", "aria-label": tr("Changes to the file") },
+        make("h2", {}, tr("Changes to the file")),
         ...(found.problems.length
-          ? [
-              make(
-                "p",
-                { class: "problem" },
-                tr("Something is still wrong with it; it can be saved all the same."),
-              ),
-            ]
+          ? [make("p", { class: "problem" }, tr("There are still problems; you can save anyway."))]
           : []),
         make(
           "pre",
-          { tabindex: "0", "aria-label": tr("What is changed") },
+          { tabindex: "0", "aria-label": tr("Changes to the file") },
           ...found.changed.map((line) =>
             make(
               "span",
@@ -346,7 +340,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       const found = await api.form(name, now, [], {}).catch(() => null); // how the same is done is told of what is saved now
       if (found && text.value === now) take(found);
     } catch (error) {
-      const again = make("button", { type: "button" }, tr("Load it again"));
+      const again = make("button", { type: "button" }, tr("Reload"));
       again.addEventListener(
         "click",
         () =>
@@ -376,7 +370,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "p",
       { class: "bar" },
-      make("a", { href: address("trial", { rig: name }) }, tr("Drive it over an obstacle")),
+      make("a", { href: address("trial", { rig: name }) }, tr("Drive over an obstacle")),
       moves,
     ),
     drafts.element,

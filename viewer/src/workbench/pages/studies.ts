@@ -65,22 +65,18 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const starters = new Map(found.map((one) => [one.path, starter(one.path)]));
   place.replaceChildren(
     make("h1", {}, "Studies"),
-    make(
-      "p",
-      { class: "muted" },
-      "Numbers of a rig are spread over ranges or distributions; every variant is simulated, and what its metrics depend on is told.",
-    ),
+    make("p", { class: "muted" }, "Vary parameters and see what drives each metric."),
     make("h2", {}, "Sweeps"),
     jobList(
       ["sweep"],
       (one) => {
         location.hash = address("studies", { job: one.id });
       },
-      "No sweep was begun here yet. Write a study below, or begin one that lies in the folder.",
+      "No sweeps yet. Write a study below, or start one of this project.",
     ),
     ...(found.length
       ? [
-          make("h2", {}, "Studies that lie here"),
+          make("h2", {}, "Studies in this project"),
           make(
             "ul",
             {},
@@ -101,7 +97,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
 function starter(path: string): HTMLElement {
   const out = path.replace(/\.toml$/, "-swept"),
     told = make("span", {});
-  const button = make("button", { type: "button", "aria-label": `Begin ${path}` }, "Begin");
+  const button = make("button", { type: "button", "aria-label": `Start ${path}` }, "Start");
   button.addEventListener("click", () => {
     once(button, begin({ kind: "sweep", study: path, out, resume: true })).then(
       () => told.replaceChildren(),
@@ -112,23 +108,23 @@ function starter(path: string): HTMLElement {
 }
 
 const DESIGNS: Record<string, [string, boolean]> = {
-  sobol: ["Sobol: even over all numbers", true],
+  sobol: ["Sobol: even coverage of all parameters", true],
   "latin-hypercube": ["Latin hypercube", true],
   "monte-carlo": ["Monte Carlo: random", true],
   grid: ["Grid: every combination", false],
-  list: ["List: one value of each a variant", false],
+  list: ["List: one value of each parameter per variant", false],
   morris: ["Morris: screening by trajectories", true],
-  saltelli: ["Saltelli: indices of the variance", true],
+  saltelli: ["Saltelli: variance-based indices", true],
 };
 const SPREADS: Record<string, [string, string[]]> = {
   share: ["± share", ["20 %"]],
   range: ["range", ["from", "to"]],
   normal: ["normal", ["mean", "sd"]],
   triangular: ["triangular", ["low", "mode", "high"]],
-  values: ["values", ["one, another, ..."]],
+  values: ["values", ["value, value, ..."]],
 };
 async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
-  if (!rigs.length) return make("p", { class: "empty" }, "No rig lies here yet.");
+  if (!rigs.length) return make("p", { class: "empty" }, "No rig in this project yet.");
   const rig = make(
     "select",
     {},
@@ -176,13 +172,13 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       type: "text",
       value: path,
       list: "paths-of-the-rig",
-      "aria-label": "number that varies",
+      "aria-label": "parameter to vary",
       size: "30",
       spellcheck: "false",
     });
     const kind = make(
       "select",
-      { "aria-label": "how it is spread" },
+      { "aria-label": "distribution" },
       ...Object.entries(SPREADS).map(([key, [words]]) =>
         make("option", key === spread ? { value: key, selected: true } : { value: key }, tr(words)),
       ),
@@ -192,9 +188,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     const offer = () => {
       const own = numbers.find((one) => one.path === which.value);
       now.textContent = own
-        ? tr("is #", `${written(own.value * own.factor)} ${own.unit}`)
+        ? tr("now #", `${written(own.value * own.factor)} ${own.unit}`)
         : which.value
-          ? tr("no number of this rig")
+          ? tr("not a parameter of this rig")
           : "";
       const unit = own?.unit ?? "",
         value = own ? own.value * own.factor : 1;
@@ -218,7 +214,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
           return make("input", {
             type: "text",
             value: text,
-            "aria-label": `${which.value || "number"}, ${word in usual ? word : kind.value}`,
+            "aria-label": `${which.value || "parameter"}, ${word in usual ? word : kind.value}`,
             "data-word": word,
             size: kind.value === "values" ? "26" : "11",
           });
@@ -229,7 +225,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     kind.addEventListener("change", offer);
     const away = make(
       "button",
-      { type: "button", "aria-label": tr("leave out #", path || tr("this number")) },
+      { type: "button", "aria-label": tr("remove #", path || tr("this parameter")) },
       "×",
     );
     const row = make(
@@ -274,9 +270,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
           )),
     );
   road.addEventListener("change", offerRoad);
-  const save = make("button", { type: "button" }, "Write the study"),
-    go = make("button", { type: "submit", class: "main" }, "Write it and begin"),
-    more = make("button", { type: "button" }, "Another number");
+  const save = make("button", { type: "button" }, "Save the study"),
+    go = make("button", { type: "submit", class: "main" }, "Save and start"),
+    more = make("button", { type: "button" }, "Add a parameter");
   const buttons = () => {
     more.disabled = !isLoaded;
     save.disabled = go.disabled = !isLoaded || isWriting;
@@ -399,7 +395,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     const into = out.value;
     write(async (made) => {
       const job = await begin({ kind: "sweep", study: made.path, out: into });
-      return [make("p", { class: "good" }, `${made.count} variants begun.`), ways(job)];
+      return [make("p", { class: "good" }, `${made.count} variants started.`), ways(job)];
     });
   });
   more.addEventListener("click", () => add());
@@ -415,7 +411,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     ),
     make(
       "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "what varies" },
+      { class: "table", tabindex: "0", role: "region", "aria-label": "varied parameters" },
       make(
         "table",
         {},
@@ -425,7 +421,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
           make(
             "tr",
             {},
-            ...["number", "spread", "", "", ""].map((text) =>
+            ...["parameter", "distribution", "", "", ""].map((text) =>
               text ? make("th", { scope: "col" }, text) : make("td", {}),
             ),
           ),
@@ -441,13 +437,13 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       field("Design", design),
       field("Count", count),
       field("Seed", seed),
-      field("Metrics, with commas between", metrics),
+      field("Metrics, separated by commas", metrics),
     ),
     make(
       "div",
       { class: "form" },
-      field("File of the study", name),
-      field("Folder of the results", out),
+      field("Study file", name),
+      field("Results folder", out),
       save,
       go,
     ),
@@ -512,7 +508,7 @@ async function showSweep(
     place.replaceChildren(
       make("h1", {}, title),
       back,
-      make("p", { class: "empty" }, "No variant is finished yet."),
+      make("p", { class: "empty" }, "No variant has finished yet."),
     );
     return;
   }
@@ -579,17 +575,15 @@ async function showSweep(
     make(
       "p",
       { class: "muted" },
-      `${sweep.finished} of ${sweep.count} variants are finished`,
-      summary && summary.ran < sweep.finished
-        ? `; ${sweep.finished - summary.ran} have no run`
-        : "",
+      `${sweep.finished} of ${sweep.count} variants finished`,
+      summary && summary.ran < sweep.finished ? `; ${sweep.finished - summary.ran} not run` : "",
       ".",
     ),
     ...Object.entries(summary?.failed ?? {}).map(([reason, lost]) =>
       make(
         "p",
         { class: "problem" },
-        `${lost.variants} without a run (variant ${lost.first} first): `,
+        `${lost.variants} not run (first: variant ${lost.first}): `,
         asSaid(reason),
       ),
     ),
@@ -597,7 +591,7 @@ async function showSweep(
     ...(summary?.metrics.length ? [make("h2", {}, "Metrics"), statistics(summary, metrics)] : []),
     ...(summary?.influences.length
       ? [
-          make("h2", {}, "What they depend on"),
+          make("h2", {}, "Sensitivity of the metrics"),
           ...metrics.flatMap((one) => {
             const own = summary.metrics.find((two) => two.name === one.name);
             return own ? [tornado(summary.influences, one, own.mean)] : [];
@@ -608,7 +602,7 @@ async function showSweep(
     make(
       "p",
       { class: "muted" },
-      "Drag along an axis to keep the variants that pass there; a click on it lets all pass again.",
+      "Drag along an axis to filter the variants; click the axis to clear the filter.",
     ),
     parallel(brushes),
     make("div", { class: "bar" }, told, clear),
@@ -616,11 +610,11 @@ async function showSweep(
     ...(metrics.length ? [matrix(brushes)] : []),
     make(
       "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "chosen variants" },
+      { class: "table", tabindex: "0", role: "region", "aria-label": "selected variants" },
       make(
         "table",
         {},
-        make("caption", {}, "The first of the chosen variants"),
+        make("caption", {}, "First selected variants"),
         make(
           "thead",
           {},
@@ -649,7 +643,7 @@ function showRunning(place: HTMLElement, job: Whole, folder: string): void {
     make("h1", {}, job.title),
     make("p", {}, make("a", { href: address("studies") }, "All studies")),
     card.element,
-    make("p", {}, make("a", { href: address("studies", { folder }) }, "What is finished by now")),
+    make("p", {}, make("a", { href: address("studies", { folder }) }, "Results so far")),
   );
   let shown = false;
   follow(card.element, (jobs) => {
@@ -685,9 +679,9 @@ function statistics(summary: Summary, metrics: Column[]): HTMLElement {
           ...[
             "mean",
             "standard deviation",
-            "least",
+            "minimum",
             ...Object.keys(summary.metrics[0]!.percentiles).map((one) => `${one} %`),
-            "greatest",
+            "maximum",
           ].map((text) => make("th", { scope: "col", class: "right" }, text)),
         ),
       ),

@@ -104,7 +104,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       ),
   );
   const begins = make("input", { type: "text", value: "0 s" }),
-    since = field(tr("Where it begins"), begins);
+    since = field(tr("Start of the recording"), begins);
   const offset = () => {
     since.hidden = !measured.value;
   };
@@ -144,8 +144,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         .pop()} ${new Date().toLocaleString("sv-SE").slice(0, 16).replace(":", ".")}`,
     }),
     kept = make("span", { "aria-live": "polite" });
-  const press = make("button", { type: "submit" }, tr("Keep it")),
-    keep = make("form", { class: "form" }, field(tr("Keep this run as"), title), press, kept);
+  const press = make("button", { type: "submit" }, tr("Save the run")),
+    keep = make("form", { class: "form" }, field(tr("Save this run as"), title), press, kept);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
     const was = state();
@@ -157,10 +157,10 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         drafts.done(was); // it lies in the project by now
         const { path } = (await answer.json()) as { path: string };
         kept.replaceChildren(
-          tr("Kept as "),
+          tr("Saved as "),
           make("a", { href: address("record", { path }) }, path),
           ". ",
-          make("a", { href: address("project") }, tr("Compare it in the project")),
+          make("a", { href: address("project") }, tr("Compare in the project")),
         );
       },
       (error) => kept.replaceChildren(problem(error)),
@@ -197,12 +197,12 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     field(tr("Speed"), speed),
     field(tr("Duration"), duration),
     field(tr("Curves over"), look),
-    field(tr("Beside a recording"), measured),
+    field(tr("Compare with a recording"), measured),
     since,
   );
   const run = make(
     "div",
-    { class: "controls", role: "region", "aria-label": tr("What is run") },
+    { class: "controls", role: "region", "aria-label": tr("Test conditions") },
     form,
     sliders.element,
   );
@@ -230,7 +230,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
         outdated.element,
         curves.element,
         phase.element,
-        make("h2", {}, tr("Keep this run")),
+        make("h2", {}, tr("Save this run")),
         keep,
       ),
     ),
