@@ -83,9 +83,9 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         page.get_by_role("button", name="Copy into this project").click()
         page.get_by_role("heading", name="My bench campaign").wait_for()
         page.get_by_role("button", name="Separate damping and friction").click()
-        page.locator("iframe[title^=Decay]").wait_for()
+        page.locator("iframe[title^=Free]").wait_for()
         assert "13.19" in page.get_by_role("region", name="estimates").inner_text()  # N, of the synthetic example
-        report = page.frame_locator("iframe[title^=Decay]")
+        report = page.frame_locator("iframe[title^=Free]")
         report.get_by_role("heading", name="Answer").wait_for()
 
         spring = tmp_path / "soft spring.csv"
@@ -204,9 +204,9 @@ def test_a_record_is_graded_kept_and_found_again(server, browser):
         page.get_by_label("Number plate").first.fill(f"B-AB 1 {EVIL}")
         page.get_by_label("Save in the store").fill("lane.sqlite")
         page.get_by_role("button", name="Evaluate and grade").click()
-        page.locator("iframe[title=Protocol]").wait_for()
+        page.locator("iframe[title='Test report']").wait_for()
         assert "pass" in page.get_by_role("region", name="wheels").get_by_role("row").nth(1).inner_text()
-        protocol = page.frame_locator("iframe[title=Protocol]")
+        protocol = page.frame_locator("iframe[title='Test report']")
         protocol.get_by_text("simulated").first.wait_for()
         assert protocol.locator("img[src=x]").count() == 0
         one.fits()
