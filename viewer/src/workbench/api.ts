@@ -151,9 +151,12 @@ export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/
 export const file = (path: string) => get<Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) => get<Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {
-  const found = await get<{ kind: string; what: string; problems: string[]; notes: Checked["notes"] }>(
-    `/api/check?${query({ path })}`,
-  );
+  const found = await get<{
+    kind: string;
+    what: string;
+    problems: string[];
+    notes: Checked["notes"];
+  }>(`/api/check?${query({ path })}`);
   return { ...found, problems: found.problems.map((one) => new Refused(one)) };
 };
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);

@@ -220,7 +220,9 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
             ? problems.map(problem)
             : [make("p", { class: "good" }, "No problems found.")]),
           ...notes.flatMap((one) =>
-            typeof one === "string" ? make("p", { class: "muted" }, asSaid(one)) : advised([one], "p"),
+            typeof one === "string"
+              ? make("p", { class: "muted" }, asSaid(one))
+              : advised([one], "p"),
           ),
         ),
       (error) => told.replaceChildren(problem(error)),
