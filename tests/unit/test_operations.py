@@ -98,3 +98,12 @@ def test_a_refused_field_of_a_description_is_named_as_its_option():
     request = Request(operations()["bench drive"], {"pulley_slip": "-1 %"})
     with pytest.raises(DescriptionError, match="--pulley-slip: out of range"):
         result_of(request)
+
+
+def test_a_trial_is_made_of_options_and_written_as_python():
+    given = {"rig": "kart-quarter-car", "road": "iso:C:1", "speed": "2 m/s", "duration": "0.5 s"}
+    request = Request(operations()["simulate"], {**given, "set": {"sprung.mass": "17 kg"}})
+    assert request.words()[2:] == ["--set=sprung.mass=17 kg", "--road=iso:C:1", "--speed=2 m/s", "--duration=0.5 s"]
+    names: dict[str, object] = {}
+    exec(request.python(), names)  # noqa: S102 - that is what it is for
+    np.testing.assert_array_equal(names["result"]["sprung.az"], result_of(request).recording()["sprung.az"])

@@ -28,7 +28,6 @@ from jounce.cli import (
     pictures,
     ride,
     serve,
-    simulate,
     steering_effort,
     study,
     sweep,
@@ -81,7 +80,7 @@ def _panels() -> dict[str, dict[str, Any]]:
             "demo": campaign.demo,
         },
         "Simulation": {
-            "simulate": simulate.simulate,
+            "simulate": derived("simulate"),
             "modes": derived("modes"),
             "ride": ride.ride,
             "ride-metrics": ride.ride_metrics,

@@ -25,8 +25,9 @@ from jounce.cli.options import (
     Variable,
     changes,
     check_outputs,
+    optional_positive,
+    optional_quantity,
     reading,
-    trial_of,
 )
 from jounce.cli.reply import DONE, REFUSED, Reply, progress, show_findings, show_written, tell
 from jounce.core.errors import DescriptionError, OutputError
@@ -306,7 +307,13 @@ def _driven(
     if not swept and not given:
         example = '--travel "-50 mm:50 mm:2 mm", or --road ROAD --speed "1.95 m/s" --duration "3 s"'
         raise DescriptionError("no motion is given", where="jounce animate", allowed=example)
-    return None if swept else trial_of(road, excitation, speed, duration, where="jounce animate")
+    if swept:
+        return None
+    from jounce.roads.options import chosen_trial
+
+    seconds = optional_positive(duration, "s", "--duration")
+    file = None if excitation is None else str(excitation)
+    return chosen_trial(road, optional_quantity(speed, "m/s", "--speed"), seconds, file)
 
 
 def _sweep(rig: Corner, ranges: dict[str, NDArray[np.float64]]) -> xr.Dataset:

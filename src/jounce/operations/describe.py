@@ -27,6 +27,7 @@ MODULES = (
     "jounce.design.springs",
     "jounce.ride.modal",
     "jounce.roughness.iri",
+    "jounce.simulation.trial_run",
 )
 """Modules whose functions are operations, in the order of their commands in the help."""
 

@@ -116,6 +116,7 @@ def _registered() -> Callable[..., Figure]:
     from jounce.roads.road import Road
     from jounce.roughness.iri import ProfileRoughness
     from jounce.simulation import LinearModel, Mode
+    from jounce.simulation.trial_run import TrialRun
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -155,6 +156,7 @@ def _registered() -> Callable[..., Figure]:
     draw.register(tuple, of_sequence)
     draw.register(Road, signals.road_profile)
     draw.register(LinearModel, signals.frequency_response)
+    draw.register(TrialRun, lambda result, **options: signals.time_history(result.recording(), **options))
     draw.register(ModalAnalysis, lambda result: signals.modes(result.modes))
     draw.register(ProfileRoughness, lambda result: signals.roughness(result.roughness, result.distance, result.height))
     draw.register(Corner, mechanism)

@@ -1,0 +1,45 @@
+"""A run over a trial as a page: the extremes of its channels, then all curves with the mechanism."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jounce.core.display import display_unit
+from jounce.plots.display import number
+from jounce.report.page import Block, Findings, Page, Paragraph, Section, Table
+
+if TYPE_CHECKING:
+    from jounce.simulation.trial_run import TrialRun
+
+
+def trial_run_page(found: TrialRun, *, title: str) -> Page:
+    """Put a run on a page."""
+    rows = []
+    for name, channel in found.extremes().items():
+        unit, least, most = channel["unit"], channel["minimum"], channel["maximum"]
+        shown = display_unit(unit, max(abs(least), abs(most)))
+        static, low, high = (number(value * shown.factor) for value in (channel["static"], least, most))
+        times = (number(channel[key]) for key in ("time_of_minimum", "time_of_maximum"))
+        rows.append((name, shown.name or "–", static, low, next(times), high, next(times)))
+    header = ("channel", "unit", "static", "minimum", "at [s]", "maximum", "at [s]")
+    answer: list[Block] = [Table("Extremes", header, tuple(rows), "llrrrrr"), Paragraph(_words(found), "muted")]
+    if found.findings:
+        answer.append(Findings(found.findings))
+    sections = (Section("Extremes", tuple(answer)), Section("Curves", lambda: _curves(found, title)))
+    return Page(title, sections, f"Simulation of {found.trial.duration:g} s")
+
+
+def _words(found: TrialRun) -> str:
+    """How the run went, in words."""
+    went = found.run.attributes
+    events = "event" if went["events"] == 1 else "events"
+    return (
+        f"{len(found.run.time)} samples, {went['method']} method, {went['steps']} steps, {went['events']} {events} "
+        "(tyre lift-off or landing, contact with a stop)"
+    )
+
+
+def _curves(found: TrialRun, title: str) -> tuple[Block, ...]:
+    from jounce.report.recordings import curve_blocks
+
+    return curve_blocks({"": {title: found.recording()}}, title=title, rig=found.rig, trial=found.trial)
