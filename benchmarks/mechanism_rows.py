@@ -24,7 +24,7 @@ import jounce as jn
 from jounce.core.segments import Segments
 from jounce.kinematics.sweeps import prepare_sweep
 from jounce.simulation.compiled import compile_rig
-from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.prepare import PreparedRun, prepare
 from jounce.simulation.reduced import ReducedCorner, reduction_of
 
 RIG = Path(__file__).parent.parent / "tests" / "files" / "prototype-double-wishbone.toml"
@@ -71,12 +71,12 @@ def _row(problem: str, way: str, found: list[tuple[float, float]], own, target: 
     return Row(problem, way, found[0][0], error, ratio, target, ", ".join(part for part in (note, text) if part))
 
 
-def _full(rig: jn.Rig, road: Segments, tolerance: float) -> Prepared:
+def _full(rig: jn.Rig, road: Segments, tolerance: float) -> PreparedRun:
     compiled = compile_rig(rig)
     return prepare(compiled, compiled.parameter_values(rig.parameters()), road, TIMES, tolerance=tolerance)
 
 
-def _reduced(rig: jn.Rig, road: Segments, tolerance: float) -> Prepared:
+def _reduced(rig: jn.Rig, road: Segments, tolerance: float) -> PreparedRun:
     laid_out = ReducedCorner(reduction_of(rig), rig.parameters(), [road], TIMES, tolerance).lay_out()
     assert laid_out.holds(laid_out.prepared.run().states)
     return laid_out.prepared

@@ -24,7 +24,7 @@ from jounce.core.segments import Segments
 from jounce.parts.vehicles import FullCar3D
 from jounce.roads import Iso8608, Train, Trapezoid, Trial
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.prepare import PreparedRun, prepare
 from jounce.simulation.problem import excitation
 from jounce.simulation.reduced_car import LastTables, ReducedCar, car_reduction_of
 from jounce.simulation.settings import output_times
@@ -55,7 +55,7 @@ class Problem:
         p = compiled.parameter_values(vehicle.parameters())
         return cls(compiled, p, times, excitation(compiled.facts, vehicle, trial))
 
-    def prepared(self, tolerance: float) -> Prepared:
+    def prepared(self, tolerance: float) -> PreparedRun:
         """Our run."""
         return prepare(self.compiled, self.p, self.signals, self.times, tolerance=tolerance)
 

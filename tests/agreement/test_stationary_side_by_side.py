@@ -9,7 +9,7 @@ from stationary_twin import Table, band_variance, slope, white_variance
 import jounce as jn
 from jounce.core.errors import SimulationError
 from jounce.ride import covariance, family
-from jounce.ride.covariance import Analysis, Signal
+from jounce.ride.covariance import RandomVibration, Signal
 from jounce.ride.family import Families, LinearFamily, Matrices
 from jounce.ride.surface import Surface, surface
 from jounce.simulation.statics import find_equilibrium
@@ -61,7 +61,7 @@ def test_variances_and_slopes_of_three_rigs(case, way, monkeypatch) -> None:
     whole = covariance.frequencies
     monkeypatch.setattr(covariance, "frequencies", lambda *given: nodes.append(whole(*given)) or nodes[-1])
     values = families.start * SHARES
-    found = Analysis(families, road, tuple(signals)).at(values)
+    found = RandomVibration(families, road, tuple(signals)).at(values)
     assert found.absent == {}
     rows = [signal.output for signal in signals]
     for k, member in enumerate(families.members[: 2 if way == "eigenvectors" else 1]):
@@ -129,12 +129,12 @@ def test_rigs_that_differ_are_taken_one_by_one(monkeypatch) -> None:
     rig = jn.load(name)
     families = Families(tuple(LinearFamily(rig, paths) for _ in SHARES))
     chosen = (Signal(families.first.compiled.output_names.index("body.az")),)
-    together = Analysis(families, road, chosen).at(families.start * SHARES)
+    together = RandomVibration(families, road, chosen).at(families.start * SHARES)
     monkeypatch.setattr(covariance, "sources_of", _only_for_one(covariance.sources_of))
-    alone = Analysis(families, road, chosen).at(families.start * SHARES)
+    alone = RandomVibration(families, road, chosen).at(families.start * SHARES)
     monkeypatch.undo()
     monkeypatch.setattr(covariance, "has_neutral", lambda _: True)
-    reduced = Analysis(families, road, chosen).at(families.start * SHARES)
+    reduced = RandomVibration(families, road, chosen).at(families.start * SHARES)
     for other in (alone, reduced):
         assert other.variances == pytest.approx(together.variances, rel=1e-12)
         assert other.variance_slopes == pytest.approx(together.variance_slopes, rel=1e-10)

@@ -674,14 +674,14 @@ def _is_broken(limit: Any, values: Array) -> bool:
 
 def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:
     """What the linear model does not know of the best design."""
-    from jounce.ride.covariance import Analysis, Signal
+    from jounce.ride.covariance import RandomVibration, Signal
     from jounce.ride.family import Families, LinearFamily
 
     assert problem.surface is not None
     family = LinearFamily(best)
     names = family.compiled.output_names
     wanted = [i for i, name in enumerate(names) if name.endswith(("tyre.force", "strut.deflection"))]
-    moments = Analysis(Families((family,)), problem.surface, tuple(Signal(i) for i in wanted)).at(slopes=False)
+    moments = RandomVibration(Families((family,)), problem.surface, tuple(Signal(i) for i in wanted)).at(slopes=False)
     there = [k for k in range(len(wanted)) if k not in moments.absent]
     sigma = {names[wanted[k]]: float(np.sqrt(max(moments.variances[0, k], 0.0))) for k in there}
     return linear_findings(best, sigma, {names[wanted[k]]: float(moments.static[0, k]) for k in there})

@@ -25,7 +25,7 @@ from jounce.identify.fit_problem import Bounds, Free, free_parameters
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
-from jounce.ride.covariance import Analysis, Signal
+from jounce.ride.covariance import RandomVibration, Signal
 from jounce.ride.family import Families, LinearFamily
 from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface, surface
@@ -136,9 +136,9 @@ class StationaryEvaluator:
         return found, tuple(signals)
 
     @cached_property
-    def analysis(self) -> Analysis:
+    def analysis(self) -> RandomVibration:
         """Random vibration of the wanted signals."""
-        return Analysis(self.families, self.surface, self._layout[1])
+        return RandomVibration(self.families, self.surface, self._layout[1])
 
     def absent(self) -> dict[str, str]:
         """Metrics that the road's white noise leaves without a variance, with the reason."""

@@ -111,7 +111,7 @@ class Choices:
 
 
 @dataclass
-class Motion:
+class Acceleration:
     """One acceleration: ``values`` (m/s^2 or rad/s^2) at ``rate`` (Hz); samples before ``first`` are skipped."""
 
     channel: str
@@ -148,11 +148,11 @@ class Point:
     """Accelerations along the axes (x, y, z) at one place of people or goods."""
 
     place: str
-    motions: Mapping[str, Motion]
+    motions: Mapping[str, Acceleration]
 
 
 @dataclass(frozen=True)
-class Corner:
+class CornerSignals:
     """Signals of one strut and tyre by suffix, at ``rate`` (Hz); ``name`` is empty for a quarter car."""
 
     name: str
@@ -215,7 +215,7 @@ _STRUT, _TYRE = "strut.deflection", "tyre.force"
 
 
 @dataclass(frozen=True)
-class Metric:
+class RideMetric:
     """One row of the catalogue.
 
     ``formula`` computes the value from the part of a recording that ``scope`` names, in the SI ``unit`` ("1" for
@@ -239,21 +239,21 @@ def _total(view: Point) -> float:
     return comfort.total_value({axis: comfort.rms(m.weighted(), m.rate) for axis, m in view.motions.items()})
 
 
-def _exposure(view: Motion) -> float:
+def _exposure(view: Acceleration) -> float:
     value = comfort.HEALTH_FACTORS[view.axis] * comfort.rms(view.weighted(), view.rate)
     return comfort.daily_exposure(value, view.choices.exposure)
 
 
-def _sickness(view: Motion) -> float:
+def _sickness(view: Acceleration) -> float:
     return comfort.SICK_PER_DOSE * comfort.msdv(view.weighted("Wf"), view.rate)
 
 
-def _power(view: Corner) -> float:
+def _power(view: CornerSignals) -> float:
     force = view["strut.damper_force"] if view.has("strut.damper_force") else view["strut.force"]
     return mean(force * view["strut.velocity"])
 
 
-def _use(view: Corner) -> float:
+def _use(view: CornerSignals) -> float:
     return peak_use(view[_STRUT], *view.travel)
 
 
@@ -261,85 +261,85 @@ _ISO, _DIRECTIVE = "ISO 2631-1:1997, ", "2002/44/EC and ISO 2631-1:1997, 7.2"
 _PLAIN, _OWN = "statistics of the signal", "definition of jounce"
 
 # fmt: off
-CATALOGUE: tuple[Metric, ...] = (
-    Metric("rms_acceleration", "m/s^2", "r.m.s. of the acceleration about its mean", lambda v: deviation(v.signal),
+CATALOGUE: tuple[RideMetric, ...] = (
+    RideMetric("rms_acceleration", "m/s^2", "r.m.s. of the acceleration about its mean", lambda v: deviation(v.signal),
         "motion", LINEAR, _PLAIN, "not weighted: what people feel depends on frequency"),
-    Metric("peak_acceleration", "m/s^2", "largest deviation of the acceleration from its mean",
+    RideMetric("peak_acceleration", "m/s^2", "largest deviation of the acceleration from its mean",
         lambda v: float(abs(v.signal - mean(v.signal)).max()), "motion", LINEAR, _PLAIN,
         "not weighted, and decided by a single sample"),
-    Metric("rms_angular_acceleration", "rad/s^2", "r.m.s. of the angular acceleration about its mean",
+    RideMetric("rms_angular_acceleration", "rad/s^2", "r.m.s. of the angular acceleration about its mean",
         lambda v: deviation(v.signal), "rotation", TURNING, _PLAIN, "not weighted"),
-    Metric("weighted_rms_angular_acceleration", "rad/s^2", "weighted r.m.s. angular acceleration, We",
+    RideMetric("weighted_rms_angular_acceleration", "rad/s^2", "weighted r.m.s. angular acceleration, We",
         lambda v: comfort.rms(v.weighted(), v.rate), "rotation", TURNING, _ISO + "6.1",
         "not yet comparable with translation: multiply by 0.63, 0.4, 0.2 m/rad (roll, pitch, yaw)"),
-    Metric("weighted_rms", "m/s^2", "weighted r.m.s. acceleration a_w (Wk vertical, Wd horizontal)",
+    RideMetric("weighted_rms", "m/s^2", "weighted r.m.s. acceleration a_w (Wk vertical, Wd horizontal)",
         lambda v: comfort.rms(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "6.1",
         "at the place of the channel, without a seat's transmissibility; says little about single shocks"),
-    Metric("mtvv", "m/s^2", "maximum transient vibration value: largest running r.m.s. over 1 s",
+    RideMetric("mtvv", "m/s^2", "maximum transient vibration value: largest running r.m.s. over 1 s",
         lambda v: comfort.mtvv(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "6.3.1, eq. 2",
         "not a peak: shorter shocks are averaged over 1 s"),
-    Metric("mtvv_exponential", "m/s^2", "maximum transient vibration value, exponential averaging",
+    RideMetric("mtvv_exponential", "m/s^2", "maximum transient vibration value, exponential averaging",
         lambda v: comfort.mtvv(v.weighted(), v.rate, averaging="exponential"), "comfort", LINEAR,
         _ISO + "6.3.1, eq. 3", "up to 30 % off the linear one for longer shocks; say which is used"),
-    Metric("vdv", "m/s^1.75", "fourth power vibration dose value", lambda v: comfort.vdv(v.weighted(), v.rate),
+    RideMetric("vdv", "m/s^1.75", "fourth power vibration dose value", lambda v: comfort.vdv(v.weighted(), v.rate),
         "comfort", LINEAR, _ISO + "6.3.2", "grows with the length of the record: compare equal lengths only"),
-    Metric("evdv", "m/s^1.75", "estimated vibration dose value, 1.4 a_w T^(1/4)",
+    RideMetric("evdv", "m/s^1.75", "estimated vibration dose value, 1.4 a_w T^(1/4)",
         lambda v: comfort.evdv(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "annex B",
         "an estimate for vibration without shocks; where both differ, VDV counts"),
-    Metric("crest_factor", "1", "largest weighted acceleration over a_w",
+    RideMetric("crest_factor", "1", "largest weighted acceleration over a_w",
         lambda v: comfort.crest_factor(v.weighted(), v.rate), "comfort", LINEAR, _ISO + "6.2.1",
         "no measure of severity: it says whether a_w suffices (up to 9)"),
-    Metric("daily_exposure", "m/s^2", "A(8): 1.4 a_w (x, y) or a_w (z), over the daily exposure", _exposure,
+    RideMetric("daily_exposure", "m/s^2", "A(8): 1.4 a_w (x, y) or a_w (z), over the daily exposure", _exposure,
         "comfort", LINEAR, _DIRECTIVE,
         "per axis: the largest of the three counts against 0.5 (action) and 1.15 m/s^2 (limit)"),
-    Metric("msdv_z", "m/s^1.5", "motion sickness dose value, Wf", lambda v: comfort.msdv(v.weighted("Wf"), v.rate),
+    RideMetric("msdv_z", "m/s^1.5", "motion sickness dose value, Wf", lambda v: comfort.msdv(v.weighted("Wf"), v.rate),
         "comfort", VERTICAL, _ISO + "annex D",
         "of vertical motion only, for 20 min to 6 h; grows with the length of the record"),
-    Metric("motion_sickness", "1", "share of unadapted people likely to vomit, MSDV_z / 300", _sickness, "comfort",
+    RideMetric("motion_sickness", "1", "share of unadapted people likely to vomit, MSDV_z / 300", _sickness, "comfort",
         VERTICAL, _ISO + "annex D", "for 20 min to 6 h and a mixed population; not for single bumps"),
-    Metric("vibration_total_value", "m/s^2", "a_v: root of the sum of squares of a_w over the axes recorded", _total,
-        "point", LINEAR, _ISO + "6.5 and annex C",
+    RideMetric("vibration_total_value", "m/s^2", "a_v: root of the sum of squares of a_w over the axes recorded",
+        _total, "point", LINEAR, _ISO + "6.5 and annex C",
         "without rotation, seat back and feet; axes not recorded count as zero"),
-    Metric("travel_rms", "m", "r.m.s. deflection of the strut about its mean", lambda v: deviation(v[_STRUT]),
+    RideMetric("travel_rms", "m", "r.m.s. deflection of the strut about its mean", lambda v: deviation(v[_STRUT]),
         "corner", (_STRUT,), _PLAIN, "along the strut, not at the wheel"),
-    Metric("travel_peak_to_peak", "m", "largest minus smallest deflection of the strut",
+    RideMetric("travel_peak_to_peak", "m", "largest minus smallest deflection of the strut",
         lambda v: peak_to_peak(v[_STRUT]), "corner", (_STRUT,), _PLAIN,
         "along the strut; grows with the length of the record"),
-    Metric("travel_utilisation", "1", "largest share of the bump or rebound travel used, from the mean deflection",
+    RideMetric("travel_utilisation", "1", "largest share of the bump or rebound travel used, from the mean deflection",
         _use, "corner", (_STRUT,), _OWN, "1 means that a stop is reached; above 1 it is compressed"),
-    Metric("travel_utilisation_rms", "1", "r.m.s. deflection over the whole travel available",
+    RideMetric("travel_utilisation_rms", "1", "r.m.s. deflection over the whole travel available",
         lambda v: deviation(v[_STRUT]) / sum(v.travel), "corner", (_STRUT,), _OWN,
         "not the probability of reaching a stop"),
-    Metric("travel_utilisation_peak_to_peak", "1", "peak to peak deflection over the whole travel available",
+    RideMetric("travel_utilisation_peak_to_peak", "1", "peak to peak deflection over the whole travel available",
         lambda v: peak_to_peak(v[_STRUT]) / sum(v.travel), "corner", (_STRUT,), _OWN,
         "may stay below 1 although one stop is hit"),
-    Metric("bump_stop_hits", "1", "number of bump stop contacts", lambda v: contacts(v[_STRUT], v.stop_gap("bump")),
+    RideMetric("bump_stop_hits", "1", "number of bump stop contacts", lambda v: contacts(v[_STRUT], v.stop_gap("bump")),
         "corner", (_STRUT,), _OWN, "a count over the record, not a force"),
-    Metric("rebound_stop_hits", "1", "number of rebound stop contacts",
+    RideMetric("rebound_stop_hits", "1", "number of rebound stop contacts",
         lambda v: contacts(-v[_STRUT], v.stop_gap("rebound")), "corner", (_STRUT,), _OWN,
         "a count over the record, not a force"),
-    Metric("bump_stop_time", "1", "share of time on the bump stop",
+    RideMetric("bump_stop_time", "1", "share of time on the bump stop",
         lambda v: share(v[_STRUT] > v.stop_gap("bump")), "corner", (_STRUT,), _OWN,
         "says nothing about how hard it is hit"),
-    Metric("dissipated_power", "W", "mean power into the strut (into the damper where its force is recorded)", _power,
-        "corner", ("strut.force", "strut.velocity"), "mean of force times velocity",
+    RideMetric("dissipated_power", "W", "mean power into the strut (into the damper where its force is recorded)",
+        _power, "corner", ("strut.force", "strut.velocity"), "mean of force times velocity",
         "for a whole strut it is the damper's only over closed cycles: springs return what they store"),
-    Metric("dynamic_load_rms", "N", "r.m.s. wheel load about its mean", lambda v: deviation(v[_TYRE]), "corner",
+    RideMetric("dynamic_load_rms", "N", "r.m.s. wheel load about its mean", lambda v: deviation(v[_TYRE]), "corner",
         (_TYRE,), _PLAIN, "a sum for the axle or the car only where the wheels are independent"),
-    Metric("dynamic_load_coefficient", "1", "standard deviation over mean of the wheel load",
+    RideMetric("dynamic_load_coefficient", "1", "standard deviation over mean of the wheel load",
         lambda v: load_coefficient(v[_TYRE]), "corner", (_TYRE,), "Sweatman 1983",
         "of the record's own mean, which braking and bends move"),
-    Metric("minimum_wheel_load", "N", "minimum wheel load", lambda v: smallest(v[_TYRE]), "corner", (_TYRE,), _PLAIN,
-        "0 whenever the wheel lifts off, however briefly"),
-    Metric("adhesion", "1", "minimum over mean wheel load", lambda v: adhesion(v[_TYRE]), "corner", (_TYRE,),
+    RideMetric("minimum_wheel_load", "N", "minimum wheel load", lambda v: smallest(v[_TYRE]), "corner", (_TYRE,),
+        _PLAIN, "0 whenever the wheel lifts off, however briefly"),
+    RideMetric("adhesion", "1", "minimum over mean wheel load", lambda v: adhesion(v[_TYRE]), "corner", (_TYRE,),
         "as the EUSAMA value, on the road", "not the tester's value: the excitation differs"),
-    Metric("lift_off_time", "1", "share of time with the wheel off the ground",
+    RideMetric("lift_off_time", "1", "share of time with the wheel off the ground",
         lambda v: share(v[_TYRE] <= v.choices.lift_off_load), "corner", (_TYRE,), _OWN,
         "measured loads are never exactly 0: give a threshold"),
-    Metric("road_stress_factor", "1", "mean fourth power of the wheel load over that of its mean",
+    RideMetric("road_stress_factor", "1", "mean fourth power of the wheel load over that of its mean",
         lambda v: stress_factor(v[_TYRE]), "corner", (_TYRE,), "Eisenmann 1975",
         "1 + 6 c^2 + 3 c^4 for Gaussian loads of coefficient c; says nothing about a place on the road"),
-    Metric("tyre_deflection_rms", "m", "r.m.s. deflection of the tyre about its mean",
+    RideMetric("tyre_deflection_rms", "m", "r.m.s. deflection of the tyre about its mean",
         lambda v: deviation(v["tyre.deflection"]), "corner", ("tyre.deflection",), _PLAIN,
         "not proportional to the load once the wheel lifts off"),
 )

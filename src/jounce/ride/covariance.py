@@ -109,7 +109,7 @@ def relative_slopes(model: Matrices, whole: Relative, along: Matrices, sizes: Ar
 
 
 @dataclass(frozen=True)
-class Group:
+class WheelGroup:
     """Wheels that one noise drives at the same time, and their delay after the first (s, of each member)."""
 
     delay: Array
@@ -117,7 +117,7 @@ class Group:
 
 
 Number = TypeVar("Number", np.float64, np.complex128)
-Source = tuple[Group, ...]
+Source = tuple[WheelGroup, ...]
 """One noise: its groups of wheels, by rising delay."""
 
 
@@ -137,7 +137,7 @@ def sources_of(delays: Array, sides: Sequence[int], *, same: bool) -> tuple[Sour
             return None
         if any(np.any(delays[:, list(wheels)] != delays[:, [wheels[0]]]) for wheels in groups):
             return None
-        sources.append(tuple(Group(firsts[:, k], wheels) for k, wheels in enumerate(groups)))
+        sources.append(tuple(WheelGroup(firsts[:, k], wheels) for k, wheels in enumerate(groups)))
     return tuple(sources)
 
 
@@ -511,7 +511,7 @@ class _VarianceSlopes:
 
 
 @dataclass(frozen=True)
-class Band:
+class RoadExcitation:
     """Excitation of the wheels at some frequencies (members, f).
 
     ``power`` is the density of the road's height times the weight of the node (m^2); ``gain`` the squared magnitude of
@@ -532,7 +532,7 @@ class BandVariance:
     model: Relative
     eigen: Eigen
     sources: tuple[Source, ...]
-    band: Band
+    band: RoadExcitation
 
     @cached_property
     def _s(self) -> Complex:
@@ -706,7 +706,7 @@ class Moments:
 
 
 @dataclass(frozen=True)
-class Analysis:
+class RandomVibration:
     """Random vibration of stacked rigs on one road; a weighted signal needs a surface with a band."""
 
     families: Families
@@ -770,7 +770,7 @@ class Analysis:
         track = float(self.families.geometry_at(values)[0, -1])
         coherence = surface.shared(n, track) if len(sources) == 2 else None
         power = inside * surface.heights(n) / surface.speed
-        band = Band(frequency[None], power[None], None, None if coherence is None else coherence[None])
+        band = RoadExcitation(frequency[None], power[None], None, None if coherence is None else coherence[None])
         shares: Array = BandVariance(relative(reduced, eigen.values), eigen, sources, band).shares()[0]
         return shares
 
@@ -779,7 +779,7 @@ class Analysis:
 class _Part:
     """Some similar members of an analysis: their models without neutral motions, and their sources."""
 
-    analysis: Analysis
+    analysis: RandomVibration
     model: Matrices
     along: Matrices
     eigen: Eigen
@@ -834,7 +834,7 @@ class _Part:
             slopes = variance.slopes(relative_along, self._later, self._coherence_slopes(band))
         return variance.variances(), slopes, {}
 
-    def _band(self) -> Band:
+    def _band(self) -> RoadExcitation:
         surface, signals = self.analysis.surface, self.analysis.signals
         assert surface.band is not None
         low, high = (n * surface.speed for n in surface.band)
@@ -846,9 +846,9 @@ class _Part:
             gain = np.stack([(np.abs(values) ** 2).reshape(n.shape) for values in gains], axis=1)
         coherence = surface.shared(n, self._track) if len(self.sources) == 2 else None
         heights = surface.heights(n.ravel()).reshape(n.shape)
-        return Band(frequency, weights * heights / surface.speed, gain, coherence)
+        return RoadExcitation(frequency, weights * heights / surface.speed, gain, coherence)
 
-    def _coherence_slopes(self, band: Band) -> Array | None:
+    def _coherence_slopes(self, band: RoadExcitation) -> Array | None:
         """Slopes of the root of the coherence along parameters that change the width: (members, parameters, f)."""
         wider = self._geometry_slopes[..., -1]
         if band.coherence is None or not wider.any():

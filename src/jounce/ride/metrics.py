@@ -22,9 +22,9 @@ from jounce.ride import comfort
 from jounce.ride.catalogue import (
     CATALOGUE,
     USUAL_WEIGHTING,
+    Acceleration,
     Choices,
-    Corner,
-    Motion,
+    CornerSignals,
     Pair,
     Point,
     Scope,
@@ -346,15 +346,15 @@ def _views(
     """Views of the recording by scope, each with its place."""
     signals = {name: np.asarray(run[name].values, dtype=float) for name in names}
 
-    def motions(axes: Mapping[str, str]) -> Iterator[Motion]:
+    def motions(axes: Mapping[str, str]) -> Iterator[Acceleration]:
         for name, values in signals.items():
             axis = axes.get(name.rpartition(".")[2])
             if axis is not None:
-                yield Motion(name, axis, values, rate, first, choices)
+                yield Acceleration(name, axis, values, rate, first, choices)
 
     linear = list(motions(_AXES))
     comfort_motions = [motion for motion in linear if carries_passengers(motion.channel.rpartition(".")[0])]
-    places: dict[str, dict[str, Motion]] = {}
+    places: dict[str, dict[str, Acceleration]] = {}
     for motion in comfort_motions:
         places.setdefault(motion.channel.rpartition(".")[0], {})[motion.axis] = motion
     views: Views = {
@@ -367,7 +367,7 @@ def _views(
     for corner in corners:
         prefix = f"{corner}." if corner else ""
         own = {part: signals[prefix + part][first:] for part in _PARTS if prefix + part in signals}
-        views["corner"].append((corner, Corner(corner, own, rate, choices)))
+        views["corner"].append((corner, CornerSignals(corner, own, rate, choices)))
     return views
 
 
@@ -397,7 +397,7 @@ def _findings(
         yield Finding(", ".join(filter(None, struts_without_damper)) or "strut", "note", text)
 
 
-def _about_signal(place: str, motion: Motion, rate: float) -> Iterator[Finding]:
+def _about_signal(place: str, motion: Acceleration, rate: float) -> Iterator[Finding]:
     average, spread = float(motion.values.mean()), float(motion.values.std())
     if motion.choices.start == "rest" and abs(average) > _OFFSET * spread:
         text = (
@@ -411,7 +411,7 @@ def _about_signal(place: str, motion: Motion, rate: float) -> Iterator[Finding]:
         yield Finding(place, "note", text, rate)
 
 
-def _advice(place: str, motion: Motion) -> tuple[Finding, ...]:
+def _advice(place: str, motion: Acceleration) -> tuple[Finding, ...]:
     """Advice of the standard; none for a record too short for the weighting, since the metric is absent then."""
     try:
         return comfort.advice(motion.weighted(), motion.rate, place=place)

@@ -18,7 +18,7 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.parts import Rig, as_rig
 from jounce.recordings.schema import channels_of, is_channel
-from jounce.ride.covariance import KICKED, WANDERS, Analysis, Gain, Signal
+from jounce.ride.covariance import KICKED, WANDERS, Gain, RandomVibration, Signal
 from jounce.ride.family import Families, LinearFamily
 from jounce.ride.metrics import gaps_of
 from jounce.ride.surface import Density, Sides, Surface, surface
@@ -216,7 +216,7 @@ def stationary(
         )
     count = len(names)
     signals = [Signal(i) for i in range(count)] + [Signal(names.index(name), gain) for name, gain in gains.items()]
-    moments = Analysis(Families((family,)), road_surface, tuple(signals)).at()
+    moments = RandomVibration(Families((family,)), road_surface, tuple(signals)).at()
     sigma = np.sqrt(np.maximum(moments.variances[0], 0.0))
     slopes = moments.variance_slopes[0] / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
     present = [i for i in range(count) if i not in moments.absent]
@@ -250,7 +250,7 @@ def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -
     names = [output.name for output in family.compiled.facts.outputs]
     low, high = (n * surface_.speed for n in surface_.band)
     frequency = np.geomspace(low, high, points)
-    densities = Analysis(Families((family,)), surface_, tuple(Signal(i) for i in range(len(names)))).densities(
+    densities = RandomVibration(Families((family,)), surface_, tuple(Signal(i) for i in range(len(names)))).densities(
         frequency
     )
     known = {name: row for name, row in zip(names, densities, strict=True) if name in response.standard_deviation}

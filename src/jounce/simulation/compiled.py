@@ -27,22 +27,22 @@ if TYPE_CHECKING:
 
     from jounce.control.actuators import AnyActuator
     from jounce.mechanics.model import Model
-    from jounce.simulation.programs import Program
+    from jounce.simulation.programs import ModelProgram
 
-_STATES_OF_REST = 256  # that a model remembers, unless less is kept of everything
+_STATES_OF_REST = 256  # remembered for each model, unless the cache is set smaller
 _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simulation")
-"""Packages whose sources say what a rig compiles to."""
+"""Packages whose sources determine what a rig compiles to."""
 
 
 @dataclass(frozen=True)
 class Compiled:
-    """Native functions of one model; ``free`` are the parameters whose sensitivities ride along with the state.
+    """Native functions of one model; ``free`` are the parameters whose sensitivities are integrated with the state.
 
-    ``moved`` are the model's parameters that change with them: the same, or what follows from them.
-    ``shapes`` are those of each function's result; ``scalars`` and ``lanes`` count the extended parameters without and
-    with lanes (see ``Program``). ``source`` gives the symbolic model, which runs do not need; ``without`` is the same
-    model without free parameters, where there are some. ``identity`` says everything the code of a rig depends on; it
-    is empty where only the symbolic model says it.
+    ``moved`` are the model's parameters that change with them: the same, or parameters computed from them.
+    ``shapes`` are the shapes of each function's result; ``scalars`` and ``lanes`` count the extended parameters without
+    and with lanes (see ``ModelProgram``). ``source`` builds the symbolic model, which runs do not need; ``without`` is
+    the same model without free parameters, if there are some. ``identity`` names everything that the code of a rig
+    depends on; it is empty for a model that only its symbols describe.
     """
 
     facts: Facts
@@ -63,7 +63,7 @@ class Compiled:
 
     @property
     def model(self) -> Model:
-        """The symbolic model, built when it is first asked for."""
+        """The symbolic model, built on first use."""
         return self.source()
 
     @once
@@ -83,12 +83,12 @@ class Compiled:
 
     @once
     def equilibria(self) -> Recent[Any]:
-        """States of rest found lately (see ``statics.find_equilibrium``)."""
+        """Recent states of rest (see ``statics.find_equilibrium``)."""
         return Recent(_STATES_OF_REST)
 
     @once
     def engine(self) -> Engine:
-        """Addresses of the native functions, with sensitivities where there are free parameters."""
+        """Addresses of the native functions, with sensitivities if there are free parameters."""
         address, suffix = self.native.address, "_s" if self.free else ""
         return Engine(
             address[f"rate{suffix}"],
@@ -101,13 +101,14 @@ class Compiled:
 
     @once
     def short_engine(self) -> Engine:
-        """The same with a pair of lower order, for runs whose steps the input keeps short."""
+        """The same with an integrator of lower order, for runs whose inputs force short steps."""
         return shortened(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))
 
     def extended(self, p: Array, along: Array | None = None) -> Array:
-        """Parameters as the engine wants them: with what depends on them alone, and lanes where some are free.
+        """Extend the parameters by everything that depends on them alone, and by lanes if some are free.
 
-        ``along`` says how the moved parameters change with the free ones, one column each; with none each moves alone.
+        ``along`` gives the derivatives of the moved parameters by the free ones, one column each; by default the
+        identity.
         """
         values = self.native.evaluate("derived", (self.scalars,), p, *_NOTHING)
         if not self.free:
@@ -127,27 +128,27 @@ class Compiled:
         return plain.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, values, m)
 
     def slopes(self, by: str, x: Array, u: Array, p: Array, m: Array) -> dict[str, Array]:
-        """Slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs, a column each."""
+        """Slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs, one column each."""
         plain, facts = self.plain, self.facts
         (rows, lanes), n, n_u = plain.shapes["slopes"], len(x), len(u)
         values = p if len(p) == plain.scalars else plain.extended(p)
         states, count = np.zeros(n + (n + n_u) * lanes), {"x": n, "u": n_u}[by]
         states[:n] = x
         seeds = states[n + (n * lanes if by == "u" else 0) :].reshape(-1, lanes)
-        whole = np.empty((rows, count))
+        table = np.empty((rows, count))
         for first in range(0, count, lanes):
             group = range(first, min(first + lanes, count))
             seeds[:] = 0.0
             seeds[group, range(len(group))] = 1.0
-            found = plain.native.evaluate("slopes", (rows * lanes,), states, u, values, m)
-            whole[:, first : first + len(group)] = found.reshape(rows, lanes)[:, : len(group)]
+            columns = plain.native.evaluate("slopes", (rows * lanes,), states, u, values, m)
+            table[:, first : first + len(group)] = columns.reshape(rows, lanes)[:, : len(group)]
         parts, begin = {}, 0
         for name, names in zip(SLOPES, (facts.states, facts.outputs, facts.switches, facts.constraints), strict=True):
-            parts[name], begin = whole[begin : begin + len(names)], begin + len(names)
+            parts[name], begin = table[begin : begin + len(names)], begin + len(names)
         return parts
 
     def free_slopes(self, x: Array, u: Array, p: Array, m: Array, along: Array | None = None) -> tuple[Array, Array]:
-        """Slopes of rates and constraints along the free parameters, states kept; one column for each of them."""
+        """Slopes of rates and constraints by the free parameters at constant states; one column each."""
         n, count, values = len(x), len(self.free), self.extended(p, along)
         states = np.concatenate([x, np.zeros(n * count)])
         rate = self.native.evaluate("rate_s", (n * (1 + count),), states, u, values, m)[n:]
@@ -167,7 +168,7 @@ class Compiled:
         return (self.evaluate("switch", x, u, p, np.ones(len(self.facts.switches))) > 0.0).astype(float)
 
     def inputs(self, values: dict[str, float] | float = 0.0) -> Array:
-        """Inputs at rest: the height (m) of all roads, or the value of some tracks by name; their rates are zero."""
+        """Inputs at rest: the height (m) of all roads, or values of tracks by name; their rates are zero."""
         facts = self.facts
         u = np.zeros(len(facts.tracks) * facts.track_order)
         given = values if isinstance(values, dict) else dict.fromkeys(filter(is_road, facts.tracks), values)
@@ -181,7 +182,7 @@ _compiled: Recent[Compiled] = Recent()
 
 
 def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
-    """Give the native code of a model, with sensitivities to the parameters ``free`` (paths); made once a process.
+    """Compile a model, with sensitivities to the parameters ``free`` (paths); once per process.
 
     A free parameter that does not occur in the model is an error.
     """
@@ -199,10 +200,10 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
 def compile_rig(
     rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False, actuator: AnyActuator | None = None
 ) -> Compiled:
-    """Give the native code of a rig's model; where the cache holds it, the model is not even built.
+    """Compile the model of a rig; if the cache holds the code, the model is not even built.
 
-    Rigs that differ in numbers only share one. ``free`` is as for :func:`compile_model`, ``detail`` as for
-    :func:`jounce.models.build`; the numbers of an ``actuator`` of every strut are parameters, too.
+    Rigs that differ in numbers only share the code. ``free`` is as for :func:`compile_model`, ``detail`` as for
+    :func:`jounce.models.build`; the numbers of an ``actuator`` of every strut become parameters.
     """
     check_rig(rig)
     key = (type(rig).__name__, structure_of(rig), detail, free, actuator.structure if actuator else "")
@@ -222,11 +223,11 @@ def compile_described(
     without: Callable[[], Compiled] | None = None,
     moved: tuple[str, ...] | None = None,
 ) -> Compiled:
-    """Give the native code of a model that a key says all of; where the cache holds it, the model is not even built.
+    """Compile a model that a key describes; if the cache holds the code, the model is not even built.
 
-    Keys are equal for models with equal equations; their text is the name in the cache. ``model`` builds the model;
-    ``without`` gives the same one without free parameters, where there are some; ``moved`` are those that change with
-    them, where these are others.
+    Equal keys mean equal equations; their text is the name in the cache. ``model`` builds the model; ``without``
+    returns the same model without free parameters, if there are some; ``moved`` are the parameters that change with
+    them, if these differ.
     """
     changed = free if moved is None else moved
 
@@ -242,7 +243,7 @@ def compile_described(
     return _compiled.of(key, make)
 
 
-def _program(model: Model, moved: tuple[str, ...], count: int) -> Program:
+def _program(model: Model, moved: tuple[str, ...], count: int) -> ModelProgram:
     from jounce.simulation.programs import plain_program, sensitive_program
 
     return sensitive_program(model, moved, count) if count else plain_program(model)
@@ -262,7 +263,7 @@ def _facts(table: dict[str, Any]) -> Facts:
 
 @cache
 def sources() -> str:
-    """Digest of everything that turns a rig into code: our sources (and version) and the version of the algebra."""
+    """Digest of everything that turns a rig into code: jounce's sources and version, and the version of the algebra."""
     from importlib.metadata import version
 
     return f"{version('casadi')} {version('jounce')} {digest_of(*_PACKAGES)}"

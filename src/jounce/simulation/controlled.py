@@ -29,32 +29,32 @@ from jounce.simulation.balance import balanced_commands
 from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.corner_models import corner_models
 from jounce.simulation.linear_model import numbers_without_friction
-from jounce.simulation.prepare import Prepared
+from jounce.simulation.prepare import PreparedRun
 from jounce.simulation.settings import MAX_STEPS
 from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
 AnyControl = Controller | str | Path | Callable[..., Any]
-_FAR, _AT_LEAST = 1e3, 10.0  # sizes of the usual motion, and m or rad, beyond which a closed loop counts as diverging
+_FAR, _AT_LEAST = 1e3, 10.0  # typical motions, and m or rad, beyond which a closed loop counts as diverged
 _COMMAND = "command"
-_HALVES = 12  # periods halved in search of one that is short enough
+_HALVES = 12  # halvings of the period in search of a stable one: a factor of 4096
 _NEARER, _DAMPED = "give the rig's own element numbers nearer to it", "let the rig's own damper stay"
-_GROWING = 1e-3  # 1/s below which a pole counts as rounding
+_GROWING = 1e-3  # 1/s below which a pole counts as rounding: it grows by 6 % in a minute
 
 
 @dataclass(frozen=True)
-class Loop:
+class ControlLoop:
     """A controller fitted to a rig.
 
     Attributes
     ----------
     controllers : dict
-        Corner to the controller with all open numbers of its actuator filled in.
+        Controller of each corner, with all open numbers of its actuator filled in.
     models : dict
-        Corner to what the gains are designed for.
+        Quarter car of each corner, for which gains are designed.
     raised : list
-        Time (s) and exception of a Python controller that failed, the last run's.
+        Time (s) and exception of a Python controller that failed in the last run.
     regulators : list
-        What the loop of the last run called, for a controller in Python.
+        Regulators called in the last run, for a controller in Python.
     """
 
     controllers: dict[str, Controller]
@@ -64,7 +64,7 @@ class Loop:
 
     @property
     def findings(self) -> list[str]:
-        """What the reader of the last run must know of its controller."""
+        """Findings about the controller of the last run."""
         return [str(finding) for regulator in self.regulators for finding in regulator.findings]
 
     @property
@@ -74,7 +74,7 @@ class Loop:
 
     @property
     def first(self) -> Controller:
-        """Any of the controllers: all are of one structure, rate and noise."""
+        """The first controller: all have one structure, rate and noise."""
         return next(iter(self.controllers.values()))
 
     @property
@@ -84,40 +84,40 @@ class Loop:
 
     def parameters(self, compiled: Compiled) -> dict[str, float]:
         """Numbers of the actuators that the model has, by path; corners of an axle share theirs."""
-        found = {}
+        numbers = {}
         for path in compiled.facts.parameters:
             place, _, name = path.rpartition("actuator.") if path.startswith("actuator.") else _split(path)
             if name:
                 corner = next(corner for corner in self.corners if corner.startswith(place))
-                found[path] = self.controllers[corner].actuator.plant_numbers[name]
-        return found
+                numbers[path] = self.controllers[corner].actuator.plant_numbers[name]
+        return numbers
 
     @property
     def element(self) -> str | None:
-        """The spring, stops or tyre whose force comes from outside; None where there is none."""
+        """The spring, stops or tyre whose force comes from another program; None without one."""
         return self.actuator.in_place_of if isinstance(self.actuator, ActiveActuator) else None
 
     def with_rest(self, compiled: Compiled, signals: Sequence[Segments], p: Array | None = None) -> list[Segments]:
-        """Signals of a run with the commands before the first control instant, of a model with the numbers ``p``."""
-        found = list(signals)
+        """Signals of a run with the commands before the first control instant, for a model with the numbers ``p``."""
+        driven = list(signals)
         tracks = _tracks(compiled, self)
         for corner, track in zip(self.corners, tracks, strict=True):
-            found[track] = flat(float(found[track].edges[-1]), self.controllers[corner].actuator.rest)
+            driven[track] = flat(float(driven[track].edges[-1]), self.controllers[corner].actuator.rest)
         if self.element is None or p is None:
-            return found
-        for track, force in zip(tracks, _in_balance(self, compiled, p, found), strict=True):
-            found[track] = flat(float(found[track].edges[-1]), force)
-        return found
+            return driven
+        for track, force in zip(tracks, _in_balance(self, compiled, p, driven), strict=True):
+            driven[track] = flat(float(driven[track].edges[-1]), force)
+        return driven
 
-    def around(self, compiled: Compiled, prepared: Prepared, signals: Sequence[Segments]) -> Prepared:
-        """Put the law around a run that is laid out."""
+    def around(self, compiled: Compiled, prepared: PreparedRun, signals: Sequence[Segments]) -> PreparedRun:
+        """Add the law to a prepared run."""
         pieces = np.array(_tracks(compiled, self), dtype=np.int64)
         law = _Law(self.paced(prepared.equilibrium), compiled, prepared, signals, pieces)
         control = prepared.control._replace(scale=self._scale(compiled, prepared.control.scale))
         return replace(prepared, control=control, feedback=law.feedback, begin=law.start)
 
-    def paced(self, rest: Equilibrium | None) -> Loop:
-        """The same with the rate that follows from the rig at rest, where the controller leaves it open."""
+    def paced(self, rest: Equilibrium | None) -> ControlLoop:
+        """The same loop; an open control rate is derived from the rig at rest."""
         if rest is None:
             return self
         fastest = rest.fastest_oscillation
@@ -125,29 +125,29 @@ class Loop:
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
         """Typical sizes of the states; those of the actuators from their limits."""
-        found = scale.copy()
+        sizes = scale.copy()
         for i, name in enumerate(compiled.facts.states):
             place, _, word = name.rpartition("actuator.")
             if word in ("coefficient", "force", "voltage", "force rate"):
                 corner = next(corner for corner in self.corners if corner.startswith(place.removesuffix(".")))
                 actuator = self.controllers[corner].actuator
-                found[i] = 0.1 * max(map(abs, actuator.limits))
+                sizes[i] = 0.1 * max(map(abs, actuator.limits))
                 if word == "force rate":
-                    found[i] *= 2.0 * np.pi * getattr(actuator, "bandwidth")  # noqa: B009 - it has one
-        return found
+                    sizes[i] *= 2.0 * np.pi * getattr(actuator, "bandwidth")  # noqa: B009 - it has one
+        return sizes
 
 
 def _split(path: str) -> tuple[str, str, str]:
-    place, found, name = path.partition(".actuator.")
-    return (place.partition(".")[0], found, name) if found else ("", "", "")
+    place, mark, name = path.partition(".actuator.")
+    return (place.partition(".")[0], mark, name) if mark else ("", "", "")
 
 
 def _command(corner: str) -> str:
     return f"{corner}.{_COMMAND}" if corner else _COMMAND
 
 
-def _tracks(compiled: Compiled, loop: Loop) -> list[int]:
-    """Numbers of the tracks of all commands."""
+def _tracks(compiled: Compiled, loop: ControlLoop) -> list[int]:
+    """Indices of the tracks of all commands."""
     tracks = compiled.facts.tracks
     if loop.element is not None and any(_command(corner) not in tracks for corner in loop.corners):
         raise SimulationError(
@@ -158,8 +158,8 @@ def _tracks(compiled: Compiled, loop: Loop) -> list[int]:
     return [tracks.index(_command(corner)) for corner in loop.corners]
 
 
-def _in_balance(loop: Loop, compiled: Compiled, p: Array, signals: Sequence[Segments]) -> Array:
-    """Commands (N) at which an element of another program and the rest of the rig are in balance."""
+def _in_balance(loop: ControlLoop, compiled: Compiled, p: Array, signals: Sequence[Segments]) -> Array:
+    """Commands (N) at which an element of another program balances the rest of the rig."""
     tracks = zip(compiled.facts.tracks, signals, strict=True)
     still = compiled.inputs({name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks})
     law = loop.paced(find_equilibrium(compiled, p, still))
@@ -173,11 +173,11 @@ def _units(compiled: Compiled) -> dict[str, str]:
     return {output.name: output.unit for output in compiled.facts.outputs}
 
 
-def close_loop(rig: Rig, control: AnyControl | None) -> Loop | None:
+def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
     """Fit a controller (itself, its name, its file, or a Python function) to a rig or vehicle.
 
-    None where nothing controls: without a controller, and for the rig as it is (``Passive()``). A controller that does
-    not exist is refused, and one that the rig's corners are not fit for.
+    None without a controller, and for the passive rig (``Passive()``). An unknown controller is refused, and one that
+    does not fit the rig's corners.
     """
     controller = None if control is None else as_controller(control)
     if controller is None or (isinstance(controller, Passive) and controller.damping_coefficient is None):
@@ -190,7 +190,7 @@ def close_loop(rig: Rig, control: AnyControl | None) -> Loop | None:
             found=f"massless axles ({type(rig).__name__})",
             allowed="skyhook, pid and others that need the body only, or a model with wheels",
         )
-    return Loop({corner: controller.resolved(model) for corner, model in models.items()}, models)
+    return ControlLoop({corner: controller.resolved(model) for corner, model in models.items()}, models)
 
 
 class _Law:
@@ -198,9 +198,9 @@ class _Law:
 
     def __init__(
         self,
-        loop: Loop,
+        loop: ControlLoop,
         compiled: Compiled,
-        prepared: Prepared,
+        prepared: PreparedRun,
         signals: Sequence[Segments],
         tracks: NDArray[np.int64],
     ) -> None:
@@ -223,7 +223,7 @@ class _Law:
         self.feedback = self._python() if isinstance(first, CallbackController) else self._native()
 
     def start(self) -> None:
-        """Begin a run: commands of rest, no memory."""
+        """Begin a run: commands at rest, no memory."""
         control = self.feedback
         control.instants[0] = 0
         control.memory[:] = 0.0
@@ -277,10 +277,10 @@ class _Law:
 
     def _native(self) -> Feedback:
         loop = self._loop
-        made = program(loop.first, loop.corners)
-        address = _compiled_law(made.function).address["control"]
-        p = values(loop.controllers, loop.models, made.numbers)
-        return self._around(address, made.channels, p, made.memory, from_rest=True)
+        law = program(loop.first, loop.corners)
+        address = _compiled_law(law.function).address["control"]
+        p = values(loop.controllers, loop.models, law.numbers)
+        return self._around(address, law.channels, p, law.memory, from_rest=True)
 
     def _python(self) -> Feedback:
         loop, first = self._loop, self._loop.first
@@ -288,25 +288,26 @@ class _Law:
         setting = Setting(loop.controllers, loop.models, _units(self._compiled), self._instants, self._road)
         regulator = first.regulator(setting)
         loop.regulators[:] = [regulator]
-        made: list[Feedback] = []
+        feedback: list[Feedback] = []
 
         def call() -> None:
             put(result, 0, *regulator(measured()))
 
         def failed() -> None:
-            made[0].result[:] = np.nan
-            loop.raised[:] = [(float(made[0].measured[-1]), callback.raised)] if callback.raised else []
+            feedback[0].result[:] = np.nan
+            loop.raised[:] = [(float(feedback[0].measured[-1]), callback.raised)] if callback.raised else []
 
         callback = Callback(call, failed)
-        made.append(self._around(callback.address, regulator.channels, np.zeros(1), 0, from_rest=regulator.from_rest))
-        result, measured = made[0].result.ravel().data, made[0].measured.tolist
+        memory = np.zeros(1)
+        feedback.append(self._around(callback.address, regulator.channels, memory, 0, from_rest=regulator.from_rest))
+        result, measured = feedback[0].result.ravel().data, feedback[0].measured.tolist
         put = struct.Struct(f"{len(result)}d").pack_into
         self._begin += [regulator.start, loop.raised.clear]
         self._callback = callback
-        return made[0]
+        return feedback[0]
 
     def _road(self, corner: str, times: Array) -> Array:
-        """Height (m) of the road under a wheel; after the run it stays as it was."""
+        """Height (m) of the road under a wheel; it stays constant after the run."""
         track = f"{corner}.road.z" if corner else "road.z"
         signal = self._signals[self._compiled.facts.tracks.index(track)]
         return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
@@ -316,12 +317,12 @@ _laws: Recent[tuple[object, Native]] = Recent()
 
 
 def _compiled_law(function: Any) -> Native:
-    """Native code of a law; the law is kept beside it, so that no other has its place in memory."""
+    """Native code of a law; the cache keeps the law alive, so that no other law gets its address."""
     return _laws.of(id(function), lambda: (function, compile_functions({"control": function})))[1]
 
 
-def raise_controller_error(loop: Loop) -> None:
-    """Raise what a Python controller raised during a run, as one error that says when."""
+def raise_controller_error(loop: ControlLoop) -> None:
+    """Raise the error of a Python controller in a run, as one error with its time."""
     if not loop.raised:
         return
     t, error = loop.raised[0]
@@ -339,24 +340,24 @@ def command_names(corners: Sequence[str]) -> tuple[str, ...]:
 def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
     """Poles of a rig with a linear law, at the control instants, about static equilibrium.
 
-    Limits of the actuator and dry friction are left out. What the law samples and holds is in them exactly.
+    Sampling and holding by the law are exact; limits of the actuator and dry friction are left out.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
-    control : Controller, str or Path
+    A linear law with an active actuator.
         A law with an active actuator that is a formula.
 
     Returns
     -------
     ndarray of complex
-        1/s, by falling real part; a positive one grows. A pole beyond half the control rate is shown within it.
+        1/s, by falling real part; a positive one grows. A pole beyond half the control rate appears aliased.
 
     Raises
     ------
     SimulationError
-        For a law with a damper (it can only take energy) or one that is no formula.
+        For a law with a damper (it can only dissipate), or one that is not linear.
 
     Examples
     --------
@@ -378,20 +379,20 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
     return poles(loop, compiled, p, find_equilibrium(compiled, p, still), still)
 
 
-def is_linear(loop: Loop) -> bool:
-    """Tell whether the law is a formula with a force actuator: apart from its limits such a loop is linear."""
+def is_linear(loop: ControlLoop) -> bool:
+    """Whether the law is a formula with a force actuator: apart from its limits such a loop is linear."""
     return isinstance(loop.actuator, ActiveActuator) and not isinstance(loop.first, CallbackController)
 
 
-def poles(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> Complex:
+def poles(loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> Complex:
     """Poles (1/s) of a loop around a model with actuators at rest, by falling real part; ``still`` are the inputs."""
-    made = program(loop.first, loop.corners)
-    slopes = _slopes(made, values(loop.controllers, loop.models, made.numbers))
-    return _held_poles(loop, compiled, p, rest, still, made.channels, slopes, 1.0 / loop.first.rate)
+    law = program(loop.first, loop.corners)
+    slopes = _slopes(law, values(loop.controllers, loop.models, law.numbers))
+    return _held_poles(loop, compiled, p, rest, still, law.channels, slopes, 1.0 / loop.first.rate)
 
 
 def _held_poles(
-    loop: Loop,
+    loop: ControlLoop,
     compiled: Compiled,
     p: Array,
     rest: Equilibrium,
@@ -400,7 +401,7 @@ def _held_poles(
     slopes: tuple[Array, Array],
     period: float,
 ) -> Complex:
-    """Poles of a loop whose law has these slopes of (commands, memory) along memory and channels, held for a period."""
+    """Poles of a loop with a sampled law, given slopes of (commands, memory) by memory and channels, and its period."""
     from scipy.linalg import expm
 
     facts, names = compiled.facts, compiled.output_names
@@ -412,29 +413,29 @@ def _held_poles(
     B, D = (rest.pick @ along["rate"])[:, columns], along["output"][np.ix_(rows, columns)]
     C = compiled.slopes("x", *where)["output"][rows] @ rest.lift
     n, m = B.shape
-    held = np.zeros((n + m, n + m))
-    held[:n, :n], held[:n, n:] = rest.reduced, B
-    F, H = np.split(expm(held * period)[:n], [n], axis=1)
-    kept, seen = slopes
-    u_x, u_kept, u_u = seen[:m] @ C, kept[:m], seen[:m] @ D
-    next_x, next_kept, next_u = seen[m:] @ C, kept[m:], seen[m:] @ D
-    whole = np.block([[F + H @ u_x, H @ u_kept, H @ u_u], [next_x, next_kept, next_u], [u_x, u_kept, u_u]])
-    found = np.log(np.linalg.eigvals(whole).astype(complex) + 1e-300) / period
-    return np.asarray(found[np.argsort(-found.real)])
+    augmented = np.zeros((n + m, n + m))
+    augmented[:n, :n], augmented[:n, n:] = rest.reduced, B
+    F, H = np.split(expm(augmented * period)[:n], [n], axis=1)
+    by_memory, by_channels = slopes
+    u_x, u_memory, u_u = by_channels[:m] @ C, by_memory[:m], by_channels[:m] @ D
+    next_x, next_memory, next_u = by_channels[m:] @ C, by_memory[m:], by_channels[m:] @ D
+    transition = np.block([[F + H @ u_x, H @ u_memory, H @ u_u], [next_x, next_memory, next_u], [u_x, u_memory, u_u]])
+    rates = np.log(np.linalg.eigvals(transition).astype(complex) + 1e-300) / period
+    return np.asarray(rates[np.argsort(-rates.real)])
 
 
-def _slopes(made: Program, p: Array) -> tuple[Array, Array]:
-    """Slopes of (commands, next memory) along memory and measurements, at rest."""
-    function = made.function
+def _slopes(law: Program, p: Array) -> tuple[Array, Array]:
+    """Slopes of (commands, next memory) by memory and measurements, at rest."""
+    function = law.function
     memory, measured, numbers, nothing = (ca.SX.sym(f"i{i}", function.size1_in(i)) for i in range(function.n_in()))
     result = function(memory, measured, numbers, nothing)
     slopes = [ca.jacobian(result, memory), ca.jacobian(result, measured)]
     evaluate = ca.Function("slopes", [memory, measured, numbers], [ca.densify(part) for part in slopes])
-    kept, seen = evaluate(np.zeros(function.size1_in(0)), np.zeros(function.size1_in(1)), p)
-    return np.asarray(kept), np.asarray(seen)[:, :-1]  # the last one is the time
+    by_memory, by_channels = evaluate(np.zeros(function.size1_in(0)), np.zeros(function.size1_in(1)), p)
+    return np.asarray(by_memory), np.asarray(by_channels)[:, :-1]  # the last one is the time
 
 
-def check_stable(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> None:
+def check_stable(loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> None:
     """Refuse a linear loop with a growing pole; arguments as for :func:`poles`."""
     if not is_linear(loop):
         return
@@ -448,18 +449,18 @@ def check_stable(loop: Loop, compiled: Compiled, p: Array, rest: Equilibrium, st
         )
 
 
-def check_coupling(loop: Loop, compiled: Compiled, p: Array, prepared: Prepared) -> None:
-    """Refuse a force of an FMU that is held so long that small motions grow; arguments as for :func:`poles`."""
+def check_coupling(loop: ControlLoop, compiled: Compiled, p: Array, prepared: PreparedRun) -> None:
+    """Refuse an FMU's force that is held so long that small motions grow; arguments as for :func:`poles`."""
     rest, regulator = prepared.equilibrium, next(iter(loop.regulators), None)
     if regulator is None or rest is None or not isinstance(loop.actuator, ActiveActuator):
         return
     outputs = compiled.evaluate("output", rest.x, prepared.still, p, rest.modes)
-    found = regulator.answer(outputs[prepared.feedback.select] - prepared.feedback.offset)
-    if found is None or not all(np.all(np.isfinite(part)) for part in found):
+    slopes = regulator.answer(outputs[prepared.feedback.select] - prepared.feedback.offset)
+    if slopes is None or not all(np.all(np.isfinite(part)) for part in slopes):
         return
 
     def worst(period: float) -> complex:
-        where = (loop, compiled, p, rest, prepared.still, regulator.channels, found, period)
+        where = (loop, compiled, p, rest, prepared.still, regulator.channels, slopes, period)
         return complex(_held_poles(*where)[0])
 
     period = prepared.feedback.period

@@ -1,4 +1,4 @@
-"""Exact sensitivities of a run, and gradients of what is wanted of it, with respect to any numbers of the rig."""
+"""Exact sensitivities of a run, and gradients of objectives, with respect to any parameters of the rig."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Gradient(Shown):
-    """Value of an objective and its slope along each parameter.
+    """Value of an objective, and its slope by each parameter.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class Gradient(Shown):
     gradient : dict
         Parameter path to the slope, per SI unit of the parameter.
     channels : dict
-        Channel to its share of the value, SI.
+        Share of the value by channel, SI.
     """
 
     value: float
@@ -57,35 +57,35 @@ def sensitivities(
     output_step: float = 1e-3,
     tolerance: float = 1e-5,
 ) -> xr.Dataset:
-    """Differentiate all channels of a run with respect to parameters, exactly, along with the simulation.
+    """Differentiate all channels of a run with respect to parameters, exactly, during the simulation.
 
-    The run starts from static equilibrium, which moves with the parameters, too.
+    The run starts from static equilibrium, which depends on the parameters as well.
 
     Parameters
     ----------
     rig : Rig
-        What is tested.
+        Rig or vehicle.
     trial : Trial
         Road and speed, or a base motion, and the duration.
     parameters : sequence of str
         Paths, e.g. ``"hardpoints.tie_rod_outer[2]"``.
     output_step, tolerance : float
-        As :class:`jounce.simulation.RunSettings` has them: s, 1.
+        As in :class:`jounce.simulation.RunSettings`: s, 1.
 
     Returns
     -------
     xarray.Dataset
-        One variable a channel, of ``parameter`` and ``time`` (s). Its ``units`` are those of the channel; each value is
-        per SI unit of the parameter, which the coordinate ``parameter_units`` says. ``attrs["method"]`` says what ran:
-        a corner that only travels by its one coordinate ("reduced explicit"), any other rig as it is.
+        One variable for each channel, over ``parameter`` and ``time`` (s). ``units`` is the channel's unit; values are
+        per SI unit of the parameter, given by the coordinate ``parameter_units``. ``attrs["method"]`` is the method:
+        "reduced explicit" for a corner run by its one coordinate, otherwise that of the full model.
 
     Raises
     ------
     DescriptionError
-        For a path that the description does not have.
+        If the description does not have a path.
     SimulationError
-        For a parameter that the model does not use, the wheelbase on a road (it delays the rear axle), or when the run
-        does not reach its end.
+        If the model does not use a parameter, for the wheelbase on a road (it delays the rear axle), or if the run
+        stops before its end.
 
     Examples
     --------
@@ -129,19 +129,19 @@ def gradient(
     Parameters
     ----------
     rig : Rig
-        What is tested.
+        Rig or vehicle.
     trial : Trial
         Road and speed, or a base motion, and the duration.
     parameters : sequence of str
         Paths, e.g. ``"strut.spring.rate"``.
     objective : xarray.Dataset, pandas.DataFrame or mapping
-        A recording in SI, or a table with columns ``name [unit]``: the sum over its channels and samples of
-        (measured - simulated)^2. Or channel to weight (1): the weighted sum of the channels' mean squares over the
-        trial.
+        A recording in SI, or a table with columns ``name [unit]``: the objective is the sum over its channels and
+        samples of (measured - simulated)^2. Or weights (1) by channel: the weighted sum of the channels' mean squares
+        over the trial.
     weights : mapping, optional
-        For a recording: channel to the weight (1) of its sum; only these channels count. All channels with 1 otherwise.
+        For a recording: weights (1) of the sums by channel; other channels are ignored. Default: all channels with 1.
     output_step, tolerance : float
-        As :class:`jounce.simulation.RunSettings` has them: s, 1. A recording brings its own times.
+        As in :class:`jounce.simulation.RunSettings`: s, 1. A recording brings its own times.
 
     Returns
     -------
@@ -151,12 +151,12 @@ def gradient(
     Raises
     ------
     DescriptionError
-        For a path or a channel that does not exist.
+        If a path or a channel does not exist.
     SimulationError
-        For a parameter that the model does not use, a recording that outlasts the trial, or when the run does not reach
-        its end.
+        If the model does not use a parameter, a recording is longer than the trial, or the run stops before its
+        end.
     RecordingError
-        For a recording that is not in SI or not finite.
+        If a recording is not in SI or not finite.
 
     Examples
     --------
@@ -165,8 +165,8 @@ def gradient(
     >>> import jounce as jn
     >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
     >>> rig = jn.load("kart-quarter-car")
-    >>> found = jn.gradient(rig, trial, ["strut.spring.rate", "strut.damper.coefficient"], {"sprung.az": 1.0})
-    >>> found.gradient["strut.spring.rate"] > 0.0 > found.gradient["strut.damper.coefficient"]   # softer, more damped
+    >>> slopes = jn.gradient(rig, trial, ["strut.spring.rate", "strut.damper.coefficient"], {"sprung.az": 1.0}).gradient
+    >>> slopes["strut.spring.rate"] > 0.0 > slopes["strut.damper.coefficient"]   # softer and more damped is better
     True
     """
     import xarray as xr
@@ -220,7 +220,7 @@ def _run(rig: Rig, trial: Trial, parameters: Sequence[str], times: Array, tolera
 
 
 def _times_of(measured: xr.Dataset, trial: Trial) -> Array:
-    """Times of a recording, with 0 before them where it starts later: there the run begins."""
+    """Times of a recording, with 0 added if it starts later: the run begins there."""
     times = np.asarray(measured["time"].to_numpy(), dtype=np.float64)
     if not len(times) or not np.all(np.diff(times) > 0.0) or times[0] < 0.0 or times[-1] > trial.duration * (1 + 1e-9):
         raise SimulationError(

@@ -25,37 +25,38 @@ from jounce.simulation.prepare import prepare, room
 from jounce.simulation.problem import excitation
 
 OBSERVED = ("sprung.az", "sprung.vz", "unsprung.vz", "strut.deflection", "strut.velocity")
-"""What is observed of each corner by default, where the model has it."""
+"""Default observations of each corner, if the model has them."""
 COST = {"sprung.az": 1.0, "strut.deflection": 4e3, "tyre.deflection": 4e4}
 """Default weights of the mean squares (changes from rest) in the cost, 1 over the square of each channel's unit."""
 _SCALES = {"az": 2.0, "vz": 0.3, "velocity": 0.5, "deflection": 0.03, "force": 2000.0, "z": 0.05}
-_WIDEST = 10.0
-_FINEST = 1e-3  # s between the samples that the cost is made of
-_LOST = 1e3  # reward when a run diverges
+"""Typical sizes (SI) of the motion of a car, so that observations are about 1."""
+_WIDEST = 10.0  # typical sizes at which observations are clipped
+_FINEST = 1e-3  # s between the samples of the cost: ten in a period of 100 Hz
+_LOST = 1e3  # negative reward of a run that diverges: more than the cost of any step that does not
 
 
 class Stepper:
-    """A rig with actuators on a trial, at a command rate: every ``step`` holds commands for one period.
+    """A rig with actuators on a trial, at a command rate: each ``step`` holds commands for one period.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
     trial : Trial
-        What is driven over.
+        Road, speed and duration.
     actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper
-        Of every strut; open numbers are filled in as for controllers.
+        Actuator of every strut; open numbers are filled in as for controllers.
     rate : float
         Steps per second, Hz.
     samples : int
-        Outputs a step, evenly spread, the last one at its end.
+        Outputs in each step, evenly spaced, the last one at its end.
     tolerance : float
         Relative error of the displacements.
 
     Notes
     -----
-    ``corners`` and ``channels`` name the commands and the outputs, ``limits`` has the smallest and the largest command
-    of each corner, ``time`` (s) says where the run stands, ``status`` how the last step ended.
+    ``corners`` and ``channels`` name commands and outputs, ``limits`` has the smallest and largest command of each
+    corner, ``time`` (s) is the present instant, ``status`` the outcome of the last step.
 
     Examples
     --------
@@ -103,7 +104,7 @@ class Stepper:
         self.time, self.status, self._steps = 0.0, Status.COMPLETED, 0
 
     def start(self) -> Array:
-        """Go back to static equilibrium at the start; give the outputs there, shape (channels,)."""
+        """Return to static equilibrium at the start, and return the outputs there, shape (channels,)."""
         prepared, problem = self._prepared, self._problem
         prepared.start()
         problem.x0[:] = prepared.problem.x0
@@ -112,14 +113,14 @@ class Stepper:
 
     @property
     def finished(self) -> bool:
-        """Whether the trial's end is reached."""
+        """Whether the end of the trial is reached."""
         return self.time >= self.end - 1e-9 * max(1.0, self.end)
 
     def step(self, commands: Array) -> Array:
         """Hold commands for one period (at most to the trial's end).
 
-        They come in the order of ``corners`` and are clipped to the limits. The outputs have the shape (channels,
-        samples), SI; what was not reached is no number (``status`` says why).
+        Commands are in the order of ``corners`` and are clipped to the limits. The outputs have the shape (channels,
+        samples), SI; samples that were not reached are NaN (``status`` has the reason).
         """
         given = as_samples(commands, where="step", error=SimulationError).ravel()
         if len(given) != len(self.corners) or not np.all(np.isfinite(given)):
@@ -143,8 +144,8 @@ class Stepper:
         return out.outputs[:, 1:].copy()
 
     def _check_motion(self) -> None:
-        moved = np.abs(self._problem.x0 - self._prepared.problem.x0)
-        if np.any(moved > self._prepared.feedback.bound):
+        change = np.abs(self._problem.x0 - self._prepared.problem.x0)
+        if np.any(change > self._prepared.feedback.bound):
             self.status = Status.DIVERGED
 
 
@@ -159,7 +160,7 @@ def ride_environment(
 ) -> Any:
     """Make a Gymnasium environment of a rig or vehicle with actuators on a road.
 
-    An action is one number in [-1, 1] for each corner: from the smallest to the largest command. An observation holds
+    An action is one number in [-1, 1] for each corner: from the smallest to the largest command. An observation has
     the observed channels of all corners as changes from rest, divided by a typical size and clipped to [-10, 10]. The
     reward is minus the cost: weighted mean squares over the step, summed over the corners.
 
@@ -168,28 +169,28 @@ def ride_environment(
     rig : Rig
         Rig or vehicle.
     trial : Trial or callable
-        Road, speed and duration; or what makes one from a ``numpy.random.Generator`` at every reset.
+        Road, speed and duration; or a function that makes them from a ``numpy.random.Generator`` at every reset.
     actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper, optional
-        Of every strut; a damper between 0.2 and 8/3 of the corner's own by default.
+        Actuator of every strut; default: a damper between 0.2 and 8/3 of the corner's own.
     rate : float
         Steps per second, Hz.
     observed : sequence of str
         Channels without their corner.
     cost : mapping, optional
-        Channel without its corner to the weight of its mean square, 1 over the square of its unit.
+        Weight of the mean square by channel without its corner, 1 over the square of its unit.
 
     Returns
     -------
     gymnasium.Env
-        With ``reset(seed=...)`` and ``step(action)``; ``info`` holds ``time`` (s), ``commands`` (by corner, in the
-        actuator's unit), ``cost`` by channel and, when it ends early, ``status``.
+        With ``reset(seed=...)`` and ``step(action)``; ``info`` has ``time`` (s), ``commands`` (by corner, in the
+        actuator's unit), ``cost`` by channel and, if the run stops early, ``status``.
 
     Raises
     ------
     MissingPackageError
-        When Gymnasium is not installed.
+        If Gymnasium is not installed.
     DescriptionError
-        For a channel that the model does not have.
+        If the model does not have a channel.
 
     Examples
     --------
@@ -239,12 +240,12 @@ def _environment_class() -> Any:
         def reset(
             self, *, seed: int | None = None, options: dict[str, Any] | None = None
         ) -> tuple[NDArray[np.float32], dict[str, Any]]:
-            """Begin a run at rest; with a random trial on a new road."""
+            """Begin a run at rest; on a new road if the trial is random."""
             super().reset(seed=seed, options=options)
             if not isinstance(self._trial, Trial):
                 self._run = self._make(self._trial(self.np_random))
             self._rest = self._run.start()
-            return self._seen(self._rest), {"time": 0.0}
+            return self._observation(self._rest), {"time": 0.0}
 
         def step(self, action: Any) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
             """Hold the commands of an action for one period."""
@@ -258,12 +259,12 @@ def _environment_class() -> Any:
             }
             if self._run.status is not Status.COMPLETED:
                 info["status"] = self._run.status.name.lower()
-                return self._seen(self._rest), -_LOST, True, False, info
-            moved = outputs - self._rest[:, None]
-            info["cost"] = {name: weight * float(np.mean(moved[row] ** 2)) for name, row, weight in self._cost}
-            return self._seen(outputs[:, -1]), -sum(info["cost"].values()), False, self._run.finished, info
+                return self._observation(self._rest), -_LOST, True, False, info
+            change = outputs - self._rest[:, None]
+            info["cost"] = {name: weight * float(np.mean(change[row] ** 2)) for name, row, weight in self._cost}
+            return self._observation(outputs[:, -1]), -sum(info["cost"].values()), False, self._run.finished, info
 
-        def _seen(self, outputs: Array) -> NDArray[np.float32]:
+        def _observation(self, outputs: Array) -> NDArray[np.float32]:
             """Observation of a sample."""
             scaled = (outputs - self._rest)[self._observed] / self._scales
             return np.clip(scaled, -_WIDEST, _WIDEST).astype(np.float32)
@@ -278,30 +279,30 @@ def _stepper(rig: Rig, trial: Trial, actuator: AnyActuator, rate: float) -> Step
 
 
 def _columns(run: Stepper, words: Sequence[str], default: Sequence[str]) -> tuple[NDArray[np.intp], Array]:
-    """Outputs that are observed and their typical sizes, corner after corner."""
+    """Observed outputs and their typical sizes, corner after corner."""
     names = [name for corner in run.corners for name in _present(run, corner, words, default)]
     scales = [_SCALES.get(name.rpartition(".")[2], 1.0) for name in names]
     return np.array([run.channels.index(name) for name in names], dtype=np.intp), np.array(scales)
 
 
 def _weights(run: Stepper, cost: Mapping[str, float], default: Mapping[str, float]) -> list[tuple[str, int, float]]:
-    """Channel, output and weight of everything that costs."""
-    found = []
+    """Channel, output index and weight of every term of the cost."""
+    terms = []
     for word, weight in cost.items():
         if not (np.isfinite(weight) and weight >= 0.0):
             raise SimulationError("not a weight", where=f"cost: {word}", found=weight, allowed="0 or more")
         names = [name for corner in run.corners for name in _present(run, corner, [word], list(default))]
-        found += [(name, run.channels.index(name), weight) for name in names]
-    return found
+        terms += [(name, run.channels.index(name), weight) for name in names]
+    return terms
 
 
 def _present(run: Stepper, corner: str, words: Sequence[str], default: Sequence[str]) -> list[str]:
-    """Channels of a corner; what is asked for by default only may be missing (massless axles)."""
-    found = []
+    """Channels of a corner; default channels may be missing (massless axles)."""
+    channels = []
     for word in words:
         name = f"{corner}.{word}" if corner else word
         if name in run.channels:
-            found.append(name)
+            channels.append(name)
         elif word not in default:
             raise unknown(name, run.channels, what="channel", where="environment")
-    return found
+    return channels

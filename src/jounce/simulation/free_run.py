@@ -1,4 +1,4 @@
-"""Simulate a mechanism of one's own: from given coordinates and speeds, with prescribed motions."""
+"""Simulate a user's mechanism: from given coordinates and speeds, with prescribed motions."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from jounce.mechanics.mechanism import BALANCE
 from jounce.parts.advice import size_findings
 from jounce.recordings.schema import recording_of
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, Prepared, longest_implicit_step, room
+from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, PreparedRun, longest_implicit_step, room
 from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.settings import COARSEST, MAX_STEPS, Method, RunSettings
 from jounce.simulation.singular_configurations import Begin, run_through
@@ -33,22 +33,27 @@ from jounce.simulation.statics import falling, free_motions
 if TYPE_CHECKING:
     import xarray as xr
 
-_SMALLEST = 1e-3  # m, rad, m/s or rad/s: motions below that need not be resolved relative to themselves
+# Sizes and steps of the integration.
+_SMALLEST = 1e-3  # m, rad, m/s or rad/s: smaller motions need not be resolved relative to themselves
 _LONGEST = 1.2  # radians of the fastest motion at the start in one step
 _SHARE = 0.02  # of the duration, the longest step
-_DECAYING = 0.9  # share of its decay in how fast a motion is, above which it is no oscillation
+_DECAYING = 0.9  # share of decay in the rate of a motion above which it is no oscillation
 _STIFF, _LONG_RUN = 20.0, 1e4  # decay over oscillation, and decays in a run, beyond which the implicit method pays
-_MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves
-_MOVING = 1e-3  # share of a coordinate in a motion that is worth naming
-_PROBES, _PROBED, _MANY_STEPS, _LOOSEST_PROBE = 6, 60, 1000, 1e-3  # how a run is looked at for rounding
+_MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves: rounding
+_MOVING = 1e-3  # share of a coordinate in a motion from which it is named
+# Probes of a run for rounding.
+_PROBES, _PROBED, _MANY_STEPS, _LOOSEST_PROBE = 6, 60, 1000, 1e-3
 _CLOSE, _DIFFERENCES, _ORDER = 1e-3, 6, 8.0  # of the longest step; differences of the rates; order of the methods
-_UNSEEN, _SEEN, _CHEAP = 0.01, 0.3, 0.1  # shares of a step's error that rounding makes: nothing, much, and little
-_ROUNDED = 3.0  # times more steps than the motion asks for
-_ITERATIONS, _MANY_ITERATIONS, _NEARER = 200, 10_000, 0.1  # without, and with progress of that share of a step
-_PROJECTIONS = 3
-_STRIDE, _FAR = 0.05, 1e6  # m or rad: a step of a mechanism on its way to rest, and one that says that nothing holds it
-_NOISE, _UNDECIDED = 1e-11, 1e-9  # slopes that are rounding beside the largest, and motions that no force decides
-_SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = 1e-10, 1e-6, 0.1
+_UNSEEN, _SEEN, _CHEAP = 0.01, 0.3, 0.1  # share of a step's error caused by rounding: negligible, large, small
+_ROUNDED = 3.0  # times more steps than the motion requires
+# Search for a state of rest.
+_ITERATIONS, _MANY_ITERATIONS, _NEARER = 200, 10_000, 0.1  # without progress, and with progress of that share of a step
+_PROJECTIONS = 3  # Newton steps onto the loops, after a step of 5 cm
+# m or rad: a step of a mechanism on its way to rest, and one that shows that nothing holds it
+_STRIDE, _FAR = 0.05, 1e6
+# slopes, relative to the largest, that are rounding, and motions that no force decides
+_NOISE, _UNDECIDED = 1e-11, 1e-9
+_SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = 1e-10, 1e-6, 0.1  # relative step, relative rate at rest, share in a motion
 _HINT = "Check masses, springs, stops and where it starts: something must carry every weight."
 
 
@@ -76,42 +81,41 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         s, or text with a unit.
     start : mapping, optional
         Coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit; others start in the design pose, at
-        rest. Where loops leave no such pose or speeds, the nearest ones are taken, those given moving least.
+        rest. If loops do not allow these, the nearest pose and speeds are used, with least change of the given ones.
     motions : mapping, optional
-        Track to its motion, see :func:`jounce.mechanics.harmonic` and its neighbours.
+        Motion by track, see :func:`jounce.mechanics.harmonic` and related functions.
     values : mapping, optional
-        Parameter path to another value (SI, or text with a unit) than it was built with; nothing is compiled anew.
+        Other values (SI, or text with a unit) of parameters by path; nothing is compiled again.
     output_step : float
-        Distance of the output samples, s.
+        Step of the output samples, s.
     tolerance : float
         Relative error of coordinates and speeds.
     method : {"auto", "explicit", "implicit"}
-        How to integrate, see :func:`jounce.simulate`; by itself the implicit method where something decays at the start
-        far faster than anything oscillates, and after an explicit run that used up its steps.
+        Integration method, see :func:`jounce.simulate`; "auto" is implicit if something decays at the start far faster
+        than anything oscillates, and after an explicit run that used up its steps.
     redundant : {"refuse", "remove"}
-        What to do about loop equations that repeat each other.
+        Treatment of redundant loop equations.
     at_rest : bool
-        Start in equilibrium near the start, with the tracks held. Speeds given in ``start`` are kept, and the
-        equilibrium is that of all else; what nothing decides (a car's place on a level road) stays where it starts.
-        The nearest one may be a top from which it falls: a finding says so where nothing moves at the start.
+        Start in equilibrium near the start, with constant tracks. Speeds given in ``start`` are kept, and the
+        equilibrium is that of everything else; undetermined coordinates (a car's place on a level road) stay where they
+        start. The nearest equilibrium may be unstable: a finding says so if nothing moves at the start.
     check : bool
-        Raise when the run does not reach its end.
+        Raise if the run stops before its end.
 
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["degrees_of_freedom"]`` counts the motions that the joints leave at the
-        start. ``attrs["findings"]`` says what assembly moved or which given speeds it changed, what no equilibrium
-        decides, where a singular configuration was passed only with other steps, and whether rounding forbids the
-        tolerance; where loops close, also which motions they leave, which of them feel no force, and which equations
-        were left out as redundant.
+        The outputs on ``time`` (s), SI. ``attrs["degrees_of_freedom"]`` counts the motions that the joints allow at the
+        start. ``attrs["findings"]`` reports changes by assembly to the pose or to given speeds, coordinates that no
+        equilibrium determines, singular configurations passed with modified steps, and a tolerance below rounding; with
+        loops also the motions that they allow, those of them without force, and redundant equations that were dropped.
 
     Raises
     ------
     AssemblyError
-        When the loops cannot be closed or repeat each other, or a motion of the joints moves no mass.
+        If the loops cannot be closed or are redundant, or a motion of the joints moves no mass.
     SimulationError
-        For unknown names, where no equilibrium is found, or, with ``check``, when the run does not reach its end.
+        If a name is unknown, no equilibrium is found, or, with ``check``, the run stops before its end.
 
     Examples
     --------
@@ -130,32 +134,34 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     times = RunSettings(output_step, tolerance, method).times(seconds)
     if redundant not in ("refuse", "remove"):
         raise unknown(redundant, ("refuse", "remove"), what="choice", where="redundant")
-    every, given = _values(mechanism, values or {}), _motions(mechanism, motions or {})
-    inputs = {name: float(track.evaluate(np.zeros(1))[0][0]) for name, track in given.items()}
-    model = mechanism.model(redundant, start, values=every, inputs=inputs)
-    p, tracks = np.array([every[name] for name in model.parameters]), [given[name] for name in model.tracks]
+    parameters, motions_by_track = _values(mechanism, values or {}), _motions(mechanism, motions or {})
+    inputs = {name: float(track.evaluate(np.zeros(1))[0][0]) for name, track in motions_by_track.items()}
+    model = mechanism.model(redundant, start, values=parameters, inputs=inputs)
+    p = np.array([parameters[name] for name in model.parameters])
+    tracks = [motions_by_track[name] for name in model.tracks]
     u = _inputs(model.facts.track_order, tracks)
     pose = assemble(model, p, u, start, redundant="refuse" if redundant == "refuse" else "keep")
     _check_masses(mechanism, model, pose.x, u, p)
     _check_reaches(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
-    first, notes = pose.x, [_moved(pose), [*size_findings(mechanism.places(every), "points")]]
+    first, notes = pose.x, [_assembly_findings(pose), [*size_findings(mechanism.places(parameters), "points")]]
     if at_rest:
         running = {name for name in start or {} if name in model.speeds and pose.x[model.states.index(name)] != 0.0}
         first, neutral = _at_rest(compiled, p, u, pose.x, running, model.quaternions.values())
-        if model.constraints:  # the tracks were held so far; with their speeds
-            kept = [i for i, name in enumerate(model.states) if name not in model.speeds or name in running]
-            moving = {model.states[i]: float(first[i]) for i in kept}
+        if model.constraints:  # close the loops again, now with the speeds of the tracks
+            prescribed = [i for i, name in enumerate(model.states) if name not in model.speeds or name in running]
+            moving = {model.states[i]: float(first[i]) for i in prescribed}
             first = assemble(model, p, u, moving, redundant="keep").x
         if neutral:
             notes.append([finding("simulation.neutral", ", ".join(neutral))])
         is_moving = bool(running) or bool(u[1 :: model.facts.track_order].any())
-        if not is_moving and (names := falling(compiled, first, u, p)):  # what turns may be held by that
+        # a spinning body may hold itself up
+        if not is_moving and (names := falling(compiled, first, u, p)):
             notes.append([finding("simulation.on_top", ", ".join(dict.fromkeys(map(moved_by, names))))])
 
     mobility = mechanism.freedoms(model).at(first, u, p) if mechanism.collection.constraints else None
 
-    def begin(x: Array, after: Array, error: float) -> Prepared:
+    def begin(x: Array, after: Array, error: float) -> PreparedRun:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
         return _prepare(compiled, p, tracks, x, u, after, error, method)
 
@@ -173,7 +179,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
                 "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=note.message
             )
         notes.append([note])
-    if mobility is not None:  # where nothing closes a loop, every freedom is that of a joint by its name
+    if mobility is not None:  # without loops, every freedom is that of a named joint
         notes.append([*mobility.findings(is_driven=bool(tracks))])
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
@@ -190,7 +196,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
 
 
 def _values(mechanism: Mechanism, values: Mapping[str, float | str]) -> dict[str, float]:
-    """Every parameter by path, those given in place of those it was built with."""
+    """Every parameter by path, given values in place of the built-in ones."""
     every = mechanism.with_values(values)
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
@@ -215,7 +221,7 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
 
 
 def _inputs(order: int, tracks: list[Segments], time: float = 0.0) -> Array:
-    """Inputs at a time (s); accelerations are not needed for a start."""
+    """Inputs at a time (s); a start does not need accelerations."""
     u = np.zeros(order * len(tracks))
     for i, track in enumerate(tracks):
         value, rate = track.evaluate(np.array([time]))
@@ -224,7 +230,7 @@ def _inputs(order: int, tracks: list[Segments], time: float = 0.0) -> Array:
 
 
 def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> None:
-    """Refuse a mechanism in which some motion of the joints moves no mass."""
+    """Refuse a mechanism if some motion of its joints moves no mass."""
     matrix = mechanism.mass_matrix(model)(x, u, p).full()
     if not np.all(np.isfinite(matrix)):
         raise SimulationError(
@@ -233,10 +239,11 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
         )
     size = np.sqrt(np.diag(matrix))
     scale = np.where(size > 0.0, size, 1.0)
-    values, ways = np.linalg.eigh(matrix / np.outer(scale, scale))
-    empty = [ways[:, i] for i in np.flatnonzero(values < _MASSLESS)]
+    values, vectors = np.linalg.eigh(matrix / np.outer(scale, scale))
+    empty = [vectors[:, i] for i in np.flatnonzero(values < _MASSLESS)]
     if empty:
-        names = [name for way in empty for name, share in zip(model.speeds, way, strict=True) if abs(share) > _MOVING]
+        shares = [pair for vector in empty for pair in zip(model.speeds, vector, strict=True)]
+        names = [name for name, share in shares if abs(share) > _MOVING]
         raise AssemblyError(
             "nothing with mass or inertia moves when these coordinates change together",
             where=", ".join(dict.fromkeys(name.removesuffix(" rate") for name in names)),
@@ -245,13 +252,13 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
         )
 
 
-_NO_FORCE = 1e-6  # N: of a length that is kept above zero
+_NO_FORCE = 1e-6  # N: far below any force that matters in a run
 
 
 def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> None:
-    """Refuse forces between two points that are one: without a direction, they would turn over at every step.
+    """Refuse forces between coincident points: without a direction they would reverse at every step.
 
-    A spring of no free length has no force there, and needs none.
+    A spring of zero free length has no force there and is allowed.
     """
     pushing = [
         (load.name or load.kind, action.power[0][1], action.wrenches)
@@ -261,8 +268,8 @@ def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Ar
     if not pushing:
         return
     rows = [ca.vertcat(force, second.point - first.point) for _, force, (first, second) in pushing]
-    found = ca.Function("reaches", [model.x, model.u, model.p], [ca.horzcat(*rows)])(x, u, p).full().T
-    for (name, _, _), (force, *reach) in zip(pushing, found, strict=True):
+    table = ca.Function("reaches", [model.x, model.u, model.p], [ca.horzcat(*rows)])(x, u, p).full().T
+    for (name, _, _), (force, *reach) in zip(pushing, table, strict=True):
         if abs(force) > _NO_FORCE:
             refuse_one_point(name, np.array(reach), "at the start")
 
@@ -276,7 +283,7 @@ def _prepare(
     times: Array,
     tolerance: float,
     method: Method,
-) -> Prepared:
+) -> PreparedRun:
     facts = compiled.facts
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(facts.switches))) > 0.0).astype(float)
     rate = compiled.evaluate("rate", x, u, p, modes)
@@ -293,7 +300,7 @@ def _prepare(
     flat = flatten(tracks or [constant(0.0)])
     first = flat.first[: len(tracks)].copy()
     problem = Problem(compiled.engine, flat, first, compiled.extended(p), modes.copy(), x, len(u))
-    prepared = Prepared(compiled, problem, control, room(compiled, times), None, modes, None, u)
+    prepared = PreparedRun(compiled, problem, control, room(compiled, times), None, modes, None, u)
     if method == "explicit":
         return prepared
     coarse = min(longest_implicit_step(moving, tolerance), _SHARE * duration)
@@ -302,53 +309,53 @@ def _prepare(
     return replace(prepared, stiff=lambda: stiff, method="implicit" if implicitly else "explicit")
 
 
-def _moved(pose: Assembly) -> list[Finding]:
-    """What assembly moved, and which given speeds it changed."""
+def _assembly_findings(pose: Assembly) -> list[Finding]:
+    """Report coordinates and given speeds that assembly changed."""
     return [
-        finding("simulation.assembly_moved", one.coordinate, before=one.before, after=one.after)
-        for one in pose.displacements
+        finding("simulation.assembly_moved", moved.coordinate, before=moved.before, after=moved.after)
+        for moved in pose.displacements
     ]
 
 
 def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | None:
-    """The least power of ten that can be had as tolerance where rounding forbids the one given; None where it does not.
+    """The smallest power of ten that is possible as tolerance if rounding forbids the given one; None if it does not.
 
-    A rate that is rounded by ``e`` makes an error of ``h e`` in a step of ``h``. Where that is as large as the error a
-    step may make, steps get short until it is not, and more of them add up to no less. Steps that only the motion asks
-    for are found by a short run at a tolerance beside which rounding is nothing; both say something of the mechanism
-    and its motion, whatever the duration.
+    A rate with rounding ``e`` makes an error of ``h e`` in a step of ``h``. If that is as large as the error allowed
+    for a step, steps shrink until it is not, and more of them add up to no less. The steps that the motion alone
+    requires are found by a short run at a tolerance beside which rounding is negligible; both depend on the mechanism
+    and its motion, not on the duration.
     """
     reached = int(np.sum(np.isfinite(solution.states[0])))
-    taken = solution.steps + solution.rejected
-    if reached < 2 or not taken:
+    steps_taken = solution.steps + solution.rejected
+    if reached < 2 or not steps_taken:
         return None
     states, times = solution.states[:, :reached], solution.time[:reached]
     scale = np.maximum(_SMALLEST, np.max(np.abs(states - states[:, :1]), axis=1))
     share = IMPLICIT_SHARE if solution.method == "implicit" else STEP_SHARE
-    probed = [(reached - 1) * i // _PROBES for i in range(1, _PROBES)]
-    at = probed[_PROBES // 2 - 1]
+    samples = [(reached - 1) * i // _PROBES for i in range(1, _PROBES)]
+    at = samples[_PROBES // 2 - 1]
     rounded = np.median(
-        [_rounding(begin(states[:, i], times[i : i + 2], tolerance), states[:, i], scale) for i in probed]
+        [_rounding(begin(states[:, i], times[i : i + 2], tolerance), states[:, i], scale) for i in samples]
     )
     duration = float(times[-1] - times[0])
-    if duration / taken * rounded < _UNSEEN * share * tolerance:
+    if duration / steps_taken * rounded < _UNSEEN * share * tolerance:
         return None
     longest = begin(states[:, at], times[at] + np.array([0.0, _LONG_RUN]), tolerance).control.longest
     loose = min(max(longest * rounded / (_UNSEEN * share), tolerance), _LOOSEST_PROBE)
     ahead = np.linspace(times[at], times[at] + _PROBED * longest, _PROBED + 1)
     probe = begin(states[:, at], ahead, loose)
-    seen = replace(probe, control=probe.control._replace(max_steps=_MANY_STEPS)).run()
-    gone = longest * int(np.sum(np.isfinite(seen.states[0])))
+    probed_run = replace(probe, control=probe.control._replace(max_steps=_MANY_STEPS)).run()
+    time_covered = longest * int(np.sum(np.isfinite(probed_run.states[0])))
 
-    def asked(error: float) -> float:
-        """Step that the motion asks for at a tolerance, s."""
-        return float(gone / max(seen.steps, 1) * (error / loose) ** (1.0 / _ORDER))
+    def required_step(error: float) -> float:
+        """Step that the motion requires at a tolerance, s."""
+        return float(time_covered / max(probed_run.steps, 1) * (error / loose) ** (1.0 / _ORDER))
 
     def is_rounding(error: float, limit: float) -> bool:
-        """Whether rounding counts in such steps."""
-        return bool(asked(error) * rounded > limit * share * error)
+        """Whether rounding matters in such steps."""
+        return bool(required_step(error) * rounded > limit * share * error)
 
-    is_short = taken > _ROUNDED * duration / min(asked(tolerance), _SHARE * duration)
+    is_short = steps_taken > _ROUNDED * duration / min(required_step(tolerance), _SHARE * duration)
     if not is_rounding(tolerance, _CHEAP if is_short else _SEEN):
         return None
     decade = np.floor(np.log10(tolerance) + 1.0 + 1e-9)
@@ -357,11 +364,11 @@ def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | N
     return float(10.0**decade)
 
 
-def _rounding(prepared: Prepared, x: Array, scale: Array) -> float:
-    """Rounding of the rates along the motion at a state, beside the sizes of the states, 1/s.
+def _rounding(prepared: PreparedRun, x: Array, scale: Array) -> float:
+    """Rounding of the rates along the motion at a state, relative to the sizes of the states, 1/s.
 
-    What is left of the rates at close and even distances after six differences (an analytic function leaves nothing):
-    of independent errors of size ``e`` their sum of squares, ``e^2 (2 k)! / k!^2``.
+    It is what remains of the rates at close and even distances after six differences (zero for an analytic function):
+    independent errors of size ``e`` have a sum of squares of ``e^2 (2 k)! / k!^2``.
     """
     compiled, (p, modes) = prepared.compiled, (prepared.problem.p, prepared.problem.m)
     close = _CLOSE * prepared.control.longest
@@ -376,11 +383,11 @@ def _rounding(prepared: Prepared, x: Array, scale: Array) -> float:
 def _at_rest(
     compiled: Compiled, p: Array, u: Array, x: Array, running: set[str], quaternions: Iterable[int]
 ) -> tuple[Array, list[str]]:
-    """Equilibrium near a state, the given speeds kept and the tracks held; and the coordinates that nothing decides.
+    """Equilibrium near a state with given speeds and constant tracks, and the coordinates that it does not determine.
 
-    Newton's method on the accelerations of all motions but those that run and on the loops. A motion that changes no
-    force has a zero column: the shortest step leaves it where it is, and so do the shortest ways back onto the loops.
-    Where a slope is level, so that no step would help, the mechanism is first let fall a little.
+    Newton's method on the accelerations of all motions without a given speed, and on the loops. A motion that changes
+    no force has a zero column: the shortest step leaves it where it is, and so does the shortest way back onto the
+    loops. Where the slope vanishes, so that no step would help, the mechanism first falls a little.
     """
     from scipy.linalg import qr
 
@@ -394,12 +401,12 @@ def _at_rest(
     x, fallen = x.copy(), False
 
     def onto_loops(x: Array, modes: Array) -> Array:
-        """Close the loops by the shortest motion of what does not run, and give quaternions length one again."""
+        """Close the loops by the shortest motion of the free coordinates, and normalise quaternions."""
         for _ in range(_PROJECTIONS if facts.constraints else 0):
-            slopes, left = compiled.slopes("x", x, still, p, modes), compiled.evaluate("constraint", x, still, p, modes)
-            moved = slopes["rate"][:n_q, n_q + others]
+            slopes, gap = compiled.slopes("x", x, still, p, modes), compiled.evaluate("constraint", x, still, p, modes)
+            speeds = slopes["rate"][:n_q, n_q + others]
             x = x.copy()
-            x[:n_q] -= moved @ np.linalg.lstsq(slopes["constraint"][:, :n_q] @ moved, left, rcond=1e-12)[0]
+            x[:n_q] -= speeds @ np.linalg.lstsq(slopes["constraint"][:, :n_q] @ speeds, gap, rcond=1e-12)[0]
         for i in quaternions:
             x[i : i + 4] /= np.linalg.norm(x[i : i + 4])
         return x
@@ -409,7 +416,7 @@ def _at_rest(
         if idle > _ITERATIONS:
             break
         slopes = compiled.slopes("x", x, still, p, modes)
-        if facts.constraints:  # the other speeds follow by the loops
+        if facts.constraints:  # the other speeds follow from the loops
             loops = slopes["constraint"][:, :n_q] @ slopes["rate"][:n_q, n_q:end]
             x[n_q + others] = -np.linalg.lstsq(loops[:, others], loops[:, runs] @ x[n_q:end][runs], rcond=1e-12)[0]
             slopes = compiled.slopes("x", x, still, p, modes) if runs.any() else slopes
@@ -417,7 +424,7 @@ def _at_rest(
             loops = np.zeros((0, n_v))
             x[n_q + others] = 0.0
         slope = slopes["rate"]
-        internal = [i for i in range(end, len(x)) if slope[i, i] != 0.0]  # others only move with what moves
+        internal = [i for i in range(end, len(x)) if slope[i, i] != 0.0]  # others change only with motion
         moved = np.zeros((len(x), len(others) + len(internal)))
         moved[:n_q, : len(others)] = slope[:n_q, n_q + others]
         moved[internal, range(len(others), moved.shape[1])] = 1.0
@@ -427,19 +434,19 @@ def _at_rest(
         matrix, residual = slope[rows] @ moved, rate
         closing: Array = np.zeros(moved.shape[1])
         ways: Array = np.eye(moved.shape[1])
-        if facts.constraints:  # first the shortest step that closes the loops, then on along the motions they leave
+        if facts.constraints:  # first the shortest step that closes the loops, then along the motions that they allow
             across = slopes["constraint"] @ moved
             left = compiled.evaluate("constraint", x, still, p, modes)
             closing = np.asarray(-np.linalg.lstsq(across, left, rcond=1e-12)[0], dtype=np.float64)
             _, values, right = np.linalg.svd(across)
             ways = right[int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0))) :].T
         size = np.max(np.abs(matrix), axis=1, initial=0.0)
-        scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[:, None]  # what is rounding stays small
+        scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[:, None]  # rounding stays small
         residual = (residual + matrix @ closing) / scale[:, 0]
         balance = matrix @ ways / scale
         _, values, right = np.linalg.svd(balance)
         decided = int(np.sum(values > _UNDECIDED * max(1.0, np.max(values, initial=0.0))))
-        # as many accelerations as there are motions to be decided; the others vanish with them, or nothing is at rest
+        # as many accelerations as undetermined motions; the others vanish with them, or nothing is at rest
         chosen = qr(balance.T, mode="r", pivoting=True)[1][:decided] if balance.size else np.zeros(0, dtype=int)
         step = closing
         if decided:
@@ -447,7 +454,7 @@ def _at_rest(
         left_to_go = np.max(np.abs(step[: len(others)]), initial=0.0)
         if not np.all(np.isfinite(step)) or left_to_go > _FAR:
             break
-        # A mechanism curves, so the way is gone in short steps; where it is long and comes nearer, in longer ones.
+        # A mechanism's path is curved, so steps are short; longer ones follow if they approach steadily.
         nearer = left_to_go < nearest - _NEARER * stride
         nearest, idle = (left_to_go, 0) if nearer else (nearest, idle + 1)
         stride = 2.0 * stride if nearer and tried > _ITERATIONS else _STRIDE

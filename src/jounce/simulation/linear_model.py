@@ -18,7 +18,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.result import flipped_at
 from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
-_NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero but for rounding
+_NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero: root of rounding, as for a double root
 
 
 @dataclass(frozen=True)
@@ -28,9 +28,9 @@ class LinearModel(Shown):
     Attributes
     ----------
     states, inputs, outputs : tuple of str
-        Names; for each track the inputs are its value and its time derivative.
+        Names; the inputs of each track are its value and its time derivative.
     A, B, C, D : ndarray
-        Matrices in that order of rows and columns.
+        Matrices in the order of these names.
     equilibrium : dict
         Static value of each state.
     """
@@ -64,19 +64,19 @@ class LinearModel(Shown):
         Raises
         ------
         DescriptionError
-            For an output or a track that the model does not have.
+            If the model does not have the output or track.
         """
         tracks = tuple(name for name in self.inputs if f"{name} rate" in self.inputs)
         for name, names, what in ((output, self.outputs, "output"), (track, tracks, "track")):
             if name not in names:
                 raise unknown(name, names, what=what, where="frequency response")
         row, first = self.outputs.index(output), self.inputs.index(track)
-        found = []
+        amplitudes = []
         for s in 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency")):
             drive = np.array([1.0, s])
             x = np.linalg.solve(s * np.eye(len(self.states)) - self.A, self.B[:, first : first + 2] @ drive)
-            found.append(self.C[row] @ x + self.D[row, first : first + 2] @ drive)
-        return np.array(found)
+            amplitudes.append(self.C[row] @ x + self.D[row, first : first + 2] @ drive)
+        return np.array(amplitudes)
 
 
 @dataclass(frozen=True)
@@ -90,10 +90,10 @@ class Mode(Shown):
     damped_frequency_hz : float
         Imaginary part of the eigenvalue over 2 pi, Hz.
     damping_ratio : float
-        Of critical (1).
+        Fraction of critical damping (1).
     shape : dict
-        Height (channel such as ``sprung.z``, m; of vehicles also ``body.pitch`` and ``body.roll``, rad) to (real,
-        imaginary) part of the eigenvector, the largest set to 1.
+        Real and imaginary part of the eigenvector by height (channel such as ``sprung.z``, m; of vehicles also
+        ``body.pitch`` and ``body.roll``, rad), the largest component scaled to 1.
     """
 
     frequency_hz: float
@@ -105,13 +105,13 @@ class Mode(Shown):
 def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     """Linearise a rig about static equilibrium.
 
-    A damper with another slope in bump than in rebound counts with the mean of both. Dry friction counts with its slope
-    at rest: it all but holds the strut, as it does while motions are too small to make it slide.
+    A damper with different slopes in bump and rebound has the mean of both. Dry friction has its slope at rest: it
+    all but locks the strut, as it does while motions are too small to make it slide.
 
     Parameters
     ----------
     rig : Rig
-        What is tested.
+        Rig or vehicle.
     road_height : float
         Height of the road under the wheel, m.
 
@@ -123,7 +123,7 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     Raises
     ------
     SimulationError
-        When there is no static equilibrium.
+        If there is no static equilibrium.
 
     Examples
     --------
@@ -136,7 +136,7 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
 
 
 def numbers_without_friction(rig: Rig) -> dict[str, float]:
-    """Give the numbers of a rig, SI by path, with no dry friction."""
+    """Return the parameters of a rig, SI by path, without dry friction."""
     return {path: 0.0 if path.endswith("friction.force") else value for path, value in rig.parameters().items()}
 
 
@@ -148,7 +148,7 @@ def _linearised(rig: Rig, road_height: float, *, slides: bool = False) -> Linear
     inputs = tuple(f"{track}{order}" for track in facts.tracks for order in orders)
     b, d = rest.pick @ along["rate"], along["output"]
     equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
-    speeds = [facts.speeds[i] for i in rest.free]  # the free motions, their speeds, and the internal states
+    speeds = [facts.speeds[i] for i in rest.free]  # states: the free motions, their speeds, and the internal states
     states = (*map(moved_by, speeds), *speeds, *facts.internal)
     return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
 
@@ -156,13 +156,14 @@ def _linearised(rig: Rig, road_height: float, *, slides: bool = False) -> Linear
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     """Oscillating modes of a rig about static equilibrium, by rising frequency.
 
-    A motion that nothing holds, such as yaw on a spherical joint, is none. Of a damper with other slopes in bump than
-    in rebound the mean of both counts. Dry friction is left out: it damps by no ratio, and at rest it holds the strut.
+    A motion without restoring force, such as yaw on a spherical joint, is no mode. A damper with different slopes in
+    bump and rebound has the mean of both. Dry friction is left out: it has no damping ratio, and it locks the strut at
+    rest.
 
     Parameters
     ----------
     rig : Rig
-        What is tested.
+        Rig or vehicle.
     road_height : float
         Height of the road under the wheel, m.
 
@@ -182,18 +183,18 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     values, vectors = np.linalg.eig(model.A)
     heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
     names = [model.outputs[i] for i in heights]
-    found = []
+    oscillations = []
     for value, vector in zip(values, (model.C[heights] @ vectors).T, strict=True):
         if value.imag > 1e-9 * abs(value) and abs(value) > _NOTHING_HOLDS * np.max(np.abs(values)):
             shape = vector / vector[np.argmax(np.abs(vector))]
             shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
             undamped, damped = float(abs(value)) / (2 * np.pi), float(value.imag) / (2 * np.pi)
-            found.append(Mode(undamped, damped, float(-value.real / abs(value)), shapes))
-    return tuple(sorted(found, key=lambda mode: mode.frequency_hz))
+            oscillations.append(Mode(undamped, damped, float(-value.real / abs(value)), shapes))
+    return tuple(sorted(oscillations, key=lambda mode: mode.frequency_hz))
 
 
 def _is_shown(name: str, outputs: tuple[str, ...]) -> bool:
-    """Whether a channel belongs to a mode's shape: heights; of a vehicle's body its own height and angles."""
+    """Whether a channel is part of a mode's shape: heights; of a vehicle's body its own height and angles."""
     if "body.z" in outputs and name.endswith("sprung.z") and not name.endswith("unsprung.z"):
         return False
     return name.endswith(".z") or name in ("body.pitch", "body.roll")
@@ -205,7 +206,7 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     Parameters
     ----------
     rig : Rig
-        What is tested.
+        Rig or vehicle.
     road_height : float
         Height of the road under the wheel, m.
 

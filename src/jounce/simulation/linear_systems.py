@@ -1,11 +1,11 @@
 """Linear systems of the implicit method, ``(s - df/dx) d = r`` with a shift ``s``, as expression graphs.
 
-The rates need the accelerations, which solve the balance of the mechanism. The slopes of the rates are therefore never
-formed: the accelerations' changes are unknowns beside the states', and their sparse system is eliminated in the order
-coordinates, internal states, speeds, multipliers. It needs no pivoting: for the coordinates the matrix is the shift
-with at most an antisymmetric part beside it, for the speeds ``s M + C + K / s``, for the multipliers ``G (..)^-1 G^T``.
-Only where the shift is as small as the rate at which something grows by itself a pivot may vanish; how near that is, is
-reported.
+The rates need the accelerations, which solve the equations of motion. The slopes of the rates are therefore never
+formed: the changes of the accelerations are unknowns beside those of the states, and their sparse system is eliminated
+in the order coordinates, internal states, speeds, multipliers. It needs no pivoting: for the coordinates the matrix is
+the shift plus at most an antisymmetric part, for the speeds ``s M + C + K / s``, for the multipliers ``G (..)^-1 G^T``.
+A pivot may vanish only if the shift is as small as the rate at which something grows by itself; the soundness of the
+pivots is reported.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ _FUNCTIONS = ("look", "along_input", "factor", "interpolant")
 
 
 def slopes_of(compiled: Compiled) -> Slopes:
-    """Give the native functions for the linear systems of a model; they live while it does, and are kept on disk."""
-    return _made(compiled.plain)[0]
+    """Native functions for the linear systems of a model; they live as long as the model, and are cached on disk."""
+    return _slopes_of(compiled.plain)[0]
 
 
 @remembered
-def _made(plain: Compiled) -> tuple[Slopes, Native]:
+def _slopes_of(plain: Compiled) -> tuple[Slopes, Native]:
     if plain.identity:
         native, notes = kept_code(f"implicit {plain.identity}", lambda: _source(plain.model))
     else:
@@ -52,15 +52,15 @@ def _source(model: Model) -> Source:
 
 
 def linear_functions(model: Model) -> dict[str, ca.Function]:
-    """Give the functions that look, factorise and solve.
+    """Graphs of the functions that evaluate slopes, factorise and solve.
 
     Returns
     -------
     dict
         - ``look(x, u, p, m)``: non-zero elements of the slopes of the balance and of the rates, then the rates;
-        - ``along_input(x, u, p, m)``: slopes of the rates along the inputs, column after column;
+        - ``along_input(x, u, p, m)``: slopes of the rates by the inputs, column after column;
         - ``factor(slopes, shift, -, -)``: soundness of the pivots (1 is best, 0 useless), then the factors;
-        - ``solve(r, -, factors, slopes)``: the solution, ``factors`` as ``factor`` gives them.
+        - ``solve(r, -, factors, slopes)``: the solution, with ``factors`` from ``factor``.
     """
     slopes, values = _slopes(model)
     known = [model.x, model.u, model.p, model.m]
@@ -88,7 +88,7 @@ def _found(model: Model, expression: ca.SX) -> ca.SX:
 
 
 def _along_input(model: Model) -> ca.SX:
-    """Slopes of the rates along the inputs, by the factors that solve for the accelerations."""
+    """Slopes of the rates by the inputs, using the factors that solve for the accelerations."""
     balance = model.balance
     changed = ca.jacobian(balance.residual, model.u)
     columns = [balance.answer(changed[:, i]) for i in range(changed.shape[1])]
@@ -98,10 +98,10 @@ def _along_input(model: Model) -> ca.SX:
 
 
 def _slopes(model: Model) -> tuple[_Slopes, list[ca.SX]]:
-    """Symbols for the non-zero slopes, and their values in terms of the unknowns."""
+    """Symbols of the non-zero slopes, and their values in terms of the unknowns."""
     balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))
     rows = balance.residual.shape[0]
-    unknown = balance.unknown[:rows]  # multipliers of dropped rows act nowhere
+    unknown = balance.unknown[:rows]  # multipliers of dropped rows have no effect
     others = ca.vertcat(balance.rate[:n_q], balance.rate[n_q + n_v :])
     values = [
         ca.jacobian(balance.residual, model.x),
@@ -115,7 +115,7 @@ def _slopes(model: Model) -> tuple[_Slopes, list[ca.SX]]:
 
 @dataclass(frozen=True)
 class _Slopes:
-    """Slopes of the balance and of the other rates (coordinates, internal states) along states and unknowns.
+    """Slopes of the balance and of the other rates (coordinates, internal states) by states and unknowns.
 
     The order of elimination is: coordinates, internal states, speeds (from the tree's ends to its root), multipliers.
     """
@@ -139,7 +139,7 @@ class _Slopes:
         return [*range(n_q), *range(n_q + n_v, size), *reversed(range(n_q, n_q + n_v))]
 
     def matrix(self, shift: ca.SX) -> ca.SX:
-        """Matrix of (states, multipliers) in the order of elimination; accelerations are replaced by the speeds."""
+        """Matrix of (states, multipliers) in the order of elimination; speeds replace accelerations."""
         n_q, n_v, others = self.coordinates, self.speeds, self.rate_state.shape[0]
         upper = -self._with_accelerations(self.rate_state, self.rate_unknown, shift)
         for i in range(others):
@@ -152,7 +152,7 @@ class _Slopes:
         return ca.vertcat(upper[:, columns], forces[::-1, columns], loops[:, columns])
 
     def _with_accelerations(self, by_state: ca.SX, by_unknown: ca.SX, shift: ca.SX) -> ca.SX:
-        """Slopes along the states with the accelerations' changes ``shift`` times those of the speeds."""
+        """Slopes by the states if the accelerations change by ``shift`` times the speeds."""
         n_q, n_v = self.coordinates, self.speeds
         speeds = by_state[:, n_q : n_q + n_v] + shift * by_unknown[:, :n_v]
         return ca.horzcat(by_state[:, :n_q], speeds, by_state[:, n_q + n_v :])
@@ -160,13 +160,13 @@ class _Slopes:
     def right_side(self, r: ca.SX) -> ca.SX:
         """Right-hand side in the order of elimination."""
         n_q, n_v = self.coordinates, self.speeds
-        moved = r[n_q : n_q + n_v]
-        upper = ca.vertcat(r[:n_q], r[n_q + n_v :]) - self.rate_unknown[:, :n_v] @ moved
-        pushed = self.balance_unknown[:, :n_v] @ moved
-        return ca.vertcat(upper, (-pushed[:n_v])[::-1], pushed[n_v:])
+        speeds = r[n_q : n_q + n_v]
+        upper = ca.vertcat(r[:n_q], r[n_q + n_v :]) - self.rate_unknown[:, :n_v] @ speeds
+        forces = self.balance_unknown[:, :n_v] @ speeds
+        return ca.vertcat(upper, (-forces[:n_v])[::-1], forces[n_v:])
 
     def ordered(self, solution: ca.SX) -> ca.SX:
-        """States in their own order from the solution in the order of elimination."""
+        """States in their own order, from the solution in the order of elimination."""
         order = self._order
         return ca.vertcat(*(solution[order.index(i)] for i in range(len(order))))
 
@@ -195,13 +195,13 @@ class Factors:
 
     @property
     def values(self) -> ca.SX:
-        """Everything that ``solve`` needs, flat."""
+        """All input of ``solve``, flat."""
         parts = (*(ca.vertcat(*row.values()) for row in (*self._lower, *self._upper)), *self._inverses)
         return ca.vertcat(*parts)
 
     @property
     def soundness(self) -> ca.SX:
-        """Smallest ratio of a pivot to the element on the diagonal that it came from, where there is one."""
+        """Smallest ratio of a pivot to the diagonal element that it came from, for non-zero ones."""
         worst = ca.SX(1.0)
         for pivot, diagonal in zip(self._pivots, self._diagonal, strict=True):
             if diagonal.nnz():

@@ -1,4 +1,4 @@
-"""A run laid out: equilibrium, sizes, method and step control, and all arrays; running it only computes."""
+"""A prepared run: equilibrium, sizes, method, step control, and all arrays; running it only computes."""
 
 from __future__ import annotations
 
@@ -23,31 +23,31 @@ from jounce.simulation.result import Solution
 from jounce.simulation.settings import MAX_STEPS, Method
 from jounce.simulation.statics import Equilibrium, find_equilibrium, state_scale
 
-# How tight a step must be held so that a whole run keeps its tolerance was tried out on the shipped models, several
-# roads and speeds (tests/physics/test_tolerance.py): errors of single steps add up, and accelerations are not looked
-# at.
+# The share of the tolerance for one step, so that a whole run keeps its tolerance, was determined on the shipped
+# models,
+# several roads and speeds (tests/physics/test_tolerance.py): errors of steps add up, and accelerations are not
+# controlled.
 STEP_SHARE = 0.003  # of the tolerance for one step of the explicit method
-_SHORT_SHARE = 0.03  # the same for the pair of lower order, which errs less in all for what it allows in a step
-IMPLICIT_SHARE = 0.08  # the same for the implicit method: stiff parts with dry friction need the more careful share
+_SHORT_SHARE = 0.03  # the same for the pair of lower order, whose total error is smaller for the same error per step
+IMPLICIT_SHARE = 0.08  # the same for the implicit method: stiff parts with dry friction need the smaller share
 _LONGEST, _SHORT, _IMPLICIT = 1.2, 0.4, 1.2  # radians of the fastest motion in one step of each at a tolerance of 1e-5
 _STAGES, _SHORT_STAGES = 16.0, 7.0  # rates that a step of either pair evaluates, with its interpolant
-_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction holding a rig, sensitivities
-_LONG_RUN = 5000.0  # radians of the fastest motion, beyond which it is worth asking for the implicit method
+_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: sticking friction soon slides
+_LONG_RUN = 5000.0  # radians of the fastest motion: shorter runs take less time than the choice of a method
 _FASTER = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
-_CARRIED = 1e-2  # share of the quasi-static motion at which a mode must be seen in the samples
-_FELT = 300.0  # tolerances: share at which a mode must be followed through its oscillations
-_HOPELESS = MAX_STEPS  # of the longest length that a run needs: it would end there, ten seconds later
-_SINGULAR = 0.05  # share of the loops' conditioning at the start that is left where a mechanism counts as locked up
+_CARRIED = 1e-2  # share of the quasi-static motion from which a mode must be visible in the samples
+_FELT = 300.0  # tolerances: share from which a mode must be followed through its oscillations
+_HOPELESS = MAX_STEPS  # of the longest length that a run needs: it would stop there after ten seconds
+_SINGULAR = 0.05  # share of the loops' initial conditioning below which a mechanism counts as locked up
 
 
 @dataclass(frozen=True)
-class Prepared:
-    """A run with everything laid out: ``run`` only computes, into ``out``, as often as wanted.
+class PreparedRun:
+    """A run with everything laid out: ``run`` only computes, into ``out``, any number of times.
 
-    ``stiff`` says how the implicit method is steered, None where there is only the explicit one; ``method`` is the one
-    used first. In place of an explicit run that used up its steps the implicit method has a try. ``equilibrium`` is
-    that under the inputs ``still``, if it starts from one; ``feedback`` is a controller, and ``begin`` sets back
-    what it keeps.
+    ``stiff`` returns the control of the implicit method, None if only the explicit one is possible; ``method`` is tried
+    first. After an explicit run that used up its steps the implicit method has a try. ``equilibrium`` is that under the
+    inputs ``still``, if the run starts from one; ``feedback`` is a controller, and ``begin`` resets its state.
     """
 
     compiled: Compiled
@@ -64,7 +64,7 @@ class Prepared:
     begin: Callable[[], None] | None = None
 
     def run(self) -> Solution:
-        """Fill the arrays and say how the run ended."""
+        """Fill the arrays and return how the run ended."""
         counts, method = np.zeros(3, dtype=np.int64), "exact"
         if self.exact is not None:
             self.start()
@@ -75,11 +75,11 @@ class Prepared:
         tables = ((out.states, out.tangents), (out.outputs, out.carried[:, len(out.outputs) :]))
         slopes = [table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables]
         steps, rejected, events = (int(count) for count in counts)
-        found = (out.times, out.states, out.outputs, self._ended(Status.of(code)))
-        return Solution(*found, steps, rejected, events, slopes[0], slopes[1], method)
+        arrays = (out.times, out.states, out.outputs, self._ended(Status.of(code)))
+        return Solution(*arrays, steps, rejected, events, slopes[0], slopes[1], method)
 
     def _ended(self, status: Status) -> Status:
-        """How the run ended; what explodes while its loops come to a singular configuration has locked up."""
+        """Status of the run; one that explodes while its loops approach a singular configuration has locked up."""
         if status in (Status.COMPLETED, Status.LOOP_OPENED) or not self.compiled.facts.constraints:
             return status
         conditioning = self.out.projected[1, np.isfinite(self.out.states[0])]
@@ -87,7 +87,7 @@ class Prepared:
         return Status.LOCKED_UP if lost else status
 
     def start(self) -> None:
-        """Set back what a run before has moved."""
+        """Reset everything that a previous run changed."""
         self.problem.piece[:] = self.problem.tracks.first[:-1]
         self.problem.m[:] = self.modes
         if self.begin is not None:
@@ -119,14 +119,13 @@ def prepare(
     method: Method = "auto",
     along: Array | None = None,
     out: Samples | None = None,
-) -> Prepared:
-    """Lay out a run from static equilibrium under what the signals are at ``times[0]``.
+) -> PreparedRun:
+    """Prepare a run from static equilibrium under the signals at ``times[0]``.
 
-    The output ``times`` (s) ascend. ``p`` are all parameter values, SI; the free ones of the model bring their
-    sensitivities along (``along`` is as :meth:`Compiled.extended` has it). ``signals`` has every track against time:
-    road heights (m), loads; one alone for a model with one track. ``tolerance`` and ``method`` are as
-    :class:`RunSettings` has them; ``offset`` is added to the equilibrium: where the run starts. It fills ``out``, in
-    place of new arrays.
+    The output ``times`` (s) ascend. ``p`` are all parameter values, SI; the free ones of the model add their
+    sensitivities (``along`` as in :meth:`Compiled.extended`). ``signals`` has every track against time: road heights
+    (m), loads; or one signal for a model with one track. ``tolerance`` and ``method`` are as in :class:`RunSettings`;
+    the run starts at the equilibrium plus ``offset``. It fills ``out``, or new arrays.
     """
     if method == "implicit" and compiled.free:
         raise SimulationError(
@@ -156,8 +155,8 @@ def prepare(
     control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, float(times[-1] - times[0]))
     exact = _exact(compiled, problem, control, times) if method == "auto" else None
     out = room(compiled, times) if out is None else out
-    prepared = Prepared(compiled, problem, control, out, exact, modes, rest, still)
-    if exact is not None:  # whose steps have no error that could be controlled
+    prepared = PreparedRun(compiled, problem, control, out, exact, modes, rest, still)
+    if exact is not None:  # exact propagation has no error to control
         return prepared
     waves = max((signal.fastest_wave for signal in tracks.values()), default=0.0)
     limit = float(explicit_limit(rest.fastest_oscillation, rest.fastest_decay, waves))
@@ -166,52 +165,52 @@ def prepare(
         control = control._replace(tolerance=_SHORT_SHARE * tolerance)
         problem = problem._replace(engine=compiled.short_engine)
     prepared = replace(prepared, problem=problem, control=control)
-    lasting = float(times[-1] - times[0])
-    hopeless = _HOPELESS if offset is None else math.inf  # away from rest other rates hold
+    duration = float(times[-1] - times[0])
+    hopeless = _HOPELESS if offset is None else math.inf  # other rates apply away from rest
     if compiled.free or method == "explicit":
-        _check_steps(lasting / control.longest, hopeless, limit, lasting)
+        _check_steps(duration / control.longest, hopeless, limit, duration)
         return prepared
-    # The modes are only looked at where the implicit method may have its turn: they cost as much as a short run.
+    # The modes are examined only if the implicit method may be used: they cost as much as a short run.
     shares = cache(lambda: modal_shares(compiled, p, rest, still))
 
     @cache
     def stiff() -> Control:
-        # Beyond this step samples inside it would be worse than its end, or a contact could be passed over.
+        # Beyond this step samples inside it would be worse than its end, or a contact could be missed.
         longest = longest_implicit_step(max(shares().fastest(_CARRIED), waves, 1e-3), tolerance)
         return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest)
 
-    long = limit * lasting > _LONG_RUN
+    long = limit * duration > _LONG_RUN
     implicitly = method == "implicit" or (long and implicit_is_faster(shares(), waves, limit, tolerance))
-    if implicitly or lasting / control.longest > hopeless:
-        implicitly = True  # or it would have its turn after all steps of the explicit method
+    if implicitly or duration / control.longest > hopeless:
+        implicitly = True  # otherwise it would start after all steps of the explicit method
         fastest = shares().fastest(_CARRIED)
         place = compiled.facts.states[shares().place_of(fastest)] if fastest > waves else ""
-        _check_steps(lasting / stiff().longest, hopeless, max(fastest, waves), lasting, place)
+        _check_steps(duration / stiff().longest, hopeless, max(fastest, waves), duration, place)
     return replace(prepared, stiff=stiff, method="implicit" if implicitly else "explicit")
 
 
 def dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: Array) -> Array:
-    """How far each switching function may be on the wrong side: 1e-9 of what a typical motion makes of it."""
+    """Tolerance of each switching function about zero: 1e-9 of its change in a typical motion."""
     if not compiled.facts.switches:
         return np.zeros(0)
-    moved, there = (compiled.evaluate("switch", where, u, p, rest.modes) for where in (rest.x + scale, rest.x))
-    return np.asarray(1e-9 * np.abs(moved - there) + 1e-14)
+    changed, at_rest = (compiled.evaluate("switch", where, u, p, rest.modes) for where in (rest.x + scale, rest.x))
+    return np.asarray(1e-9 * np.abs(changed - at_rest) + 1e-14)
 
 
-def _check_steps(steps: float, most: float, rate: float, lasting: float, place: str = "") -> None:
-    """Refuse a run whose fastest motion (rad/s), followed for so long (s), takes more steps than there may be."""
+def _check_steps(steps: float, most: float, rate: float, duration: float, place: str = "") -> None:
+    """Refuse a run whose fastest motion (rad/s) over its duration (s) takes more steps than allowed."""
     if steps > most:
         raise SimulationError(
             "the fastest motion is too fast for a run as long as this",
             where=place,
-            found=f"{rate / (2.0 * math.pi):.3g} Hz for {lasting:.4g} s, {steps:.2g} steps at least",
+            found=f"{rate / (2.0 * math.pi):.3g} Hz for {duration:.4g} s, {steps:.2g} steps at least",
             allowed=f"{most:.2g} steps",
             hint="Check masses and stiffnesses for slips in their units, or shorten the run.",
         )
 
 
 def room(compiled: Compiled, times: Array, outputs: int | None = None) -> Samples:
-    """Arrays for a run sampled at ``times`` (s), of all ``outputs`` or so many; what is not reached has no number."""
+    """Arrays of a run sampled at ``times`` (s), for all ``outputs`` or a number of them; NaN where not reached."""
     facts, free, count = compiled.facts, len(compiled.free), len(times)
     n, outputs = len(facts.states), len(facts.outputs) if outputs is None else outputs
     return Samples(
@@ -240,7 +239,7 @@ def solve(
 
 
 def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> Plan | None:
-    """Plan of exact propagation; None when the model or the road is not for it."""
+    """Plan of exact propagation; None if the model or the road does not allow it."""
     zero, names = compiled.facts.linear_without, compiled.facts.parameters
     if compiled.free or zero is None or any(problem.p[names.index(name)] != 0.0 for name in zero):
         return None
@@ -251,9 +250,9 @@ def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array)
 
 @dataclass(frozen=True)
 class ModalShares:
-    """Undamped natural frequencies at rest (rad/s) and what share of the quasi-static motion over the road each has.
+    """Undamped natural frequencies at rest (rad/s), and the share of the quasi-static motion over the road in each.
 
-    ``place`` is the number of the state that each moves most.
+    ``place`` is the index of the state that moves most in each.
     """
 
     frequency: Array
@@ -261,29 +260,29 @@ class ModalShares:
     place: NDArray[np.int64]
 
     def fastest(self, share: float) -> float:
-        """Highest frequency (rad/s) among the modes with at least a share."""
+        """Highest frequency (rad/s) among the modes with at least this share."""
         return float(np.max(self.frequency[self.share >= share], initial=0.0))
 
     def place_of(self, frequency: float) -> int:
-        """Number of the state that the mode of a frequency (rad/s) moves most."""
+        """Index of the state that moves most in the mode of a frequency (rad/s)."""
         return int(self.place[np.argmin(np.abs(self.frequency - frequency))])
 
 
 def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> ModalShares:
-    """Find out which modes a road can move, without damping, since friction that sticks at rest soon slides."""
+    """Modes that a road can excite, without damping, since friction that sticks at rest soon slides."""
     f, order = len(rest.free), compiled.facts.track_order
     squares, shapes = np.linalg.eig(-rest.reduced[f : 2 * f, :f])
-    pulled = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
-    firm = np.where(squares == 0.0, np.inf, squares)  # what nothing holds, such as yaw, has no quasi-static motion
-    weights = np.linalg.norm(np.linalg.lstsq(shapes, pulled.astype(complex), rcond=None)[0] / firm[:, None], axis=1)
-    moved = rest.lift[: compiled.facts.counts[0], :f] @ shapes
-    sizes = weights * np.linalg.norm(moved, axis=0)
+    pull = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
+    firm = np.where(squares == 0.0, np.inf, squares)  # a neutral motion, such as yaw, has no quasi-static response
+    weights = np.linalg.norm(np.linalg.lstsq(shapes, pull.astype(complex), rcond=None)[0] / firm[:, None], axis=1)
+    displacements = rest.lift[: compiled.facts.counts[0], :f] @ shapes
+    sizes = weights * np.linalg.norm(displacements, axis=0)
     shares = sizes / max(float(np.max(sizes, initial=0.0)), 1e-300)
-    return ModalShares(np.sqrt(np.abs(squares)), shares, np.argmax(np.abs(moved), axis=0))
+    return ModalShares(np.sqrt(np.abs(squares)), shares, np.argmax(np.abs(displacements), axis=0))
 
 
 def implicit_is_faster(shares: ModalShares, waves: float, explicit: float, tolerance: float) -> bool:
-    """Compare what limits the explicit method with the fastest motion that matters or wave of the road (all rad/s)."""
+    """Compare the limit of the explicit method with the fastest relevant motion or wave of the road (all rad/s)."""
     return explicit > _FASTER * max(shares.fastest(_FELT * tolerance), waves)
 
 
@@ -293,24 +292,24 @@ def longest_implicit_step(fastest: float, tolerance: float) -> float:
 
 
 def _motion_size(tracks: dict[str, Segments], rest: Array, offset: Array | None) -> float:
-    """How far things will move, m: the roads' range or the start offset, at least a thousandth of the static drop."""
-    moved = 0.0 if offset is None else float(np.max(np.abs(offset[: len(rest)])))
+    """Typical motion, m: the roads' range or the start offset, at least a thousandth of the static deflection."""
+    shift = 0.0 if offset is None else float(np.max(np.abs(offset[: len(rest)])))
     roads = [signal.extent for name, signal in tracks.items() if is_road(name)]
-    return max(*roads, moved, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
+    return max(*roads, shift, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
 
 
 def longest_step(fastest: float, tolerance: float) -> float:
-    """Step (s) beyond which the interpolant inside it would be worse than its end: a share of the fastest oscillation.
+    """Step (s) beyond which the interpolant would be worse than the step's end: a share of the fastest oscillation.
 
-    In flight the wheel does not feel the road; this also keeps steps from passing over a whole contact.
+    It also keeps steps from passing over a whole contact after a flight, during which the wheel does not feel the road.
     """
     return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
 
 
 def _edges_set_the_step(signals: Iterable[Segments], times: Array, limit: float, tolerance: float) -> bool:
-    """Tell whether edges of the inputs keep steps so short that the pair of lower order needs fewer stages in all.
+    """Whether edges of the inputs keep steps so short that the pair of lower order needs fewer stages in total.
 
-    Both pairs land on every edge; between two of them each takes as many steps as the tolerance asks.
+    Both pairs land on every edge; between edges each takes as many steps as the tolerance requires.
     """
     inner = [signal.edges[(signal.edges > times[0]) & (signal.edges < times[-1])] for signal in signals]
     gaps = np.diff(np.unique(np.concatenate([times[:1], *inner, times[-1:]])))
@@ -320,13 +319,13 @@ def _edges_set_the_step(signals: Iterable[Segments], times: Array, limit: float,
 
 
 def explicit_limit(oscillation: Array | float, decay: Array | float, waves: float) -> Array:
-    """What limits the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
-    # The oscillations are those without damping: a stiff damper of a soft mode decays but does not oscillate.
+    """Limit of the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
+    # Oscillations are undamped: a stiff damper of a soft mode decays but does not oscillate.
     return np.maximum(np.maximum(oscillation, _STABLE * np.asarray(decay)), max(waves, 1e-3))
 
 
 def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array, along: Array | None) -> Array:
-    """How the equilibrium moves with the free parameters (implicit function theorem), state after state."""
+    """Derivatives of the equilibrium by the free parameters (implicit function theorem), state after state."""
     if not compiled.free:
         return np.zeros(0)
     rate, loops = compiled.free_slopes(rest.x, u, p, rest.modes, along)

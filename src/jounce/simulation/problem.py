@@ -1,4 +1,4 @@
-"""What a trial makes of the inputs of a model: the road under each wheel, the manoeuvre loads."""
+"""The inputs of a model from a trial: the road under each wheel and the manoeuvre loads."""
 
 from __future__ import annotations
 
@@ -20,36 +20,36 @@ _ONE_WHEEL = {"": Place(0.0, 1)}
 
 
 def excitation(facts: Facts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()) -> list[Segments]:
-    """Give every track of a model against time (s), in the order of the model.
+    """Every track of a model against time (s), in the order of the model.
 
-    ``free`` are parameters that a run is differentiated by, or that move under the same tracks. A trial with something
-    that the model cannot feel is refused, and a free parameter that would move the tracks themselves.
+    ``free`` are parameters that a run is differentiated by, or that vary under the same tracks. A trial with an input
+    that the model ignores is refused, and a free parameter on which the tracks themselves depend.
     """
     _refuse_unfelt(facts, rig, trial)
     (_lasting_ground if is_lasting(trial) else _refuse_unknown_ground)(trial)
     _refuse_shifts(rig, trial, free)
     wheels = rig.wheels if isinstance(rig, Vehicle) else _ONE_WHEEL
-    found = []
+    tracks = []
     for track in facts.tracks:
         if is_road(track):
             place = wheels[track.removesuffix(ROAD).removesuffix(".")]
-            found.append(trial.segments(place.behind, place.side).with_ramps(_SHORTEST * max(1.0, trial.duration)))
+            tracks.append(trial.segments(place.behind, place.side).with_ramps(_SHORTEST * max(1.0, trial.duration)))
         elif track == COMMAND and trial.actuator_force is not None:
-            found.append(trial.actuator_force.segments(trial.duration))
+            tracks.append(trial.actuator_force.segments(trial.duration))
         else:
-            found.append(trial.load(track) if track in LOADS else flat(trial.duration))
-    return found
+            tracks.append(trial.load(track) if track in LOADS else flat(trial.duration))
+    return tracks
 
 
 MOVES_TRACKS = ("front.distance", "rear.distance")
-"""Numbers of a vehicle that the tracks depend on: when the rear axle meets the road."""
+"""Parameters of a vehicle on which the tracks depend: when the rear axle meets the road."""
 
-_SHORTEST = 1e-9  # of a run: a thousand times what two instants differ by at least
+_SHORTEST = 1e-9  # of a run: a thousand times the least difference of two instants
 COMMAND = "command"  # the track of an actuator
 
 
 def known_actuator(trial: Trial) -> ActiveActuator | None:
-    """The actuator whose force a trial knows: it follows its command at once; None where there is none."""
+    """The actuator of a trial with a known force: it follows its command at once; None without one."""
     if trial.actuator_force is None:
         return None
     from jounce.control.actuators import ActiveActuator
@@ -58,7 +58,7 @@ def known_actuator(trial: Trial) -> ActiveActuator | None:
 
 
 def _refuse_unknown_ground(trial: Trial) -> None:
-    """Refuse a drive beyond the end of a road that does not end as high as it begins: nobody knows how it goes on."""
+    """Refuse a drive beyond the end of a road that ends at another height: its continuation is unknown."""
     for name, road in (("road", trial.road), ("right", trial.right)):
         if road is not None and trial.speed is not None:
             road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", continue_level=True)
@@ -94,7 +94,7 @@ def _refuse_unfelt(facts: Facts, rig: Rig, trial: Trial) -> None:
 
 
 def _refuse_shifts(rig: Rig, trial: Trial, free: tuple[str, ...]) -> None:
-    """Refuse derivatives by the wheelbase where a road is driven over: it is the rear axle's delay, too."""
+    """Refuse derivatives by the wheelbase on a road: it also delays the rear axle."""
     shifting = [path for path in free if path in MOVES_TRACKS]
     if not shifting or not isinstance(rig, Vehicle) or trial.road is None or isinstance(trial.road, Flat):
         return

@@ -1,4 +1,4 @@
-"""What a model's native code is made of: its functions without what depends on parameters only, and their slopes."""
+"""The functions of a model's native code, without what depends on parameters only, and their slopes."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from jounce.mechanics.model import Generic, Model
 from jounce.mechanics.tangents import tangent
 
 Labels: TypeAlias = tuple[tuple[str, int], ...]
-"""Of each element of an argument: its name without the part's, and the parts it belongs to."""
+"""For each element of an argument: its name without the part's, and the parts that it belongs to."""
 
 
 @dataclass(frozen=True)
-class Program:
+class ModelProgram:
     """Functions of one module of native code, the step built around them, and the shape of each result.
 
-    ``lanes`` is the number of lanes of the extended parameters behind the ``scalars``.
+    ``lanes`` is the number of lanes of the extended parameters after the ``scalars``.
     """
 
     functions: dict[str, AnyFunction]
@@ -36,15 +36,15 @@ class Program:
 
     @property
     def graphs(self) -> dict[str, ca.Function]:
-        """The functions, those with lanes for a single one."""
+        """The functions as graphs, those with lanes for a single one."""
         functions = self.functions.items()
-        return {name: made if isinstance(made, ca.Function) else made.function for name, made in functions}
+        return {name: part if isinstance(part, ca.Function) else part.function for name, part in functions}
 
 
-def plain_program(model: Model) -> Program:
-    """Functions of the states alone, and their slopes along states and inputs.
+def plain_program(model: Model) -> ModelProgram:
+    """Functions of the states alone, and their slopes by states and inputs.
 
-    ``slopes`` takes lanes of (states, inputs) behind the states, and gives the lanes of ``SLOPES``.
+    ``slopes`` takes lanes of (states, inputs) after the states, and returns the lanes of ``SLOPES``.
     """
     turns_linear = bool(model.switches) and model.facts.linear_without is not None
     generic, model = model.generic, model.generic.model if model.generic else model
@@ -69,13 +69,13 @@ def plain_program(model: Model) -> Program:
     step = Step("rate", n, n, model.u.shape[0], model.switch.shape[0])
     shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
     shapes["slopes"] = slopes.shape[0], lanes
-    return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
+    return ModelProgram(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
 
 
-def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Program:
-    """Functions that carry sensitivities ``S = dx/dp`` along: behind the states, for each one lane a direction.
+def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> ModelProgram:
+    """Functions that carry sensitivities ``S = dx/dp``: after the states, one lane for each direction.
 
-    Of ``count`` directions each moves the parameters ``moved`` as it likes: most often one of them alone.
+    Each of ``count`` directions changes any of the parameters ``moved``: usually a single one.
     """
     for path in moved:
         if path not in model.parameters:
@@ -105,7 +105,7 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Progr
     functions |= hoisted.derived(count)
     step = Step("rate_s", n * (1 + count), n, model.u.shape[0], model.switch.shape[0])
     shapes = {name: (part.shape[0], part.shape[1]) for name, part in parts.items()}
-    return Program(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
+    return ModelProgram(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
 
 
 def labels_of(hoisted: Hoisted, model: Model, parts: Parts) -> tuple[Labels, Labels, Labels, Labels]:
@@ -117,23 +117,23 @@ def labels_of(hoisted: Hoisted, model: Model, parts: Parts) -> tuple[Labels, Lab
 
 
 def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: Hoisted, model: Model) -> dict[str, AnyFunction]:
-    """The same functions with what the model's parts do alike computed side by side; one more projects one sample."""
+    """The same functions with similar parts of the model computed in parallel; an extra one projects one sample."""
     assert model.alike
     parts = Parts(*model.alike)
     states, *others = labels_of(hoisted, model, parts)
     seeds = tuple((f"change of {name}", mask) for name, mask in (*states, *others[0]))
     table: dict[tuple[int, ...], int] = {}
-    found: dict[str, AnyFunction] = {}
+    packed_functions: dict[str, AnyFunction] = {}
     for name, function in functions.items():
         assert isinstance(function, ca.Function)
         labels = (states + seeds if name == "slopes" else states, *others)
-        packed = found[name] = Packed(function, parts, labels, table)
+        packed = packed_functions[name] = Packed(function, parts, labels, table)
         for elements in packed.graph.tables(2):
             if elements not in table:
                 table[elements] = hoisted.copy(elements)
-    if "project_many" in found:
-        found["project"] = found["project_many"]
-    return found
+    if "project_many" in packed_functions:
+        packed_functions["project"] = packed_functions["project_many"]
+    return packed_functions
 
 
 def residual_first(model: Model) -> ca.SX:
@@ -143,7 +143,7 @@ def residual_first(model: Model) -> ca.SX:
 
 
 def _switch_slope(model: Model) -> ca.SX:
-    """Slopes of each switching function along the states, then along time."""
+    """Slopes of each switching function by the states, then by time."""
     order = model.track_order
     along_time = sum(
         (ca.jtimes(model.switch, model.u[i::order], model.u[i + 1 :: order]) for i in range(order - 1)),
@@ -153,14 +153,14 @@ def _switch_slope(model: Model) -> ca.SX:
 
 
 class Hoisted:
-    """Expressions without the parts that depend on parameters (and their directions) only.
+    """Expressions with everything that depends on parameters (and their directions) only computed beforehand.
 
     Parameters
     ----------
     parts : dict
         Name to expression.
     p, dp : casadi.SX
-        Parameters, and the directions of those that may move.
+        Parameters, and the directions of free ones.
     generic : Generic or None
         Symbols that stand for numbers.
     """
@@ -171,8 +171,8 @@ class Hoisted:
             (generic.names, generic.symbols, generic.values) if generic else ((), ca.SX(0, 1), ca.SX(0, 1))
         )
         self._copies: list[int] = []
-        whole = ca.cse(ca.densify(ca.vertcat(*(ca.vec(part) for part in parts.values()))))
-        left, symbols, values = ca.extract_parametric(whole, ca.vertcat(p, dp, self._constants))
+        together = ca.cse(ca.densify(ca.vertcat(*(ca.vec(part) for part in parts.values()))))
+        remaining, symbols, values = ca.extract_parametric(together, ca.vertcat(p, dp, self._constants))
         symbols, values = [*ca.vertsplit(self._constants), *symbols], [*ca.vertsplit(self._constants), *values]
         wide = [ca.depends_on(value, dp) for value in values]
         self._single = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if not lane]
@@ -181,7 +181,7 @@ class Hoisted:
         for part in parts.values():
             ends.append(ends[-1] + part.numel())
         self._parts = {
-            name: ca.reshape(left[begin:end], part.shape)
+            name: ca.reshape(remaining[begin:end], part.shape)
             for (name, part), begin, end in zip(parts.items(), ends[:-1], ends[1:], strict=True)
         }
         self.lanes_count = dp.shape[0] + len(self._wide)
@@ -196,12 +196,13 @@ class Hoisted:
         own = tuple(parts.label(path) for path in (*paths, *self._names))
         values = ca.densify(ca.vertcat(*(value for _, value in self._single)))
         graph = Graph(ca.Function("derived", [ca.vertcat(self._p, self._constants)], [values]), parts, [own])
-        made = [graph.results[i] for i in range(len(self._single))]
-        known = (("", SHARED) if graph.masks[i] == SHARED else (f"of {graph.shapes[i]}", graph.masks[i]) for i in made)
-        return own[: len(paths)] + tuple((name or f"shared {k}", mask) for k, (name, mask) in enumerate(known))
+        results = [graph.results[i] for i in range(len(self._single))]
+        masks = graph.masks
+        kinds = (("", SHARED) if masks[i] == SHARED else (f"of {graph.shapes[i]}", masks[i]) for i in results)
+        return own[: len(paths)] + tuple((name or f"shared {k}", mask) for k, (name, mask) in enumerate(kinds))
 
     def copy(self, elements: tuple[int, ...]) -> int:
-        """Append copies of extended parameters, side by side; give the place of the first."""
+        """Append consecutive copies of extended parameters; return the index of the first."""
         self._copies += elements
         return self.scalars - len(elements)
 
@@ -214,12 +215,12 @@ class Hoisted:
         return ca.vertcat(self._dp, *(symbol for symbol, _ in self._wide))
 
     def function(self, name: str, model: Model, seeds: ca.SX | None = None, more: Sequence[ca.SX] = ()) -> ca.Function:
-        """A function of (states, inputs, extended parameters, modes) and ``more``, ``seeds`` behind the states."""
+        """A function of (states, inputs, extended parameters, modes) and ``more``; ``seeds`` follow the states."""
         x = model.x if seeds is None else ca.vertcat(model.x, seeds)
         return ca.Function(name, [x, model.u, self._numbers, model.m, *more], [self._parts[name]])
 
     def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
-        """The same with lanes behind the states and the parameters; ``scalars`` elements of the result are none."""
+        """The same with lanes after states and parameters; ``scalars`` elements of the result have none."""
         inputs = [ca.vertcat(model.x, seeds), model.u, ca.vertcat(self._numbers, self._lanes), model.m]
         function = ca.Function(name, inputs, [self._parts[name]])
         first = (model.x.shape[0], model.u.shape[0], self.scalars, model.m.shape[0], scalars)

@@ -1,9 +1,9 @@
-"""Runs of a 3-D corner by its one internal coordinate: polynomials of travel, how exact they are, and the run.
+"""Runs of a 3-D corner by its one internal coordinate: polynomials of travel, their error bounds, and the run.
 
-What the equations see of a pose is sampled at Chebyshev points of a range of travel, each pose exact to rounding. The
-polynomial keeps the first coefficients; those that follow, sampled as well, bound what it leaves out, of the quantity
-and of its slope. Where that is too much, where the wheel leaves the range, or where the run does not reach its end, the
-full mechanism has to be asked.
+The quantities of a pose that the equations need are sampled at Chebyshev points of a range of travel, each pose exact
+to rounding. The polynomial keeps the first coefficients; the following ones, sampled as well, bound its error and that
+of its slope. If that is too large, the wheel leaves the range, or the run stops before its end, the full mechanism runs
+instead.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from jounce.parts.corners import Corner
 from jounce.parts.rig import structure_of
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_described, sources
-from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.prepare import PreparedRun, prepare
 from jounce.simulation.result import Solution, held_to_its_branch
 from jounce.simulation.sampled import (
     BESIDE,
@@ -46,7 +46,7 @@ from jounce.simulation.sampled import (
     TURNED,
     LastTables,
     Sampling,
-    Table,
+    TravelTable,
     basis,
     first_range,
     may_reduce,
@@ -58,19 +58,19 @@ if TYPE_CHECKING:
     from jounce.mechanics.model import Model
     from jounce.models.reduced import SampledCorner
 
-_SLOPES_SHARE = 0.1  # of the tolerance, that the change of a lever or a mass with a number may be wrong by
-_UNFELT = 1e-4  # relative change of any quantity by a unit (SI) of a number, below which its error counts as that of it
-_LANES = 8  # numbers of a description whose slopes are computed at once
+_SLOPES_SHARE = 0.1  # of the tolerance: allowed relative error of a parameter's effect on a lever or mass
+_UNFELT = 1e-4  # relative change of a quantity by a unit (SI) of a parameter, below which its error counts as absolute
+_LANES = 8  # parameters of a description whose slopes are computed at once
 _RACK = "steering.rack_travel"
 _MASSES = ("mass", "momentum", "inertia")
 
 
 @dataclass(frozen=True)
 class Reduction(Sampling):
-    """Corners of one structure, reduced: what samples their poses, and the model with polynomials of each degree."""
+    """Corners of one structure, reduced: the sampling of their poses, and the model with polynomials of each degree."""
 
     rig: Corner
-    placed: dict[int, _Places] = field(default_factory=dict)
+    placed: dict[int, _TableLayout] = field(default_factory=dict)
     made: LastTables = field(default_factory=LastTables)
 
     def compiled(self, degree: int) -> Compiled:
@@ -78,15 +78,15 @@ class Reduction(Sampling):
         return _compiled(self.rig, structure_of(self.rig), degree)
 
     def feels(self, path: str, degree: int = DEGREES[0]) -> bool:
-        """Tell whether a number of the description moves the reduced corner: by itself, or through its table."""
+        """Whether a parameter of the description affects the reduced corner: by itself, or through its table."""
         return path in self.places(degree).given or self.is_sampled(path)
 
     def is_sampled(self, path: str) -> bool:
-        """Tell whether a table depends on a number of the description."""
+        """Whether a table depends on a parameter of the description."""
         return path == _RACK or path in self.parameters
 
     def sensitive(self, degree: int, free: tuple[str, ...]) -> Compiled:
-        """The same with sensitivities to numbers of the description; those of a table move all of it."""
+        """The same with sensitivities to parameters of the description; those in a table change all of it."""
         places = self.places(degree)
         moved = tuple(path for path in free if path in places.given)
         if any(map(self.is_sampled, free)):
@@ -95,78 +95,80 @@ class Reduction(Sampling):
 
     @once
     def are_factors(self) -> NDArray[np.bool_]:
-        """Which quantities, but for the first, count by their value: masses, and the tyre's lean."""
+        """Which quantities, except the first, count by their value: masses, and the tyre's inclination."""
         return np.array([name in _MASSES or name.startswith("tyre.") for name in self.names[1:]])
 
     @once
     def only_shown(self) -> NDArray[np.bool_]:
-        """Which quantities, but for the first, are channels alone."""
+        """Which quantities, except the first, are channels only."""
         return np.array([name.startswith("wheel.") for name in self.names[1:]])
 
-    def places(self, degree: int) -> _Places:
-        """Where numbers belong among the parameters of the model of a degree."""
+    def places(self, degree: int) -> _TableLayout:
+        """Indices of numbers among the parameters of the model of a degree."""
         if degree not in self.placed:
             paths = self.compiled(degree).facts.parameters
             own = [MIDDLE, HALF, *of_travel(self.names[0], 0)]
             own += [path for name in self.names[1:] for path in of_travel(name, degree)]
             place = {path: i for i, path in enumerate(paths)}
             given = tuple(path for path in paths if path not in set(own))
-            self.placed[degree] = _Places(given, tuple(own), _numbers(place, given), _numbers(place, own))
+            self.placed[degree] = _TableLayout(given, tuple(own), _numbers(place, given), _numbers(place, own))
         return self.placed[degree]
 
     def tables(self, p: Array, rack: float, low: float, high: float, degree: int) -> tuple[Array, Array]:
-        """Sample the poses of a range of travel (m) for each row of ``p``; give the numbers of each table, and bounds.
+        """Sample the poses over a range of travel (m) for each row of ``p``; return the tables' numbers, and bounds.
 
-        ``p`` holds the numbers at ``parameters``, ``rack`` (m) is where the rack is held. The bound is that of the
-        relative error; it is no number where a mechanism does not reach all of the range.
+        ``p`` holds the values of ``parameters``, ``rack`` (m) is the fixed rack travel. The bound is that of the
+        relative error; it is NaN if the mechanism does not reach the whole range.
         """
-        points, made, powers, squares = basis(degree)
+        points, transform, powers, squares = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
         values = self.sampled(p, rack, middle + half * points)
-        series = values[1:] @ made.T
-        kept, left = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
-        size = self._sizes(kept, half)
+        series = values[1:] @ transform.T
+        leading, dropped = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
+        size = self._sizes(leading, half)
         # Forces and masses feel the slope of a quantity, channels the quantity itself.
-        felt, shown = left @ squares[degree + 1 :], SHARE / SHOWN * left.sum(axis=-1)
-        errors = np.where(self.only_shown[:, None], shown, felt) / size
-        turned = self.only_shown[:, None] & ((kept[..., 1:].sum(axis=-1) > TURNED) | (kept[..., 0] > TURNED))
-        errors[turned] = np.inf  # a wheel that turns so far may flip over, which the mechanism finds out
+        slope_errors, value_errors = dropped @ squares[degree + 1 :], SHARE / SHOWN * dropped.sum(axis=-1)
+        errors = np.where(self.only_shown[:, None], value_errors, slope_errors) / size
+        may_flip = self.only_shown[:, None] & ((leading[..., 1:].sum(axis=-1) > TURNED) | (leading[..., 0] > TURNED))
+        errors[may_flip] = np.inf  # such a wheel may flip over, which only the mechanism shows
         coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
         return np.concatenate([first, coefficients], axis=1), errors.max(axis=0)
 
     def _sizes(self, kept: Array, half: float) -> Array:
-        """What the error of each quantity but the first is a share of: its value or the way it goes, whichever counts.
+        """Reference of the error of each quantity except the first: its value, or its variation if that counts.
 
-        ``kept`` are the sizes of its coefficients along the last axis.
+        ``kept`` are the absolute values of its coefficients along the last axis.
         """
         levers = np.maximum(kept[..., 1:].sum(axis=-1), FLAT * half)
         size = np.where(self.are_factors.reshape(-1, *[1] * (kept.ndim - 2)), kept[..., 0], levers)
         size[0] = size[1]  # momentum and inertia belong to one matrix
         return size
 
-    def slopes(self, table: Table, degree: int, p: Array, rack: float, free: Sequence[str]) -> tuple[Array, float]:
-        """How the numbers of a table change with numbers of the description, a column each; and bound its error.
+    def slopes(
+        self, table: TravelTable, degree: int, p: Array, rack: float, free: Sequence[str]
+    ) -> tuple[Array, float]:
+        """Derivatives of a table by parameters of the description, one column each, and a bound of their error.
 
-        The poses follow each change with their loops closed, exactly; so the only error is that of the polynomials, for
-        each number relative to what it changes most.
+        The poses follow each change with closed loops, exactly; the only error is that of the polynomials, for each
+        parameter relative to the quantity that it changes most.
         """
-        points, made, powers, squares = basis(degree)
+        points, transform, powers, squares = basis(degree)
         middle, half = table.numbers[:2]
         values, along = self._along(p, rack, middle + half * points, free)
-        moves, series = along[1:] @ made.T, values[1:] @ made.T
-        kept, left = np.abs(moves[..., : degree + 1]), np.abs(moves[..., degree + 1 :])
+        moves, series = along[1:] @ transform.T, values[1:] @ transform.T
+        leading, dropped = np.abs(moves[..., : degree + 1]), np.abs(moves[..., degree + 1 :])
         size = self._sizes(np.abs(series[..., : degree + 1]), half)[:, None]
         rounding = ROUNDINGS * np.abs(along[1:]).max(axis=-1)
-        felt = np.maximum(left @ squares[degree + 1 :] - rounding * squares[degree + 1 :].sum(), 0.0) / size
-        shown = np.maximum(left.sum(axis=-1) - rounding * len(points), 0.0)
-        first = np.where(self.are_factors, 0, 1)  # a constant in a length moves nothing but what it is added to
-        changes = np.array([each[:, begin:].sum(axis=-1) for each, begin in zip(kept, first, strict=True)])
+        slope_errors = np.maximum(dropped @ squares[degree + 1 :] - rounding * squares[degree + 1 :].sum(), 0.0) / size
+        value_errors = np.maximum(dropped.sum(axis=-1) - rounding * len(points), 0.0)
+        first = np.where(self.are_factors, 0, 1)  # the constant term of a length has no effect on levers
+        changes = np.array([each[:, begin:].sum(axis=-1) for each, begin in zip(leading, first, strict=True)])
         largest = (changes / size)[~self.only_shown].max(axis=0)
         errors = np.where(
             self.only_shown[:, None],
-            _SLOPES_SHARE / SHOWN * shown / np.maximum(kept.sum(axis=-1), _UNFELT),
-            felt / np.maximum(largest, _UNFELT),
+            _SLOPES_SHARE / SHOWN * value_errors / np.maximum(leading.sum(axis=-1), _UNFELT),
+            slope_errors / np.maximum(largest, _UNFELT),
         )
         numbers = np.zeros((len(table.numbers), len(free)))
         numbers[2] = along[0, :, 0]
@@ -174,17 +176,17 @@ class Reduction(Sampling):
         return numbers, float(errors.max(initial=0.0))
 
     def _along(self, p: Array, rack: float, travel: Array, free: Sequence[str]) -> tuple[Array, Array]:
-        """Quantities at ascending travels, and their slopes along numbers: shape (quantities, numbers, travels)."""
+        """Quantities at ascending travels, and their slopes by parameters: shape (quantities, parameters, travels)."""
         walk, place = self.walk(p, rack, travel)
-        found, work = space_for(walk, len(self.names))
-        walk_poses(walk, found, work)
+        poses_found, work = space_for(walk, len(self.names))
+        walk_poses(walk, poses_found, work)
         tracks, count, poses = len(self.tracks), len(self.names), len(travel)
         place_of = {path: tracks + i for i, path in enumerate(self.parameters)}
         if _RACK in free:
             place_of[_RACK] = tracks - 1
         size = tracks + len(self.parameters)
         values, slopes = np.empty((count, poses)), np.zeros((count, len(free), poses))
-        values[:, place] = found.outputs
+        values[:, place] = poses_found.outputs
         which = [i for i, path in enumerate(free) if path in place_of]
         for first in range(0, len(which), _LANES):
             group = which[first : first + _LANES]
@@ -192,7 +194,7 @@ class Reduction(Sampling):
             change[[place_of[free[i]] for i in group], range(len(group))] = 1.0
             x = np.concatenate([self.start, change.ravel()])
             for k in range(poses):
-                x[: len(self.start)] = found.poses[:, k]
+                x[: len(self.start)] = poses_found.poses[:, k]
                 slope = self.tangents.evaluate("tangent", (count * _LANES,), x, walk.targets[k], p, work.m)
                 slopes[:, group, place[k]] = slope.reshape(count, _LANES)[:, : len(group)]
         return values, slopes
@@ -211,40 +213,40 @@ class Reduction(Sampling):
         return kept_code(f"{sources()} tangents {type(self.rig).__name__} {structure_of(self.rig)}", source)[0]
 
     def alike(
-        self, base: Table, degree: int, paths: Sequence[str], values: Array, limit: float
+        self, base: TravelTable, degree: int, paths: Sequence[str], values: Array, limit: float
     ) -> tuple[Array, NDArray[np.bool_]]:
         """Parameters of the reduced corner for rows of ``values`` of a description, over the travel of a table.
 
-        ``paths`` belong to the values; the first row is that of the table. Tells for which rows no error is above the
-        limit; the others get the numbers of the first.
+        ``paths`` name the values; the first row is that of the table. Also returns for which rows the error is within
+        the limit; the others get the numbers of the first.
         """
         place, places = {path: i for i, path in enumerate(paths)}, self.places(degree)
         sampled = values[:, _numbers(place, self.parameters)]
         racks = values[:, place[_RACK]] if _RACK in place else np.zeros(len(values))
-        found = np.empty((len(values), len(places.of_given) + len(places.of_table)))
-        found[:, places.of_given] = values[:, _numbers(place, places.given)]
-        found[:, places.of_table] = base.numbers
+        rows = np.empty((len(values), len(places.of_given) + len(places.of_table)))
+        rows[:, places.of_given] = values[:, _numbers(place, places.given)]
+        rows[:, places.of_table] = base.numbers
         sound = np.ones(len(values), dtype=bool)
         if np.any(sampled != sampled[0]) or np.any(racks != racks[0]):
             numbers, errors = self.tables(sampled, float(racks[0]), base.low, base.high, degree)
             sound = (errors <= limit) & (racks == racks[0])
-            found[np.ix_(sound, places.of_table)] = numbers[sound]
-        found[~sound] = found[0]
-        return found, sound
+            rows[np.ix_(sound, places.of_table)] = numbers[sound]
+        rows[~sound] = rows[0]
+        return rows, sound
 
-    def table(self, p: Array, rack: float, low: float, high: float, degree: int) -> Table | None:
-        """The same for one row; None where the mechanism does not reach all of the range."""
+    def table(self, p: Array, rack: float, low: float, high: float, degree: int) -> TravelTable | None:
+        """The same for one row; None if the mechanism does not reach the whole range."""
 
-        def make() -> Table:
+        def make() -> TravelTable:
             numbers, errors = self.tables(p[None, :], rack, low, high, degree)
-            return Table(low, high, numbers[0], float(errors[0]))
+            return TravelTable(low, high, numbers[0], float(errors[0]))
 
-        found = self.made.of((low, high, degree, rack, p.tobytes()), make)
-        return found if np.isfinite(found.error) else None
+        table = self.made.of((low, high, degree, rack, p.tobytes()), make)
+        return table if np.isfinite(table.error) else None
 
 
-class _Places(NamedTuple):
-    """Paths of the description's numbers and of those of a table, and where they belong."""
+class _TableLayout(NamedTuple):
+    """Paths of the description's numbers and of those of a table, and their indices."""
 
     given: tuple[str, ...]
     table: tuple[str, ...]
@@ -260,12 +262,12 @@ _reductions: Recent[Reduction | None] = Recent()
 
 
 def reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> Reduction | None:
-    """Give the reduction of a rig where runs on a trial may be reduced; None where the mechanism has to run."""
+    """Reduction of a rig if runs on a trial may use it; None if the full mechanism has to run."""
     return reduction_of(rig) if may_reduce(trial, settings) else None
 
 
 def reduction_of(rig: Rig) -> Reduction | None:
-    """Give the reduction of a rig; None where it is no corner whose pose one coordinate tells."""
+    """Reduction of a rig; None unless it is a corner whose pose follows from one coordinate."""
     if not isinstance(rig, Corner):
         return None
     structure = structure_of(rig)
@@ -278,8 +280,8 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
 
         return sampled_corner(rig)
 
-    made = sampling_of(f"sampled {type(rig).__name__} {structure}", make)
-    return Reduction(made.native, made.names, made.tracks, made.parameters, made.start, rig)
+    sampling = sampling_of(f"sampled {type(rig).__name__} {structure}", make)
+    return Reduction(sampling.native, sampling.names, sampling.tracks, sampling.parameters, sampling.start, rig)
 
 
 def _sensitive(rig: Corner, structure: str, degree: int, moved: tuple[str, ...], count: int) -> Compiled:
@@ -300,10 +302,10 @@ def _compiled(rig: Corner, structure: str, degree: int) -> Compiled:
 
 @dataclass(frozen=True)
 class ReducedRun:
-    """A run that is laid out, with the table that it holds for."""
+    """A prepared run, with the table that it is valid for."""
 
-    prepared: Prepared
-    table: Table
+    prepared: PreparedRun
+    table: TravelTable
     degree: int
 
     @property
@@ -323,7 +325,7 @@ class ReducedRun:
         return travel.min(axis=-1) - between, travel.max(axis=-1) + between
 
     def holds(self, states: Array) -> NDArray[np.bool_]:
-        """Tell whether the wheel stays where the table holds."""
+        """Whether the wheel stays within the range of the table."""
         low, high = self.travelled(states)
         return (self.table.low <= low) & (high <= self.table.high)
 
@@ -339,8 +341,8 @@ class ReducedCorner:
     tolerance: float
     free: tuple[str, ...] = ()
 
-    def run(self) -> tuple[Solution, Prepared] | None:
-        """Run it, over a wider range of travel where the wheel leaves the first; None where that does not do."""
+    def run(self) -> tuple[Solution, PreparedRun] | None:
+        """Run, over a wider range of travel if the wheel leaves the first; None if that fails."""
         laid_out = self.lay_out()
         for _ in range(TRIES):
             if laid_out is None:
@@ -355,17 +357,17 @@ class ReducedCorner:
         return None
 
     def beyond(self, low: float, high: float) -> ReducedRun | None:
-        """Lay out a run for a range of travel that reaches farther than where a wheel has been, m."""
+        """Prepare a run for a range of travel wider than a wheel has used so far, m."""
         wider = BESIDE * (high - low)
         return self.over(low - wider, high + wider)
 
     @property
     def limit(self) -> float:
-        """How large the error of a table may be."""
+        """Largest error allowed for a table."""
         return SHARE * self.tolerance
 
     def lay_out(self) -> ReducedRun | None:
-        """Lay out a run for a range about the pose at rest; None where no polynomials do, or nothing comes to rest."""
+        """Prepare a run for a range about the pose at rest; None if no polynomial suffices, or there is no rest."""
         around = first_range(max(signal.extent for signal in self.signals))
         about_design = self.over(-around, around)
         if about_design is None or abs(about_design.rest) < OFF * around:
@@ -373,7 +375,7 @@ class ReducedCorner:
         return self.over(about_design.rest - around, about_design.rest + around)
 
     def over(self, low: float, high: float) -> ReducedRun | None:
-        """Lay out a run for a range of travel, m."""
+        """Prepare a run for a range of travel, m."""
         p, rack = np.array([self.values[path] for path in self.reduction.parameters]), self.values.get(_RACK, 0.0)
         for degree in DEGREES:
             table = self.reduction.table(p, rack, low, high, degree)
@@ -386,8 +388,8 @@ class ReducedCorner:
                 return self._with(table, degree, slopes)
         return None
 
-    def _with(self, table: Table, degree: int, slopes: Array | None) -> ReducedRun | None:
-        """Lay out a run over a table, whose numbers change with the free ones by ``slopes``."""
+    def _with(self, table: TravelTable, degree: int, slopes: Array | None) -> ReducedRun | None:
+        """Prepare a run over a table, whose numbers change with the free ones by ``slopes``."""
         reduction, places = self.reduction, self.reduction.places(degree)
         compiled = reduction.sensitive(degree, self.free) if self.free else reduction.compiled(degree)
         paths = compiled.facts.parameters
@@ -396,16 +398,16 @@ class ReducedCorner:
         p[places.of_table] = table.numbers
         along = None
         if slopes is not None:
-            whole = np.zeros((len(p), len(self.free)))
-            whole[places.of_table] = slopes
+            derivatives = np.zeros((len(p), len(self.free)))
+            derivatives[places.of_table] = slopes
             for column, path in enumerate(self.free):
                 if path in places.given:
-                    whole[paths.index(path), column] = 1.0
-            along = whole[[paths.index(path) for path in compiled.moved]]
+                    derivatives[paths.index(path), column] = 1.0
+            along = derivatives[[paths.index(path) for path in compiled.moved]]
         try:
             tolerance = STEPS_SHARE * self.tolerance
             prepared = prepare(compiled, p, self.signals, self.times, tolerance=tolerance, along=along)
-        except SimulationError:  # the full mechanism says why
+        except SimulationError:  # the full mechanism gives the reason
             return None
         return ReducedRun(prepared, table, degree)
 
@@ -419,7 +421,7 @@ def with_slopes(
     tolerance: float,
     free: tuple[str, ...],
 ) -> Solution | None:
-    """Run a corner with sensitivities by its one coordinate; None where that does not do.
+    """Run a corner with sensitivities by its one coordinate; None if that is not possible.
 
     ``values`` are the numbers of the description, of which some are ``free``; ``signals`` has every track.
     """
@@ -429,5 +431,5 @@ def with_slopes(
     reduction = reduction_of(rig)
     if reduction is None or not all(map(reduction.feels, free)):
         return None
-    found = ReducedCorner(reduction, values, signals, times, tolerance, free).run()
-    return None if found is None else found[0]
+    run = ReducedCorner(reduction, values, signals, times, tolerance, free).run()
+    return None if run is None else run[0]

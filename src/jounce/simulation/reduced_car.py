@@ -1,6 +1,6 @@
 """Runs of a full car on 3-D corners whose wheels are one coordinate each; see ``reduced`` for single corners.
 
-Every corner has a table of its own: polynomials of its travel, from poses that are sampled when the run is prepared.
+Every corner has its own table: polynomials of its travel, from poses sampled when the run is prepared.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D
 from jounce.roads import Trial
 from jounce.simulation.compiled import Compiled, compile_described
-from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.prepare import PreparedRun, prepare
 from jounce.simulation.result import Solution, held_to_its_branch
 from jounce.simulation.sampled import (
     DEGREES,
@@ -36,7 +36,7 @@ from jounce.simulation.sampled import (
     TURNED,
     LastTables,
     Sampling,
-    Table,
+    TravelTable,
     basis,
     first_range,
     may_reduce,
@@ -51,20 +51,20 @@ if TYPE_CHECKING:
 
 _ENDS, _SIDES = {"front": 1.0, "rear": -1.0}, {"left": 1.0, "right": -1.0}
 PLACES = tuple(f"{end}_{side}" for end in _ENDS for side in _SIDES)
-"""Of the corners, in the order of the model."""
+"""Names of the corners, in the order of the model."""
 
 _WIDE = (0.08, 0.07, 0.06)
-"""Ranges of travel (m) to either side, of which the widest that polynomials do for is taken where those of the lowest
-degree do not: a higher one takes the same time for all of them."""
+"""Ranges of travel (m) to either side, tried from the widest if the lowest degree fails: higher degrees cost the same
+for all of them."""
 
 Ranges = tuple[tuple[float, float], ...]
-"""Of the travel (m) of each corner."""
+"""Range of travel (m) of each corner."""
 
 
-class _Places(NamedTuple):
-    """Numbers of a vehicle, and those of the tables, among the parameters of a model; names of a table's quantities.
+class _CarLayout(NamedTuple):
+    """Indices of a vehicle's numbers and of the tables' numbers among a model's parameters; names of table quantities.
 
-    ``reach`` are those that say how far the tables reach.
+    ``reach`` are the parameters that hold the range of the tables.
     """
 
     given: dict[str, int]
@@ -75,11 +75,11 @@ class _Places(NamedTuple):
 
 @dataclass(frozen=True)
 class CarReduction:
-    """Cars of one structure, reduced: what samples the corners of each axle, and the model of each degree."""
+    """Cars of one structure, reduced: the sampling of the corners of each axle, and the model of each degree."""
 
     rig: FullCar3D
     axles: Mapping[str, Sampling]
-    placed: dict[int, _Places] = field(default_factory=dict)
+    placed: dict[int, _CarLayout] = field(default_factory=dict)
     made: LastTables = field(default_factory=LastTables)
 
     def compiled(self, degree: int) -> Compiled:
@@ -92,23 +92,23 @@ class CarReduction:
 
         return compile_described(("reduced", type(self.rig).__name__, structure_of(self.rig), degree), model)
 
-    def places(self, degree: int) -> _Places:
-        """Where numbers belong among the parameters of the model of a degree."""
+    def places(self, degree: int) -> _CarLayout:
+        """Indices of numbers among the parameters of the model of a degree."""
         if degree not in self.placed:
             place = {path: i for i, path in enumerate(self.compiled(degree).facts.parameters)}
             reach, own, names = [place.pop(f"{corner}.{REACH}") for corner in PLACES], [], []
             for corner in PLACES:
                 sampled = self.axles[corner.partition("_")[0]].names
-                asked = [name for name in sampled[1:] if f"{corner}.{of_travel(name, 0)[0]}" in place]
+                required = [name for name in sampled[1:] if f"{corner}.{of_travel(name, 0)[0]}" in place]
                 paths = [MIDDLE, HALF, *of_travel(sampled[0], 0)]
-                paths += [path for name in asked for path in of_travel(name, degree)]
+                paths += [path for name in required for path in of_travel(name, degree)]
                 own.append([place.pop(f"{corner}.{path}") for path in paths])
-                names.append(asked)
-            self.placed[degree] = _Places(place, reach, own, names)
+                names.append(required)
+            self.placed[degree] = _CarLayout(place, reach, own, names)
         return self.placed[degree]
 
-    def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> Table:
-        """Sample the poses of a corner over a range of travel (m); its error is infinite where it does not reach that.
+    def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> TravelTable:
+        """Sample the poses of a corner over a range of travel (m); the error is infinite if it does not reach that.
 
         ``values`` are the numbers of the vehicle by path.
         """
@@ -117,81 +117,82 @@ class CarReduction:
         key = which, low, high, degree, rack, p.tobytes()
         return self.made.of(key, lambda: self._table(p, rack, which, low, high, degree))
 
-    def _table(self, p: Array, rack: float, which: int, low: float, high: float, degree: int) -> Table:
+    def _table(self, p: Array, rack: float, which: int, low: float, high: float, degree: int) -> TravelTable:
         end = PLACES[which].partition("_")[0]
         sampling = self.axles[end]
-        points, made, powers, _ = basis(degree)
+        points, transform, powers, _ = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
         sampled = dict(
             zip(sampling.names, sampling.sampled(p[None, :], rack, middle + half * points)[:, 0], strict=True)
         )
         names = self.places(DEGREES[0]).names[which]
-        series = np.array([sampled[name] for name in names]) @ made.T
+        series = np.array([sampled[name] for name in names]) @ transform.T
         mass = float(sampled[sampling.names[0]][0])
         reached = bool(np.isfinite(series).all())
         error = error_of(names, series, degree, half, mass) if reached else np.inf
-        return Table(low, high, np.array([middle, half, mass, *(series[:, : degree + 1] @ powers).ravel()]), error)
+        numbers = np.array([middle, half, mass, *(series[:, : degree + 1] @ powers).ravel()])
+        return TravelTable(low, high, numbers, error)
 
     def numbers(self, values: Mapping[str, float], which: int) -> Array:
-        """Numbers that the poses of a corner depend on, where it stands on the car among them."""
+        """Parameters of the poses of a corner, including its position on the car."""
         end, _, side = PLACES[which].partition("_")
         before = f"{end}.corner."
         ahead = _ENDS[end] * values[f"{end}.distance"] - values[f"{before}hardpoints.wheel_centre[0]"]
         own = {"ahead": ahead, "turned": _SIDES[side]}
-        for i, centre in enumerate((0.0, 0.0, values["body.height"])):  # the joint that the body turns about
+        for i, centre in enumerate((0.0, 0.0, values["body.height"])):  # the joint about which the body turns
             own[f"origin[{i}]"] = values.get(f"body.joint[{i}]", centre)
         paths = self.axles[end].parameters
         return np.array([own[path] if path in own else values[f"{before}{path}"] for path in paths])
 
 
 def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass: float) -> float:
-    """Bound the error of polynomials whose Chebyshev coefficients are ``series``, a row a quantity.
+    """Bound the error of polynomials with Chebyshev coefficients ``series``, one row for each quantity.
 
-    It is relative to what each quantity does to the car. ``half`` is half the range of travel (m), ``mass`` that of the
-    corner (kg).
+    It is relative to the effect of each quantity on the car. ``half`` is half the range of travel (m), ``mass`` that of
+    the corner (kg).
     """
     orders = np.arange(series.shape[1], dtype=float)[degree + 1 :]
-    kept, left = np.abs(series[:, : degree + 1]), np.abs(series[:, degree + 1 :])
-    ways = np.maximum(kept[:, 1:].sum(axis=1), FLAT * half)
-    value, slope = left.sum(axis=1), left @ orders**2
-    beyond = np.maximum(left - ROUNDINGS * kept.max(axis=1, initial=0.0)[:, None], 0.0)
-    bend = beyond @ (orders**2 * (orders**2 - 1.0) / 3.0)
+    leading, dropped = np.abs(series[:, : degree + 1]), np.abs(series[:, degree + 1 :])
+    variation = np.maximum(leading[:, 1:].sum(axis=1), FLAT * half)
+    value, slope = dropped.sum(axis=1), dropped @ orders**2
+    significant = np.maximum(dropped - ROUNDINGS * leading.max(axis=1, initial=0.0)[:, None], 0.0)
+    second_slope = significant @ (orders**2 * (orders**2 - 1.0) / 3.0)
     rows: dict[str, list[int]] = {}
     for i, name in enumerate(names):
         rows.setdefault(name if name.endswith((".length", ".angle")) else name.partition(".")[0], []).append(i)
-    found, in_motion = [0.0], SHARE / SHOWN  # what no static load counts
+    errors, in_motion = [0.0], SHARE / SHOWN  # in_motion: weight of quantities without a static load
     for name, group in rows.items():
-        error, size = slope[group], kept[group, 0].max()
+        error, size = slope[group], leading[group, 0].max()
         if name in ("inertia", "angular", "tensor"):
             error = in_motion * slope[group]
-        elif name == "moment":  # by a metre it moves by the mass; its second derivative is felt, too
-            error, size = np.maximum(slope[group], in_motion * bend[group]), mass * half
+        elif name == "moment":  # changes by mass times metre; its second derivative acts, too
+            error, size = np.maximum(slope[group], in_motion * second_slope[group]), mass * half
         elif name == "turning":
             error, size = value[group], 1.0
         elif name == "spin_direction":
-            turns = kept[[group[0], group[2]]]
+            turns = leading[[group[0], group[2]]]
             if max(turns[:, 0].max(), turns[:, 1:].sum(axis=1).max()) > TURNED:
-                return float("inf")  # a wheel that turns so far may flip over, which the mechanism finds out
-            # It tilts the tyre's deflection and the way to where its force acts, too.
-            error, size = np.maximum(in_motion * value[group] / ways[group].max(), value[group]), 1.0
+                return float("inf")  # such a wheel may flip over, which only the mechanism shows
+            # It also inclines the tyre's deflection and the lever of its force.
+            error, size = np.maximum(in_motion * value[group] / variation[group].max(), value[group]), 1.0
         elif name in ("wheel_centre", "arb_link_end", "third_spring_end"):
             size = half
         else:
-            size = ways[group].max()
-        found.append(float(np.max(error) / size))
-    return float(np.nan_to_num(np.max(found), nan=np.inf))  # a quantity of no size bounds nothing
+            size = variation[group].max()
+        errors.append(float(np.max(error) / size))
+    return float(np.nan_to_num(np.max(errors), nan=np.inf))  # a quantity of zero size bounds nothing
 
 
 _reductions: Recent[CarReduction | None] = Recent()
 
 
 def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduction | None:
-    """Give the reduction of a rig where runs on a trial may be reduced; None where the mechanism has to run."""
+    """Reduction of a rig if runs on a trial may use it; None if the full mechanism has to run."""
     return car_reduction_of(rig) if isinstance(rig, FullCar3D) and may_reduce(trial, settings) else None
 
 
 def car_reduction_of(rig: FullCar3D) -> CarReduction | None:
-    """Give the reduction of a car; None where the poses of its corners are not told by one coordinate each."""
+    """Reduction of a car; None unless one coordinate each determines the poses of its corners."""
 
     def make() -> CarReduction | None:
         corners = {end: getattr(rig, end).corner for end in _ENDS}
@@ -213,13 +214,13 @@ def _sampling(corner: Corner) -> Sampling:
 
 @dataclass(frozen=True)
 class CarRun:
-    """A run that is laid out: it ends where a wheel leaves its range."""
+    """A prepared run that stops where a wheel leaves its range."""
 
-    prepared: Prepared
+    prepared: PreparedRun
     ranges: Ranges
 
     def holds(self, states: Array) -> bool:
-        """Tell whether all wheels are within their ranges at all samples; between these the run itself sees to it."""
+        """Whether all wheels are within their ranges at all samples; the run itself checks between them."""
         places = [self.prepared.compiled.facts.states.index(f"{place}.travel") for place in PLACES]
         return all(
             low <= travel.min() and travel.max() <= high
@@ -237,8 +238,8 @@ class ReducedCar:
     times: Array
     tolerance: float
 
-    def run(self) -> tuple[Solution, Prepared] | None:
-        """Run it, over a wider range of travel where a wheel leaves the first; None where that does not do."""
+    def run(self) -> tuple[Solution, PreparedRun] | None:
+        """Run, over a wider range of travel if a wheel leaves the first; None if that fails."""
         left = 0.0
         for around, degrees in ((self.first_range, DEGREES[:1]), *((wide, DEGREES) for wide in _WIDE)):
             laid_out = self.lay_out(around, degrees) if around > left else None
@@ -257,7 +258,7 @@ class ReducedCar:
 
     @property
     def first_range(self) -> float:
-        """Range of travel (m) to either side to begin with."""
+        """Initial range of travel (m) to either side."""
         extents = {name: signal.extent for name, signal in self._courses.items()}
         leaning = any(extent > 0.0 for name, extent in extents.items() if not is_road(name))
         road = max(extent for name, extent in extents.items() if is_road(name))
@@ -268,38 +269,38 @@ class ReducedCar:
         return dict(zip(self.reduction.compiled(DEGREES[0]).facts.tracks, self.signals, strict=True))
 
     def lay_out(self, around: float, degrees: Sequence[int] = DEGREES) -> CarRun | None:
-        """Lay out a run for a range (m) about the pose at rest; None where no polynomials do, or nothing rests."""
+        """Prepare a run for a range (m) about the pose at rest; None if no polynomial suffices, or nothing rests."""
         ranges: Ranges = ((-around, around),) * len(PLACES)
-        found = self._numbers(ranges, degrees)
-        if found is None:
+        table = self._numbers(ranges, degrees)
+        if table is None:
             return None
-        degree, p = found
+        degree, p = table
         compiled = self.reduction.compiled(degree)
         still = compiled.inputs(
             {name: float(each.evaluate(self.times[:1])[0][0]) for name, each in self._courses.items()}
         )
         try:
             x = find_equilibrium(compiled, p, still).x
-        except SimulationError:  # the full mechanism says why
+        except SimulationError:  # the full mechanism gives the reason
             return None
         rests = [float(x[compiled.facts.states.index(f"{place}.travel")]) for place in PLACES]
         if max(map(abs, rests)) >= OFF * around:
             ranges = tuple((rest - around, rest + around) for rest in rests)
-            found = self._numbers(ranges, degrees)
-        return None if found is None else self._over(ranges, *found)
+            table = self._numbers(ranges, degrees)
+        return None if table is None else self._over(ranges, *table)
 
     def _over(self, ranges: Ranges, degree: int, p: Array) -> CarRun | None:
-        """Lay out a run for ranges of travel, m."""
+        """Prepare a run for ranges of travel, m."""
         compiled = self.reduction.compiled(degree)
         try:
-            found = prepare(compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance)
+            prepared = prepare(compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance)
         except SimulationError:
             return None
         p[self.reduction.places(degree).reach] = 1.0
-        return CarRun(replace(found, problem=found.problem._replace(p=compiled.extended(p))), ranges)
+        return CarRun(replace(prepared, problem=prepared.problem._replace(p=compiled.extended(p))), ranges)
 
     def _numbers(self, ranges: Ranges, degrees: Sequence[int]) -> tuple[int, Array] | None:
-        """The first degree that does for all ranges, and parameters of its model, which ends nowhere yet."""
+        """The first degree that suffices for all ranges, and parameters of its model, without limits of travel."""
         for degree in degrees:
             tables = []
             for which, each in enumerate(ranges):

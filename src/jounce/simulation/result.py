@@ -1,4 +1,4 @@
-"""What a run gives: its arrays, how it ended, and whether what they show is still a suspension."""
+"""Result of a run: its arrays, its status, and whether it still shows a suspension."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from jounce.kernel.engine import Status
 from jounce.mechanics.facts import Facts
 from jounce.simulation.compiled import Compiled
 
-_TURNED = 0.6  # rad: camber or steer that moves so far in a run belongs to another way of assembling the linkage
-_STEERED = 1.0  # rad: steer at rest that no rack makes
+_TURNED = 0.6  # rad: a change of camber or steer beyond it (34 degrees) comes from another branch of the linkage
+_STEERED = 1.0  # rad: no rack steers by 57 degrees at rest
 _APART = 10.0  # m: no strut is that long
-_TURNS = ("body.pitch", "body.roll")  # rad: a car that has turned that far lies on its roof
+_TURNS = ("body.pitch", "body.roll")  # a car that turns by more than 1 rad lies on its roof
 _ANGLES = ("wheel.camber", "wheel.steer")
 
 
@@ -29,15 +29,15 @@ class Solution:
     time : ndarray, shape (n,)
         Output times, s.
     states, outputs : ndarray, shape (n_states, n), (n_outputs, n)
-        One row a signal, SI.
+        One row for each signal, SI.
     status : Status
         How the run ended.
     steps, rejected, events : int
-        Work done.
+        Steps accepted and rejected, events handled.
     state_slopes, output_slopes : ndarray, shape (n_states, n_free, n), (n_outputs, n_free, n)
         Sensitivities to the free parameters, SI.
     method : {"exact", "explicit", "implicit", "reduced explicit", "reduced implicit"}
-        What computed them.
+        Method of integration.
     """
 
     time: Array
@@ -53,7 +53,7 @@ class Solution:
 
 
 def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
-    """Number of samples that were computed; all of them, or an error with ``check``."""
+    """Number of computed samples; with ``check`` all of them, or an error."""
     if solution.status is Status.COMPLETED:
         return len(solution.time)
     reached = int(np.sum(np.isfinite(solution.states[0])))
@@ -65,7 +65,7 @@ def samples_reached(solution: Solution, facts: Facts, *, check: bool) -> int:
 
 
 def _pose(solution: Solution, facts: Facts, at: int) -> str:
-    """Pose of a mechanism at a sample, where the mechanism is what stopped the run."""
+    """Pose of a mechanism at a sample, if the mechanism stopped the run."""
     if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP, Status.FLIPPED):
         return ""
     values = zip(facts.coordinates, solution.states[:, at], strict=False)
@@ -73,7 +73,7 @@ def _pose(solution: Solution, facts: Facts, at: int) -> str:
 
 
 def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
-    """Give the run up to where a wheel flips over or a suspension runs away, with a status that says so."""
+    """Cut a run where a wheel flips over or a suspension runs away, and set the status accordingly."""
     left, status = flipped_at(compiled.output_names, solution.outputs), Status.FLIPPED
     if left is None and solution.status in (Status.COMPLETED, Status.NOT_FINITE):
         left, status = ran_away_at(compiled.output_names, solution.outputs), Status.RUN_AWAY
@@ -84,58 +84,58 @@ def held_to_its_branch(compiled: Compiled, solution: Solution) -> Solution:
 
 
 def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
-    """Give the first sample at which the wheel has flipped over, None where it never does.
+    """First sample at which the wheel has flipped over, None if it never does.
 
-    Rows of ``outputs`` (SI) are channels in the order of ``names``; the first sample is the rest that the run starts
-    from.
+    Rows of ``outputs`` (SI) are channels in the order of ``names``; the first sample is the state of rest that the run
+    starts from.
     """
     first: int | None = None
     for row, name in enumerate(names):
         if not name.endswith(_ANGLES):
             continue
         angle = outputs[row]
-        turned = np.abs(np.angle(np.exp(1j * (angle - angle[0])))) > _TURNED
+        is_flipped = np.abs(np.angle(np.exp(1j * (angle - angle[0])))) > _TURNED
         if abs(angle[0]) > _STEERED:
-            turned[0] = True
-        if turned.any():
-            here = int(np.argmax(turned))
-            first = here if first is None else min(first, here)
+            is_flipped[0] = True
+        if is_flipped.any():
+            sample = int(np.argmax(is_flipped))
+            first = sample if first is None else min(first, sample)
     return first
 
 
 def angles_of(names: tuple[str, ...]) -> list[str]:
-    """Channels that tell whether a wheel has flipped over."""
+    """Channels that show whether a wheel has flipped over."""
     return [name for name in names if name.endswith(_ANGLES)]
 
 
 def turns_little(courses: Array) -> NDArray[np.bool_]:
-    """Tell which courses of such a channel (rad, one a row) turn so little that no wheel has flipped over.
+    """Which courses of such a channel (rad, one in each row) turn so little that no wheel has flipped over.
 
-    :func:`flipped_at` says of the others whether it has: an angle may also have passed half a turn.
+    :func:`flipped_at` decides for the others: an angle may also have passed half a turn.
     """
     first = courses[:, 0]
-    turned = np.maximum(courses.max(axis=1) - first, first - courses.min(axis=1))
-    return np.asarray((turned <= _TURNED) & (np.abs(first) <= _STEERED))
+    largest = np.maximum(courses.max(axis=1) - first, first - courses.min(axis=1))
+    return np.asarray((largest <= _TURNED) & (np.abs(first) <= _STEERED))
 
 
 def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
-    """Give the first sample at which a strut deflects by more than 10 m or the body turns by more than 1 rad, or None.
+    """First sample at which a strut deflects by more than 10 m or the body turns by more than 1 rad, or None.
 
     Arguments as above.
     """
     first: int | None = None
     for row, limit in branch_limits(names).items():
         course = outputs[row]
-        if course.max() <= limit and course.min() >= -limit:  # what is not a number is neither
+        if course.max() <= limit and course.min() >= -limit:  # false for NaN
             continue
         beyond = np.abs(course) > limit
         if beyond.any():
-            here = int(np.argmax(beyond))
-            first = here if first is None else min(first, here)
+            sample = int(np.argmax(beyond))
+            first = sample if first is None else min(first, sample)
     return first
 
 
 def branch_limits(names: tuple[str, ...]) -> dict[int, float]:
-    """Size (SI) that a channel may reach in what is still a suspension, by its row in ``names``."""
+    """Limit (SI) of each channel that shows whether it still is a suspension, by its row in ``names``."""
     limits = {row: 1.0 for row, name in enumerate(names) if name in _TURNS}
     return limits | {row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")}

@@ -45,19 +45,19 @@ def simulate(
     Parameters
     ----------
     rig : Rig, str or Path
-        What is tested: a rig or a vehicle, its file or its name in the library.
+        A rig or a vehicle, its file or its name in the library.
     trial : Trial
         Road and speed, or a base motion, and the duration.
     output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
-        As :class:`jounce.simulation.RunSettings` has them: s, 1. ``attrs["method"]`` says which method ran.
+        As in :class:`jounce.simulation.RunSettings`: s, 1. ``attrs["method"]`` is the method used.
     offset : dict, optional
-        Starts the run away from equilibrium: state, e.g. ``"sprung.z"`` or ``"sprung.vz"`` (`equilibrium` gives their
-        names), to m or m/s (rad, rad/s); at rest otherwise.
+        Starts the run away from equilibrium: m or m/s (rad, rad/s) by state, e.g. ``"sprung.z"`` or ``"sprung.vz"``
+        (`equilibrium` gives their names); at rest by default.
     detail : bool
-        Of 3-D corners, and of each corner of a car on them, all hardpoints and the contact point (m), joint reactions
-        (N, N m, on the second body, ground axes), energies (J). A lumped rig shows no more with it.
+        For 3-D corners, also on a car: adds all hardpoints and the contact point (m), joint reactions (N, N m, on the
+        second body, ground axes), energies (J). No effect for lumped rigs.
     check : bool
-        Raise when the run does not reach its end; otherwise ``attrs["status"]`` says how it ended.
+        Raise if the run stops before its end; otherwise ``attrs["status"]`` says how it ended.
     control : Controller, str, Path or callable, optional
         Controls all struts (see ``jounce.control``): a controller, its name (``"skyhook"``), a TOML file, or a function
         ``control(measurement, t) -> command``. Adds ``command`` and ``actuator.force`` (N) of every corner.
@@ -65,14 +65,14 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        One variable a channel on ``time`` (s), each with ``units`` (SI), ``long_name`` and ``place``. z is up,
+        One variable for each channel on ``time`` (s), with ``units`` (SI), ``long_name`` and ``place``. z is up,
         deflections and forces are positive in compression, accelerations are kinematic (zero at rest).
-        ``attrs["findings"]``, where there is one, has the warnings of :func:`jounce.parts.rig_findings`.
+        ``attrs["findings"]``, if present, has the warnings of :func:`jounce.parts.rig_findings`.
 
     Raises
     ------
     SimulationError
-        When there is no equilibrium or, with ``check``, when the run does not reach its end.
+        If there is no equilibrium or, with ``check``, the run stops before its end.
 
     Examples
     --------
@@ -84,21 +84,21 @@ def simulate(
     """
     settings, rig = RunSettings(output_step, tolerance, method), as_rig(rig)
     run = solved(rig, as_trial(trial), settings, offset=offset, detail=detail, check=check, control=control)
-    asked = [str(finding) for finding in rig_findings(rig) if finding.severity != "note"]
-    found = run.recording()
-    return found.assign_attrs(findings=[*asked, *found.attrs.get("findings", [])]) if asked else found
+    warnings = [str(finding) for finding in rig_findings(rig) if finding.severity != "note"]
+    dataset = run.recording()
+    return dataset.assign_attrs(findings=[*warnings, *dataset.attrs.get("findings", [])]) if warnings else dataset
 
 
 @dataclass(frozen=True)
-class Solved:
-    """A run that is no recording yet: sample times (s), channels as ``recording`` takes them, and how it went."""
+class RunOutput:
+    """Result of a run before it becomes a recording: sample times (s), channels as for ``recording``, attributes."""
 
     time: Array
     channels: dict[str, tuple[Array, str, str]]
     attributes: dict[str, Any]
 
     def recording(self) -> xr.Dataset:
-        """Give it as everyone reads it."""
+        """Return it as a recording."""
         return recording_of(self.time, self.channels, attributes=self.attributes)
 
 
@@ -111,8 +111,8 @@ def solved(
     detail: bool = False,
     check: bool = True,
     control: AnyControl | None = None,
-) -> Solved:
-    """Run what :func:`simulate` records; who shows only some numbers of it needs no Dataset."""
+) -> RunOutput:
+    """Like :func:`simulate`, without building a Dataset."""
     times, method = settings.times(trial.duration), settings.method
     if not (offset or detail or control is not None):
         reduced = _reduced(rig, trial, settings, times)
@@ -149,14 +149,14 @@ def solved(
         raise_controller_error(loop)
     solution = held_to_its_branch(compiled, solution)
     reach = samples_reached(solution, compiled.facts, check=check)
-    found = _solved(compiled, solution, reach)
-    return (
-        replace(found, attributes=found.attributes | {"findings": loop.findings}) if loop and loop.findings else found
-    )
+    result = _solved(compiled, solution, reach)
+    if loop and loop.findings:
+        result = replace(result, attributes=result.attributes | {"findings": loop.findings})
+    return result
 
 
-def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> Solved | None:
-    """Run corners by one coordinate each; None where that does not do, and the full mechanism has to run."""
+def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> RunOutput | None:
+    """Run corners by one coordinate each; None if that is not possible and the full mechanism has to run."""
     from jounce.simulation.reduced import ReducedCorner, reduction_for
     from jounce.simulation.reduced_car import ReducedCar, car_reduction_for
     from jounce.simulation.sampled import DEGREES
@@ -165,39 +165,39 @@ def _reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> Sol
         return rig.parameters(), excitation(facts, rig, trial), times, settings.tolerance
 
     if (corner := reduction_for(rig, trial, settings)) is not None:
-        found = ReducedCorner(corner, *course(corner.compiled(DEGREES[0]).facts)).run()
+        run = ReducedCorner(corner, *course(corner.compiled(DEGREES[0]).facts)).run()
     elif (car := car_reduction_for(rig, trial, settings)) is not None:
-        found = ReducedCar(car, *course(car.compiled(DEGREES[0]).facts)).run()
+        run = ReducedCar(car, *course(car.compiled(DEGREES[0]).facts)).run()
     else:
         return None
-    if found is None:
+    if run is None:
         return None
-    return _solved(found[1].compiled, found[0], len(times))
+    return _solved(run[1].compiled, run[0], len(times))
 
 
-def _solved(compiled: Compiled, solution: Solution, reach: int) -> Solved:
-    """What a run gives of its first samples."""
+def _solved(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
+    """The first ``reach`` samples of a run."""
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
     }
     times = solution.time
-    times = times if reach == len(times) else times[:reach]  # whole, what follows from them is known already
+    times = times if reach == len(times) else times[:reach]  # the whole array: its derived data are cached
     how = {"status": solution.status.name.lower(), "method": solution.method}
-    return Solved(times, channels, {**how, "steps": solution.steps, "events": solution.events})
+    return RunOutput(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 
 
 def _offset(compiled: Compiled, offset: dict[str, float] | None) -> Array | None:
     if not offset:
         return None
     names = compiled.facts.states
-    found = np.zeros(len(names))
+    shift = np.zeros(len(names))
     for name, value in offset.items():
         if name not in names:
             hint = nearest(name, names)
             raise SimulationError("not a state of the model", where=name, allowed=", ".join(names), hint=hint)
         si = channel_unit(name) if quantity_of(name) else "1"
-        found[names.index(name)] = number = as_number(value, si, where=f"offset: {name}")
+        shift[names.index(name)] = number = as_number(value, si, where=f"offset: {name}")
         if not np.isfinite(number):
             raise SimulationError("not a finite number", where=f"offset: {name}", found=number, allowed="m or m/s")
-    return found
+    return shift

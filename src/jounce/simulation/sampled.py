@@ -1,7 +1,7 @@
-"""Poses of a suspension sampled over its travel, and polynomials through what is seen of them.
+"""Poses of a suspension sampled over its travel, and polynomials through their quantities.
 
 Samples are taken at Chebyshev points of a range of travel, each pose exact to rounding. A polynomial keeps the first
-coefficients; those that follow, sampled as well, bound what it leaves out.
+coefficients; the following ones, sampled as well, bound its error.
 """
 
 from __future__ import annotations
@@ -28,38 +28,38 @@ if TYPE_CHECKING:
 
 
 DEGREES = (10, 18)
-"""Of the polynomials; the second where a wheel travels far or the tolerance is tight."""
+"""Degrees of the polynomials; the second if a wheel travels far or the tolerance is tight."""
 SHARE, SHOWN = 1e-3, 0.1
-"""Of the tolerance, that a lever or a mass may be wrong by, as the static load counts a hundred motions; and what no
-static load feels, or nothing at all, such as a channel."""
+"""Shares of the tolerance: allowed error of a lever or mass, since the static load is about a hundred times the motion;
+and of a quantity without effect on the static load, such as a channel."""
 STEPS_SHARE = 0.9
-"""Of the tolerance, that is left for the integration."""
+"""Share of the tolerance that remains for the integration."""
 TIGHTEST, COARSEST = 1e-7, 5e-3
-"""Tolerance below which rounding alone is more than a table may be wrong by; distance of samples (s), above which a
-wheel may leave its range and come back unseen."""
+"""Tolerance below which rounding alone exceeds the allowed error of a table; sample step (s) above which a wheel may
+leave its range and return unnoticed."""
 ROUNDINGS = 8.0 * float(np.finfo(float).eps)
-"""Of a quantity or its slope at a pose, relative."""
+"""Rounding of a quantity or its slope at a pose, relative."""
 FLAT, TURNED = 1e-3, 0.5
-"""Slope (1, rad/m) of a quantity below which its error counts as that of this slope; angle (rad) of a wheel, beyond
-which it may flip over, as the mechanism finds out."""
+"""Slope (1, rad/m) of a quantity below which its error is relative to this slope; angle (rad) of a wheel beyond which
+it may flip over, as only the mechanism shows."""
 BESIDE, OFF, TRIES = 0.25, 0.5, 3
-"""Share of the range that a wheel has used, by which the next one is wider on either side; share of the range, by which
-the pose at rest may lie off its middle; how many ranges are tried."""
-_NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: the range of travel on either side to begin with
+"""Share of the range used by a wheel by which the next range is wider on either side; share of the range by which the
+pose at rest may lie off its middle; number of ranges that are tried."""
+_NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: limits and factor of the first range on either side
 
 
 def first_range(road: float) -> float:
-    """Range of travel (m) on either side to begin with, for a road that rises so far (m)."""
+    """First range of travel (m) on either side, for a road that rises by ``road`` (m)."""
     return min(_NARROW + _FOLLOWED * road, _WIDE)
 
 
 def may_reduce(trial: Trial, settings: RunSettings) -> bool:
-    """Tell whether runs on a trial may be reduced, whatever runs."""
+    """Whether runs on a trial may be reduced, whatever the rig."""
     fine = settings.tolerance >= TIGHTEST and settings.output_step <= COARSEST
     return settings.method == "auto" and fine and trial.actuator_force is None
 
 
-class Table(NamedTuple):
+class TravelTable(NamedTuple):
     """Numbers of a reduced corner for one range of travel (m), and the bound of their relative error."""
 
     low: float
@@ -68,14 +68,14 @@ class Table(NamedTuple):
     error: float
 
 
-class LastTables(Recent[Table]):
-    """The last tables: a rig is run more than once, on one course or on many, and a table asks for tens of poses."""
+class LastTables(Recent[TravelTable]):
+    """The most recent tables: a rig runs more than once, and a table needs tens of poses."""
 
     most = 64
 
 
-class Basis(NamedTuple):
-    """Points from -1 to 1, what makes Chebyshev coefficients of values there, and powers of the first of them."""
+class ChebyshevBasis(NamedTuple):
+    """Points from -1 to 1, the transform of values there to Chebyshev coefficients, and powers of the leading ones."""
 
     points: Array
     coefficients: Array
@@ -84,22 +84,22 @@ class Basis(NamedTuple):
 
 
 @cache
-def basis(degree: int) -> Basis:
-    """Points and matrices of a degree: twice as many points as coefficients that are kept."""
+def basis(degree: int) -> ChebyshevBasis:
+    """Points and matrices of a degree: twice as many points as retained coefficients."""
     count = 2 * (degree + 1)
     angles = np.pi * (np.arange(count)[::-1] + 0.5) / count
     orders = np.arange(count)
-    made = 2.0 / count * np.cos(orders[:, None] * angles)
-    made[0] *= 0.5
+    transform = 2.0 / count * np.cos(orders[:, None] * angles)
+    transform[0] *= 0.5
     powers = np.zeros((degree + 1, degree + 1))
     for k in range(degree + 1):
         powers[k, : k + 1] = np.polynomial.chebyshev.cheb2poly(np.eye(degree + 1)[k])[: k + 1]
-    return Basis(np.cos(angles), made, powers, orders.astype(float) ** 2)
+    return ChebyshevBasis(np.cos(angles), transform, powers, orders.astype(float) ** 2)
 
 
 @dataclass(frozen=True)
 class Sampling:
-    """What samples the poses of suspensions of one structure.
+    """Sampling of the poses of suspensions of one structure.
 
     ``names`` are the quantities sampled, the mass first; ``tracks``, ``parameters`` and ``start`` belong to the poses.
     """
@@ -111,7 +111,7 @@ class Sampling:
     start: Array
 
     def walk(self, p: Array, rack: float, travel: Array) -> tuple[Walk, NDArray[np.intp]]:
-        """The way to poses at ascending travels (m), and the place of each of its targets among them."""
+        """Path through poses at ascending travels (m), and the index of each of its targets among them."""
         up, down = np.flatnonzero(travel >= 0.0), np.flatnonzero(travel < 0.0)[::-1]  # from design to both sides
         place = np.concatenate([up, down])
         targets = np.zeros((len(travel), len(self.tracks)))
@@ -133,14 +133,14 @@ class Sampling:
 
 
 def sampling_of(identity: str, make: Callable[[], SampledCorner]) -> Sampling:
-    """Give the native code of what samples a suspension; where the cache holds it, nothing is made."""
+    """Native code that samples a suspension; the cache holds it or ``make`` builds it."""
 
     def source() -> Source:
-        made = make()
-        notes = {"names": made.names, "tracks": made.tracks, "parameters": made.parameters, "start": made.start}
-        return Source({"pose": made.pose, "output": made.output}, None, json.dumps(notes))
+        corner = make()
+        notes = {"names": corner.names, "tracks": corner.tracks, "parameters": corner.parameters, "start": corner.start}
+        return Source({"pose": corner.pose, "output": corner.output}, None, json.dumps(notes))
 
     native, notes = kept_code(f"{sources()} {identity}", source)
-    told = json.loads(notes)
-    names, tracks, parameters = (tuple(told[name]) for name in ("names", "tracks", "parameters"))
-    return Sampling(native, names, tracks, parameters, np.array(told["start"], dtype=float))
+    table = json.loads(notes)
+    names, tracks, parameters = (tuple(table[name]) for name in ("names", "tracks", "parameters"))
+    return Sampling(native, names, tracks, parameters, np.array(table["start"], dtype=float))

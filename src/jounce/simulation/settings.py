@@ -1,4 +1,4 @@
-"""What steers a run: how finely it is sampled, how exact it is, by which method, within which limits."""
+"""Settings of a run: sampling, tolerance, method and limits."""
 
 from __future__ import annotations
 
@@ -16,34 +16,34 @@ Method = Literal["auto", "explicit", "implicit"]
 METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
 """Steps, accepted and rejected, after which a run gives up: minutes of computing."""
-_MAX_SAMPLES = 20_000_000  # a dozen channels of so many samples fill the memory of a usual computer
+_MAX_SAMPLES = 20_000_000  # a dozen channels of that many samples (2 GB) fill the memory of a small computer
 _SHARED_SAMPLES = 100_000
 _FINEST, COARSEST = 1e-13, 1e-1
-"""Tolerances: rounding, and what is no longer an approximation."""
+"""Tolerances: rounding, and the largest that is still an approximation."""
 
 
 @dataclass(frozen=True)
 class RunSettings:
-    """How a run is sampled and computed; what ``simulate`` and its kin take as keywords.
+    """Sampling and integration of a run; ``simulate`` and related functions take these as keywords.
 
     Attributes
     ----------
     output_step : float
-        Distance of the output samples, s. Samples are read from the solution between its steps, so a short one makes
-        a run longer to write, not more exact.
+        Step of the output samples, s. Samples are read from the solution between its steps, so a short one makes a
+        run longer to write, not more exact.
     tolerance : float
         Relative error of the displacements: their largest error over the range they sweep; 1e-13 to 0.1.
     method : {"auto", "explicit", "implicit"}
-        How to integrate: explicitly, with steps as small as the fastest motion asks, or implicitly, where that motion
-        is stiff and matters little. ``"auto"`` takes what is likely to be faster, propagates exactly what is linear
-        between its switches, and runs corners that only travel, alone or four of them under a car, as one coordinate
-        of their body each (``"reduced explicit"``, ``"reduced implicit"``); asked for by name, both run the whole
-        mechanism. ``attrs["method"]`` of a run says which ran.
+        Integration method: explicit, with steps as small as the fastest motion requires, or implicit, if that motion
+        is stiff and matters little. ``"auto"`` picks the faster one, propagates exactly what is linear between
+        switches, and runs corners that only travel, alone or four of them under a car, as one coordinate of their body
+        each (``"reduced explicit"``, ``"reduced implicit"``); a named method runs the full mechanism.
+        ``attrs["method"]`` of a run is the method used.
 
     Raises
     ------
     SimulationError
-        For settings that make no sense.
+        If a setting is out of range.
 
     Examples
     --------
@@ -72,7 +72,7 @@ class RunSettings:
             raise SimulationError("not a method", where="method", found=self.method, allowed=", ".join(METHODS))
 
     def times(self, duration: float) -> Array:
-        """Output times of a run of ``duration`` (s); refuses more samples than memory holds."""
+        """Output times of a run of ``duration`` (s); refuses more samples than fit into memory."""
         if duration / self.output_step > _MAX_SAMPLES:
             raise SimulationError(
                 "too many samples",
@@ -94,7 +94,7 @@ def output_times(duration: float, output_step: float) -> Array:
 
 @lru_cache(8)
 def _shared_times(duration: float, output_step: float) -> Array:
-    """The same for all runs, which take what follows from it over, too; nobody can change it."""
+    """The same read-only array for all runs, so that results derived from it are shared, too."""
     times = output_times(duration, output_step)
     times.setflags(write=False)
     return times

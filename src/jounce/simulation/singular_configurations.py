@@ -1,8 +1,8 @@
-"""Runs of mechanisms through poses in which their loops do not say how they go on.
+"""Runs of mechanisms through poses in which their loops do not determine the motion.
 
 On both sides of such a pose the motion is smooth, but close to it rounding decides: steps shrink without end, or the
-mechanism leaves the branch it was on and its energy jumps. Both are noticed. The run then begins again a little before
-with other steps, and steps that do not end close to the pose pass it.
+mechanism leaves its branch and its energy jumps. Both are detected. The run then restarts a little earlier with other
+steps, and steps that do not end close to the pose pass it.
 """
 
 from __future__ import annotations
@@ -16,50 +16,52 @@ from jounce.core.segments import Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Status
 from jounce.mechanics.mechanism import BALANCE
-from jounce.simulation.prepare import Prepared
+from jounce.simulation.prepare import PreparedRun
 from jounce.simulation.result import Solution
 
-_LOST = 1e-3  # share of the largest kinetic energy that no error may make come or go in the loops
-_STILL = 1e-12  # J: less than that is nothing
-_KINK = 1e-9  # change of a rate that counts as one
-_BEFORE = (1, 2, 4, 8, 16, 32, 3, 6, 12, 24, 48, 5, 7, 14, 28)  # samples from which a pose is tried again
+_LOST = 1e-3  # share of the largest kinetic energy by which the energy balance may jump
+_STILL = 1e-12  # J: smaller energies are zero
+_KINK = 1e-9  # change of a rate that counts as a kink
+_BEFORE = (1, 2, 4, 8, 16, 32, 3, 6, 12, 24, 48, 5, 7, 14, 28)  # samples before the pose from which it is tried again
 _LOOSER = (*(1.0,) * 3, *(10.0,) * 3, *(100.0,) * 3, *(1e3,) * 3, *(1e4,) * 3)  # times the tolerance, until past it
-_LOOSEST = 1e-5
-_AHEAD, _WIDTH, _NODES = (2, 4, 8), 8, 13  # samples to be carried over a pose, those before it in them, points of those
-_ON_CURVE, _CLOSINGS = 1e-4, 4  # how far from closed loops, relative to the state, a curve may end
-_PAST = 2  # samples
-_CROSSINGS = 1000
+_LOOSEST = 1e-5  # tolerance of such a step
+# samples carried over a pose; samples before it for each; interpolation nodes
+_AHEAD, _WIDTH, _NODES = (2, 4, 8), 8, 13
+# distance from closed loops, relative to the state, at which a curve may end; projections
+_ON_CURVE, _CLOSINGS = 1e-4, 4
+_PAST = 2  # samples beyond the pose that must succeed
+_CROSSINGS = 1000  # most crossings in one run
 _LOST_WAY = (Status.LOCKED_UP, Status.STEP_TOO_SMALL, Status.NOT_FINITE)
 
-Begin = Callable[[Array, Array, float], Prepared]
-"""A run from a state at the first of some times (s) with a tolerance."""
+Begin = Callable[[Array, Array, float], PreparedRun]
+"""A run from a state at the first of given times (s) with a tolerance."""
 
 
 def run_through(
     begin: Begin, x: Array, times: Array, tolerance: float, tracks: list[Segments]
 ) -> tuple[Solution, tuple[float, ...]]:
-    """Run a mechanism with loops, through singular configurations where it gets through.
+    """Run a mechanism with loops, through singular configurations if possible.
 
-    Gives the run, and the times (s) about which it was taken through one by other steps.
+    Returns the run, and the times (s) at which it passed one with modified steps.
     """
     strict = not any(_has_kinks(track) for track in tracks)
     first = _judged(begin(x, times, tolerance), tolerance, strict=strict)
-    whole, reached, crossings = first, _reached(first), []
+    run, reached, crossings = first, _reached(first), []
     for _ in range(_CROSSINGS):
-        if whole.status not in _LOST_WAY or not strict:
+        if run.status not in _LOST_WAY or not strict:
             break
-        past = _passed(begin, whole, reached, tolerance)
+        past = _passed(begin, run, reached, tolerance)
         if past is None:
             break
         crossings.append(float(times[reached - 1]))
         at = _reached(past) - 1
-        rest = _judged(begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict)
-        whole, reached = _joined(past, rest, at), at + _reached(rest)
-    return whole, tuple(crossings)
+        remainder = _judged(begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict)
+        run, reached = _joined(past, remainder, at), at + _reached(remainder)
+    return run, tuple(crossings)
 
 
 def _passed(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solution | None:
-    """The run with some samples more, past the pose where it ended; None where no steps get past it."""
+    """The run extended by some samples past the pose where it ended; None if no steps get past it."""
     for back, looser in zip(_BEFORE, _LOOSER, strict=True):
         at, end = max(reached - 1 - back, 0), min(reached + _PAST, len(run.time))
         loose = max(min(looser * tolerance, _LOOSEST), tolerance)
@@ -70,12 +72,12 @@ def _passed(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solu
 
 
 def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, tolerance: float) -> Solution | None:
-    """The run carried over a pose along the smooth curve it was on; None where that leads nowhere.
+    """The run continued over a pose along its smooth curve; None if that fails.
 
-    Where two ways to move meet (two hinges of a loop come onto one line, so that what is between them could also swing
-    like a door), every state a little off the curve belongs to neither way, and no step gets through. The motion itself
-    is smooth there: a polynomial through what came before goes on where momentum takes it. It is only taken where it
-    closes the loops on the other side and keeps the energy.
+    Where two branches of motion meet (two hinges of a loop become collinear, so that the part between them could also
+    swing like a door), every state a little off the curve belongs to neither branch, and no step gets through. The
+    motion itself is smooth there: a polynomial through the motion before continues where momentum takes it. It is
+    accepted only if it closes the loops on the other side and keeps the energy.
     """
     last, target = reached - 1, reached - 1 + ahead
     width = min(_WIDTH * ahead, last)
@@ -92,26 +94,27 @@ def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, toleran
     states, outputs = run.states.copy(), run.outputs.copy()
     for i in range(last + 1, target + 1):
         x = curve(run.time[i])
-        there = begin(x, run.time[i : i + _PAST], tolerance)
-        compiled, fixed = there.compiled, (there.still, there.problem.p, there.problem.m)
+        at_pose = begin(x, run.time[i : i + _PAST], tolerance)
+        compiled, fixed = at_pose.compiled, (at_pose.still, at_pose.problem.p, at_pose.problem.m)
         closed = x
         for _ in range(_CLOSINGS):
             closed = compiled.projected(closed, *fixed)
         if not np.max(np.abs(closed - x)) < _ON_CURVE * (1.0 + np.max(np.abs(x))):
             return None
         states[:, i], outputs[:, i] = closed, compiled.evaluate("output", closed, *fixed)
-    rest = _judged(begin(states[:, target], run.time[target : target + _PAST + 1], tolerance), tolerance, strict=True)
-    names = there.compiled.output_names
-    balance, taken = outputs[names.index(BALANCE)], states[there.compiled.facts.states.index(BALANCE)]
+    times = run.time[target : target + _PAST + 1]
+    remainder = _judged(begin(states[:, target], times, tolerance), tolerance, strict=True)
+    names = at_pose.compiled.output_names
+    balance, taken = outputs[names.index(BALANCE)], states[at_pose.compiled.facts.states.index(BALANCE)]
     size = abs(balance[target] + taken[target]) + abs(taken[target] - taken[0]) + _STILL
-    if rest.status is not Status.COMPLETED or abs(balance[target] - balance[last]) > _LOST * size:
+    if remainder.status is not Status.COMPLETED or abs(balance[target] - balance[last]) > _LOST * size:
         return None
-    return _joined(replace(run, states=states, outputs=outputs), rest, target)
+    return _joined(replace(run, states=states, outputs=outputs), remainder, target)
 
 
 def _joined(run: Solution, part: Solution, at: int) -> Solution:
-    """A run up to the sample ``at``, and from there another one."""
-    states, outputs = (np.full_like(whole, np.nan) for whole in (run.states, run.outputs))
+    """A run up to the sample ``at``, continued by another one."""
+    states, outputs = (np.full_like(table, np.nan) for table in (run.states, run.outputs))
     states[:, :at], outputs[:, :at] = run.states[:, :at], run.outputs[:, :at]
     end = at + len(part.time)
     states[:, at:end], outputs[:, at:end] = part.states, part.outputs
@@ -121,8 +124,8 @@ def _joined(run: Solution, part: Solution, at: int) -> Solution:
     )
 
 
-def _judged(prepared: Prepared, tolerance: float, *, strict: bool) -> Solution:
-    """Run, and end the run where its energy jumped."""
+def _judged(prepared: PreparedRun, tolerance: float, *, strict: bool) -> Solution:
+    """Run, and end the run where its energy jumps."""
     solution, facts = prepared.run(), prepared.compiled.facts
     states = solution.states.copy()
     outputs, reached = solution.outputs.copy(), _reached(solution)
@@ -138,12 +141,12 @@ def _judged(prepared: Prepared, tolerance: float, *, strict: bool) -> Solution:
 
 
 def _reached(solution: Solution) -> int:
-    """Number of samples that were computed."""
+    """Number of computed samples."""
     return int(np.sum(np.isfinite(solution.states[0])))
 
 
 def _has_kinks(track: Segments) -> bool:
-    """Whether a motion changes its rate at once somewhere: what it drives is struck there."""
+    """Whether the rate of a motion jumps somewhere: its mechanism is struck there."""
     inner = track.edges[1:-1]
     before, after = track.evaluate(np.nextafter(inner, -np.inf))[1], track.evaluate(inner)[1]
     return bool(np.any(np.abs(after - before) > _KINK * (1.0 + np.abs(after))))

@@ -1,4 +1,4 @@
-"""Static equilibrium, the motions that are free there, and typical sizes of the states."""
+"""Static equilibrium, the free motions about it, and typical sizes of the states."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
 _ITERATIONS = 60
-_SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m
-_FAR = 1e3  # m: a step that long means that nothing holds the weight
-_UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely
+_SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m: compressions to start from, for springs that are soft at first
+_FAR = 1e3  # m: a step of that length means that nothing holds the weight
+_UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely: 1e-3 over rounding
 _HEAVE = "sprung.distance"  # the coordinate that lowers a whole rig onto its tyre
-_STRIDE = 0.05  # m or rad
-_STRIDES = 200
-_TOGGLE = 10.0  # times the lever of a strut, near a dead point of the linkage
+_STRIDE = 0.05  # m or rad: a linkage is nearly linear within it
+_STRIDES = 200  # ten metres in all
+_TOGGLE = 10.0  # ratio by which a strut's lever shrinks near a dead point of the linkage
 _SLOWEST, _QUICKEST = 1.0, 1e16  # 1/s^2
-_DRIFT = 1e-6  # 1/s^2: what falls no quicker is neutral
-_SHARE_OF_FALL = 0.1  # of the quickest speed of a fall: slower ones are not named
-_PROJECTIONS = 3
+_DRIFT = 1e-6  # 1/s^2: slower growth (by a factor of e in a quarter of an hour) counts as neutral
+_SHARE_OF_FALL = 0.1  # of the fastest speed in a fall: slower ones are not named
+_PROJECTIONS = 3  # Newton steps onto the loops, after a stride
 _UNBALANCED = 1e-6  # m/s^2
-_ROUNDINGS = 8.0  # how many times the rounding of one product a balance of many may be off
+_ROUNDINGS = 8.0  # roundings of one product that a balance of many terms may err by
 _PLACES = 1.0  # m, typical size of a hardpoint's coordinates
 _EPSILON = float(np.finfo(float).eps)
-_EDGE = 1e-12  # a switch this near to its edge is on it
-_INDEPENDENT = 1e-9  # smallest singular value of the constraints, relative to the largest
+_EDGE = 1e-12  # SI: a switch this close to zero is on its edge
+_INDEPENDENT = 1e-9  # smallest singular value of independent constraints, relative to the largest
 
 
 @dataclass(frozen=True)
@@ -47,18 +47,18 @@ class Equilibrium:
     slope : ndarray, shape (n, n)
         Jacobian of the rates.
     free : ndarray of int, shape (f,)
-        Speeds that can be chosen freely; the loops decide the others.
+        Speeds that can be chosen freely; the loops determine the others.
     lift : ndarray, shape (n, r)
-        States for the reduced ones: displacements and speeds of the free motions, then internal states.
+        States by the reduced ones: displacements and speeds of the free motions, then internal states.
     pick : ndarray, shape (r, n)
-        Rates of the reduced states for those of the states.
+        Rates of the reduced states by those of the states.
     reduced : ndarray, shape (r, r)
         Jacobian of the reduced states' rates.
     balance : ndarray, shape (d + k, d)
-        Jacobian of the balance (rates that must vanish, loop equations) for the decided quantities.
+        Jacobian of the balance (rates that must vanish, loop equations) by the unknowns.
     moved : ndarray, shape (n, d)
-        States for the decided quantities: displacements in terms of the speeds, and internal states with a rate of
-        their own at rest (a hysteretic state that only moves with the damper stays at zero).
+        States by the unknowns: displacements by the speeds, and internal states with a rate of their own at rest (a
+        hysteretic state that changes only with the damper stays at zero).
     rows : ndarray of int
         Rates that must vanish.
     """
@@ -87,36 +87,36 @@ class Equilibrium:
 
 
 def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Equilibrium:
-    """Give the static equilibrium for given inputs, remembered where the model has stood there before.
+    """Static equilibrium for given inputs; recent ones of the model are cached.
 
-    It is solved as :func:`_found_equilibrium` says; its arrays cannot be changed.
+    Solved by :func:`_solve_equilibrium`; its arrays are read-only.
     """
 
     def make() -> Equilibrium:
-        found = _found_equilibrium(compiled, p, u, start)
-        for field in fields(found):
-            getattr(found, field.name).setflags(write=False)
-        return found
+        rest = _solve_equilibrium(compiled, p, u, start)
+        for field in fields(rest):
+            getattr(rest, field.name).setflags(write=False)
+        return rest
 
-    known: Recent[Equilibrium] = compiled.equilibria
-    return known.of((p.tobytes(), u.tobytes(), None if start is None else start.tobytes()), make)
+    recent: Recent[Equilibrium] = compiled.equilibria
+    return recent.of((p.tobytes(), u.tobytes(), None if start is None else start.tobytes()), make)
 
 
 def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array) -> Equilibrium:
-    """Give a state of rest as linear models see it: a switch on its edge there counts as the mean of both sides.
+    """State of rest for linear models: a switch on its edge counts as the mean of both sides.
 
-    At rest a damper is neither in bump nor in rebound, and over a harmonic motion the mean of both takes out the energy
-    that the two do; a table with a point at no velocity is the same.
+    At rest a damper is neither in bump nor in rebound, and over a harmonic motion the mean of both dissipates the
+    energy that the two do; the same holds for a table with a point at zero velocity.
     """
     still = np.zeros_like(u)
     still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
     edge = np.abs(compiled.evaluate("switch", rest.x, still, p, rest.modes)) < _EDGE
-    found = _rest(compiled, rest.x, still, p, np.where(edge, 0.5, rest.modes)) if edge.any() else None
-    return rest if found is None else found
+    halved = _rest(compiled, rest.x, still, p, np.where(edge, 0.5, rest.modes)) if edge.any() else None
+    return rest if halved is None else halved
 
 
 def in_terms_of(compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]) -> tuple[Array, Array]:
-    """Give ``lift`` and ``pick`` of a state of rest for some speeds as the ``free`` ones, such as another state's."""
+    """Return ``lift`` and ``pick`` of a state of rest for other ``free`` speeds, such as those of another state."""
     (n_q, n_v), count = compiled.facts.counts, len(rest.free)
     if np.array_equal(free, rest.free):
         return rest.lift, rest.pick
@@ -125,9 +125,9 @@ def in_terms_of(compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]) -
 
 
 def falling(compiled: Compiled, x: Array, u: Array, p: Array) -> list[str]:
-    """Speeds of all motions in which a mechanism falls from a state of rest; none where nothing falls.
+    """Speeds of all motions in which a mechanism falls from a state of rest; none if it is stable.
 
-    Growth is known no better than the forces of the stiffest springs: what is within their rounding may be neutral.
+    Growth is uncertain by the rounding of the stiffest springs' forces: slower growth may be neutral.
     """
     still = np.zeros_like(u)
     still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
@@ -144,26 +144,26 @@ Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]
 
 
 def rests_for_small_motions(compiled: Compiled, balanced: Balanced, p: Array, u: Array) -> tuple[Array, Array]:
-    """States of rest and modes, as :func:`for_small_motions` has them, of a model without loops for many parameters.
+    """States of rest and modes as in :func:`for_small_motions`, of a model without loops, for many parameter sets.
 
-    It is the Newton method of one, step by step for all (members, ...) at once; what does not settle is looked for
-    alone, and an error if there is none. ``balanced`` gives what must vanish.
+    Newton's method runs step by step for all (members, ...) at once; members that do not settle are solved one by one,
+    with an error if there is no equilibrium. ``balanced`` returns the rates that must vanish.
     """
     x, modes = np.zeros((len(p), compiled.state_count)), np.zeros((len(p), len(compiled.facts.switches)))
-    left = np.arange(len(p))
+    remaining = np.arange(len(p))
     for guess in _starts(compiled, u[0], None):
-        found, sides, settled = _newton_side_by_side(compiled, balanced, p[left], u[left], guess)
-        x[left[settled]], modes[left[settled]] = found[settled], sides[settled]
-        left = left[~settled]
-        if not len(left):
+        states, sides, settled = _newton_side_by_side(compiled, balanced, p[remaining], u[remaining], guess)
+        x[remaining[settled]], modes[remaining[settled]] = states[settled], sides[settled]
+        remaining = remaining[~settled]
+        if not len(remaining):
             break
-    for k in left:
-        one = for_small_motions(compiled, find_equilibrium(compiled, p[k], u[k]), p[k], u[k])
-        x[k], modes[k] = one.x, one.modes
+    for k in remaining:
+        rest = for_small_motions(compiled, find_equilibrium(compiled, p[k], u[k]), p[k], u[k])
+        x[k], modes[k] = rest.x, rest.modes
     return x, modes
 
 
-_FEW = 12  # steps of Newton for many at once: what needs more is a case of its own
+_FEW = 12  # steps of Newton for many at once: slower members are solved alone
 
 
 def _newton_side_by_side(
@@ -183,14 +183,14 @@ def _newton_side_by_side(
     rows = [*range(n_q, first), *internal]
     settled, lost = np.zeros(len(p), dtype=bool), np.zeros(len(p), dtype=bool)
     for _ in range(_FEW):
-        moved = np.zeros((len(p), count, len(rows)))
-        moved[:, :n_q, :n_v] = slope[:, :n_q, n_q:first]
-        moved[:, internal, range(n_v, len(rows))] = 1.0
+        motions = np.zeros((len(p), count, len(rows)))
+        motions[:, :n_q, :n_v] = slope[:, :n_q, n_q:first]
+        motions[:, internal, range(n_v, len(rows))] = 1.0
         try:
-            step = np.asarray(np.linalg.solve(slope[:, rows] @ moved, -rate[:, rows]), dtype=np.float64)
+            step = np.asarray(np.linalg.solve(slope[:, rows] @ motions, -rate[:, rows]), dtype=np.float64)
         except np.linalg.LinAlgError:
             break
-        steps = (moved @ step)[:, :, 0]
+        steps = (motions @ step)[:, :, 0]
         x = np.where(settled[:, None], x, x + steps)
         rate, slope, switch = balanced(x, u, p, modes)
         sides = (switch[:, :, 0] > 0.0).astype(float)
@@ -212,23 +212,23 @@ def _newton_side_by_side(
 
 
 def _are_small(steps: Array, sizes: Array) -> NDArray[np.bool_]:
-    """For each of many steps whether it is rounding beside what it changes; see :func:`_is_small`."""
+    """Whether each of many steps is rounding beside what it changes; see :func:`_is_small`."""
     most, size = (np.max(np.abs(values), axis=1, initial=0.0) for values in (steps, sizes))
     return np.asarray(most <= 1e-13 + 1e-11 * size)
 
 
 def _are_balanced(x: Array, rate: Array, slope: Array, rows: list[int]) -> NDArray[np.bool_]:
-    """For each of many states whether what is left of the balance is rounding; see :func:`_rest`."""
+    """Whether the remaining imbalance of each of many states is rounding; see :func:`_rest`."""
     rounding = _EPSILON * np.max(np.abs(slope[:, rows]) @ np.abs(x)[:, :, None], axis=(1, 2), initial=0.0)
     left = np.max(np.abs(rate[:, rows]), axis=(1, 2), initial=0.0)
     return np.asarray(left <= _UNBALANCED + _ROUNDINGS * rounding)
 
 
-def _found_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None) -> Equilibrium:
+def _solve_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None) -> Equilibrium:
     """Solve the static equilibrium for given inputs (their rates taken as zero) by a semi-smooth Newton method.
 
-    It begins with the coordinates ``start``, the design pose otherwise. Where no equilibrium exists or is found, there
-    is an error: to start a run from a guess would shake it.
+    It begins with the coordinates ``start``, by default the design pose. Without an equilibrium it raises an error: a
+    run that starts from a guess would shake.
     """
     still = np.zeros_like(u)
     order = compiled.facts.track_order
@@ -293,13 +293,13 @@ def _sinking(facts: Facts) -> tuple[Array, Array, Array]:
     """Which states lower a mechanism, which are heights, and how far each sinks with a sag of 1 m of each spring."""
     heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
     heights = np.array([name.endswith(".z") for name in facts.states], dtype=float)
-    return heave, heights, heights * np.cumsum(heights[::-1])[::-1]  # what hangs on the rest sags more
+    return heave, heights, heights * np.cumsum(heights[::-1])[::-1]  # the upper masses sag with the springs below
 
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:
-    """Newton from ``x``; modes follow the sides of their switches; None when it does not settle on a true balance.
+    """Newton from ``x``; modes follow the sides of their switches; None if it does not settle on a true balance.
 
-    What comes to rest past a toggle, its springs pulled where they were pushed, is no suspension any more.
+    A rig at rest past a toggle, its springs pulled instead of pushed, is no suspension any more.
     """
     n_q, n_v = compiled.facts.counts
     modes, pace = compiled.sides(x, u, p), _SLOWEST
@@ -313,10 +313,10 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
             return None
         if compiled.facts.projects and (_largest(step[:n_v]) > _STRIDE or now.leaves_open(x, step)):
             # A mechanism curves: it goes on in short steps, and closes its loops after each.
-            found = _with_inertia(now, n_v, pace)
-            if found is None:
+            damped_step = _with_inertia(now, n_v, pace)
+            if damped_step is None:
                 return None
-            step, pace = found
+            step, pace = damped_step
         x = _closed(compiled, x + now.moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
         settled = (sides == modes).all() and _is_small(step[:n_v], x[:n_q]) and _is_small(step[n_v:], x[n_q + n_v :])
@@ -328,7 +328,7 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
 
 
 def _is_past_toggle(compiled: Compiled, first: Array, x: Array, u: Array, p: Array, modes: Array) -> bool:
-    """Whether a wheel has travelled far, and its strut is longer where it should be shorter, or has hardly a lever."""
+    """Whether a wheel has travelled far, and its strut is longer instead of shorter, or has hardly a lever."""
     before, after = (_struts(compiled, at, u, p, modes) for at in (first, x))
     for (lever, *start), (levered, *end) in zip(before, after, strict=True):
         travel, shorter = end[0] - start[0], end[1] - start[1]
@@ -338,29 +338,29 @@ def _is_past_toggle(compiled: Compiled, first: Array, x: Array, u: Array, p: Arr
 
 
 def _struts(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> list[tuple[float, float, float]]:
-    """Each strut's shortening for a rise of its wheel against the body [1], that rise and its deflection (m)."""
+    """Each strut's shortening by a rise of its wheel against the body [1], that rise, and its deflection (m)."""
     names, now = compiled.output_names, _balance(compiled, x, u, p, modes)
     lift, _ = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
     along = compiled.slopes("x", x, u, p, modes)["output"] @ lift[:, len(now.free) : 2 * len(now.free)]
-    values, found = compiled.evaluate("output", x, u, p, modes), []
+    values, struts = compiled.evaluate("output", x, u, p, modes), []
     for place in (name.removesuffix("strut.velocity") for name in names if name.endswith("strut.velocity")):
-        needed = [f"{place}{word}" for word in ("unsprung.vz", "sprung.vz", "unsprung.z", "sprung.z")]
-        if not set(needed) <= set(names):
+        required = [f"{place}{word}" for word in ("unsprung.vz", "sprung.vz", "unsprung.z", "sprung.z")]
+        if not set(required) <= set(names):
             continue
-        wheel, body, up, down = (names.index(name) for name in needed)
+        wheel, body, up, down = (names.index(name) for name in required)
         parting, velocity = along[wheel] - along[body], along[names.index(f"{place}strut.velocity")]
         lever = float(velocity @ parting / (parting @ parting))
-        found.append((lever, float(values[up] - values[down]), float(values[names.index(f"{place}strut.deflection")])))
-    return found
+        struts.append((lever, float(values[up] - values[down]), float(values[names.index(f"{place}strut.deflection")])))
+    return struts
 
 
 def _with_inertia(now: _Balance, n_v: int, pace: float) -> tuple[Array, float] | None:
-    """A step of an implicit integration from rest that keeps within a stride, and its pace, for the next one.
+    """A step of an implicit integration from rest, limited to a stride, and its pace, for the next one.
 
-    It goes where the mechanism would go. Newton's own direction leads, where a motion is held weakly, far away to poses
-    in which no motion from here ends, such as a car that stands on its nose; up to the top, where one falls; and where
-    nothing holds a wheel off the road nowhere. A pace (1/s^2) is one over the square of the time that a step takes;
-    with that at which a motion falls in it every step goes downhill.
+    It follows the mechanism's own motion. Newton's direction alone may lead far away along a weakly held motion to
+    poses that no motion from here reaches, such as a car standing on its nose; up to an unstable equilibrium; or
+    nowhere, if nothing holds a wheel off the road. A pace (1/s^2) is one over the square of the time of a step; steps
+    at the pace at which a motion falls, or quicker, go downhill.
     """
     rows, least = np.arange(len(now.free)), 2.0 * max(now.growth, 0.0)
     while pace < _QUICKEST:
@@ -391,38 +391,38 @@ def _closed(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> A
 
 
 def _solve_square(matrix: Array, rhs: Array) -> Array | None:
-    """Solution where every motion is decided by the balance, as in lumped models; None where it is not."""
+    """Solution if the balance determines every motion, as in lumped models; None if it does not."""
     try:
-        found: Array = np.asarray(np.linalg.solve(matrix, rhs), dtype=np.float64)
+        solution: Array = np.asarray(np.linalg.solve(matrix, rhs), dtype=np.float64)
     except np.linalg.LinAlgError:
         return None
-    return found if np.isfinite(found).all() else None
+    return solution if np.isfinite(solution).all() else None
 
 
 def _solve(matrix: Array, rhs: Array) -> Array | None:
-    """Solution of a square system; the shortest one where loops repeat each other or nothing decides a motion.
+    """Solution of a square system; the shortest one if loops are redundant or a motion is undetermined.
 
-    Rows and columns are scaled to size one first, so that stiff and soft, metres and radians count alike.
+    Rows and columns are first scaled to a maximum of one, so that stiff and soft, metres and radians count alike.
     """
     rows = np.max(np.abs(matrix), axis=1, keepdims=True)
     scaled = matrix / np.where(rows > 0.0, rows, 1.0)
     columns = np.max(np.abs(scaled), axis=0)
     columns = np.where(columns > 0.0, columns, 1.0)
-    scaled, wanted = scaled / columns, rhs / np.where(rows > 0.0, rows, 1.0)[:, 0]
+    scaled, target = scaled / columns, rhs / np.where(rows > 0.0, rows, 1.0)[:, 0]
     try:
         square = scaled.shape[0] == scaled.shape[1] and np.linalg.cond(scaled) < _UNDECIDED
-        found = (
-            np.linalg.solve(scaled, wanted) if square else np.linalg.lstsq(scaled, wanted, rcond=1.0 / _UNDECIDED)[0]
+        solution = (
+            np.linalg.solve(scaled, target) if square else np.linalg.lstsq(scaled, target, rcond=1.0 / _UNDECIDED)[0]
         )
     except np.linalg.LinAlgError:
         return None
-    unscaled: Array = np.asarray(found / columns, dtype=np.float64)
+    unscaled: Array = np.asarray(solution / columns, dtype=np.float64)
     return unscaled if np.all(np.isfinite(unscaled)) else None
 
 
 @dataclass(frozen=True)
 class _Balance:
-    """The balance about a state: slope of the rates, free motions, what is decided and by which equations."""
+    """The balance about a state: slope of the rates, free motions, the unknowns and their equations."""
 
     slope: Array
     free: NDArray[np.intp]
@@ -434,48 +434,48 @@ class _Balance:
 
     @property
     def pull(self) -> Array:
-        """Accelerations of the free motions for small ones of them, 1/s^2: a negative one holds what it moves."""
+        """Accelerations of the free motions per small displacement, 1/s^2: negative for a restoring force."""
         return np.asarray(self.slope[self.rows[: len(self.free)]] @ self.moved[:, : len(self.motions)] @ self.motions)
 
     @property
     def growth(self) -> float:
-        """Square of the largest rate at which a free motion falls, 1/s^2; negative where all are held."""
+        """Square of the largest growth rate of a free motion, 1/s^2; negative if all are held."""
         return float(np.max(np.linalg.eigvals(self.pull).real, initial=-np.inf))
 
     def rounding(self, size: Array) -> float:
-        """How far rounding alone may leave the balance open for coordinates of some sizes, m/s^2."""
+        """Imbalance that rounding alone may leave for coordinates of some sizes, m/s^2."""
         return _ROUNDINGS * _EPSILON * _largest(np.abs(self.slope[self.rows]) @ size)
 
     def leaves_open(self, x: Array, step: Array) -> bool:
-        """Whether a step balances less than it should: nothing holds some motion, and something drives it."""
+        """Whether a step leaves an imbalance: nothing holds some motion, and something drives it."""
         left = _largest(self.matrix @ step + self.residual)
         return left > _UNBALANCED * (1.0 + _largest(self.residual)) + self.rounding(np.maximum(np.abs(x), _PLACES))
 
 
 def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> _Balance:
-    """Equations of rest: accelerations of the free motions and loops must vanish, and rates of internal states."""
+    """Equations of rest: accelerations of the free motions, loops, and rates of internal states must vanish."""
     facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
     slopes, first = compiled.slopes("x", x, u, p, modes), n_q + n_v
     slope = slopes["rate"]
     internal = [i for i in range(first, len(slope)) if slope[i, i] != 0.0]
-    moved = np.zeros((len(slope), n_v + len(internal)))
-    moved[:n_q, :n_v] = slope[:n_q, n_q:first]
+    motions_of_states = np.zeros((len(slope), n_v + len(internal)))
+    motions_of_states[:n_q, :n_v] = slope[:n_q, n_q:first]
     if internal:
-        moved[internal, range(n_v, n_v + len(internal))] = 1.0
-    loops = slopes["constraint"] @ moved if facts.constraints else None
+        motions_of_states[internal, range(n_v, n_v + len(internal))] = 1.0
+    loops = slopes["constraint"] @ motions_of_states if facts.constraints else None
     free, motions = _every_motion(n_v) if loops is None else free_motions(loops[:, :n_v], n_v)
     rows = np.append(n_q + free, internal) if internal else n_q + free
-    matrix, residual = slope[rows] @ moved, compiled.evaluate("rate", x, u, p, modes)[rows]
+    matrix, residual = slope[rows] @ motions_of_states, compiled.evaluate("rate", x, u, p, modes)[rows]
     if loops is not None:
         matrix = np.vstack([matrix, loops])
         residual = np.concatenate([residual, compiled.evaluate("constraint", x, u, p, modes)])
-    return _Balance(slope, free, motions, moved, rows, matrix, residual)
+    return _Balance(slope, free, motions, motions_of_states, rows, matrix, residual)
 
 
 def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equilibrium | None:
     now = _balance(compiled, x, u, p, modes)
-    # Behind very stiff bushings the last bit of a place is worth more than the absolute limit. A mechanism's
-    # coordinates count from the design pose: what is rounded there is places about a metre from the origin.
+    # Behind very stiff bushings the last bit of a position exceeds the absolute limit. A mechanism's coordinates count
+    # from the design pose, but positions of about a metre from the origin are rounded.
     size = np.maximum(np.abs(x), _PLACES) if compiled.facts.projects else np.abs(x)
     if _largest(now.residual) > _UNBALANCED + now.rounding(size):
         return None
@@ -485,9 +485,9 @@ def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equ
 
 
 def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:
-    """Speeds that can be chosen freely and the motions (n_v, f) that each of them makes, itself being 1.
+    """Speeds that can be chosen freely, and the motions (n_v, f) that each of them makes, itself being 1.
 
-    ``loops`` (k, n_v) is the Jacobian of the loop equations in terms of the ``n_v`` speeds.
+    ``loops`` (k, n_v) is the Jacobian of the loop equations by the ``n_v`` speeds.
     """
     if loops is None or not len(loops):
         return _every_motion(n_v)
@@ -495,20 +495,20 @@ def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array
     rank = int(np.sum(values > _INDEPENDENT * values[0]))
     null = rows[rank:].T
     free: list[int] = []
-    rest = null.copy()
-    # The largest rows, each without what the ones before say: the others then follow without large factors.
+    remainder = null.copy()
+    # The largest rows, each without its projection on the previous ones: the others then follow without large factors.
     for _ in range(null.shape[1]):
-        row = int(np.argmax(np.linalg.norm(rest, axis=1)))
+        row = int(np.argmax(np.linalg.norm(remainder, axis=1)))
         free.append(row)
-        direction = rest[row] / np.linalg.norm(rest[row])
-        rest = rest - np.outer(rest @ direction, direction)
+        direction = remainder[row] / np.linalg.norm(remainder[row])
+        remainder = remainder - np.outer(remainder @ direction, direction)
     chosen = np.array(sorted(free), dtype=np.intp)
     return chosen, np.asarray(null @ np.linalg.inv(null[chosen]))
 
 
 @cache
 def _every_motion(n_v: int) -> tuple[NDArray[np.intp], Array]:
-    """What :func:`free_motions` gives where there are no loops."""
+    """Result of :func:`free_motions` without loops."""
     free, motions = np.arange(n_v), np.eye(n_v)
     for part in (free, motions):
         part.setflags(write=False)
@@ -516,7 +516,7 @@ def _every_motion(n_v: int) -> tuple[NDArray[np.intp], Array]:
 
 
 def _lift(slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Array) -> tuple[Array, Array]:
-    """States from the reduced ones, and the reduced ones' rates from those of the states.
+    """States by the reduced ones, and the reduced ones' rates by those of the states.
 
     The rate of a reduced displacement is its speed; that of a reduced speed the acceleration of the free motion.
     """

@@ -16,7 +16,7 @@ from jounce.recordings.schema import extremes
 from jounce.roads import Trial
 from jounce.roads.options import AnyTrial
 from jounce.roads.trial import trial_findings
-from jounce.simulation.run import Solved, solved
+from jounce.simulation.run import RunOutput, solved
 from jounce.simulation.settings import Method, RunSettings
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class TrialRun(Plain):
         What was tested.
     trial : Trial
         What it was driven over.
-    run : Solved
+    run : RunOutput
         Times, channels, and how it went.
     findings : tuple of Finding
         What is to be known of road and loads.
@@ -41,7 +41,7 @@ class TrialRun(Plain):
 
     rig: Rig
     trial: Trial
-    run: Solved
+    run: RunOutput
     findings: tuple[Finding, ...]
 
     def recording(self) -> xr.Dataset:

@@ -18,7 +18,7 @@ from jounce.parts.rig import Rig, structure_of
 from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FrontViewAxle, QuarterCar
 from jounce.simulation.compiled import Compiled, compile_described
-from jounce.simulation.prepare import Prepared, prepare, room
+from jounce.simulation.prepare import PreparedRun, prepare, room
 from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.settings import RunSettings
 from jounce.simulation.statics import Equilibrium, state_scale
@@ -35,7 +35,7 @@ class TesterRig:
     tester: Tester
     form: PlateForm  # how the plates are built
     compiled: Compiled  # native code
-    prepared: Prepared  # a run laid out; only its numbers are used
+    prepared: PreparedRun  # a run laid out; only its numbers are used
     rest: Equilibrium  # static equilibrium with exciters at angle 0
 
     @property

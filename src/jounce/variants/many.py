@@ -23,7 +23,7 @@ from jounce.recordings.schema import channels_of
 from jounce.roads import Trial
 from jounce.roads.trial import is_lasting
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.prepare import Prepared, prepare
+from jounce.simulation.prepare import PreparedRun, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, known_actuator
 from jounce.simulation.reduced import ReducedCorner, ReducedRun, Reduction, reduction_for
 from jounce.simulation.reduced_car import CarReduction, ReducedCar, car_reduction_for
@@ -737,7 +737,7 @@ class _Found(NamedTuple):
 class _LaidOut(NamedTuple):
     """A run of the rig itself, parameters of the variants, which of them are sound, and that run with its table."""
 
-    base: Prepared
+    base: PreparedRun
     numbers: Array
     sound: NDArray[np.bool_]
     one: ReducedRun | None

@@ -24,7 +24,7 @@ from jounce.kernel.methods.explicit import shortened
 from jounce.kernel.methods.runge_kutta import SHORT_NAMES, STEP_NAMES
 from jounce.kernel.native import Native, Source, kept_code
 from jounce.simulation.compiled import Compiled
-from jounce.simulation.prepare import Prepared, explicit_limit, longest_step
+from jounce.simulation.prepare import PreparedRun, explicit_limit, longest_step
 from jounce.simulation.settings import MAX_STEPS
 from jounce.variants.threads import processors, share
 
@@ -126,7 +126,7 @@ class Blocks:
     """
 
     compiled: Compiled
-    base: Prepared
+    base: PreparedRun
     numbers: Array
     signals: Sequence[Segments]
     channels: Sequence[int]

@@ -1,8 +1,9 @@
 """Shards of a sweep as a Zarr group, which other programs open as one dataset.
 
-Every variable is an array of version 2 of the `specification <https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html>`_
-with a chunk a shard: numbers as they lie in memory, so that no package is needed to write and to read them. A shard
-counts once its record is there, which names its chunks with their checksums.
+Every variable is an array of version 2 of the `specification
+<https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html>`_ with a chunk a shard: numbers as they lie in memory, so
+that no package is needed to write and to read them. A shard counts once its record is there, which names its chunks
+with their checksums.
 """
 
 from __future__ import annotations

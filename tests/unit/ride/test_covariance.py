@@ -12,12 +12,12 @@ from scipy.linalg import expm, expm_frechet, solve_continuous_lyapunov
 import jounce as jn
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.ride.covariance import (
-    Analysis,
     Flow,
-    Group,
     Inverse,
     Lyapunov,
+    RandomVibration,
     Signal,
+    WheelGroup,
     check_stable,
     frequencies,
     longest_delay,
@@ -120,8 +120,8 @@ def test_wheels_are_sorted_by_what_drives_them():
     for other in ([0.0, 0.0, 0.0, 0.0], [0.1, 0.1, 0.0, 0.0], [0.0, 0.1, 0.2, 0.2]):  # the wheels follow otherwise
         assert sources_of(np.array([delays[0], other]), [1, -1, 1, -1], same=True) is None
     groups = [
-        (Group(np.array([0.1, 0.0]), (0,)), Group(np.array([0.4, 0.6]), (1,))),
-        (Group(np.array([0.2, 0.0]), (2,)),),
+        (WheelGroup(np.array([0.1, 0.0]), (0,)), WheelGroup(np.array([0.4, 0.6]), (1,))),
+        (WheelGroup(np.array([0.2, 0.0]), (2,)),),
     ]
     assert longest_delay(groups) == pytest.approx([0.3, 0.6])
 
@@ -223,7 +223,7 @@ def test_spectra_hold_the_variances_and_end_with_the_band() -> None:
     assert with_spectra(white, quarter) is white
     road = surface("C", 20.0, band=band)
     families = Families((LinearFamily(quarter),))
-    densities = Analysis(families, road, (Signal(0),)).densities(np.array([0.39, 0.41, 19.9, 20.1]))
+    densities = RandomVibration(families, road, (Signal(0),)).densities(np.array([0.39, 0.41, 19.9, 20.1]))
     assert (densities > 0.0).tolist() == [[False, True, True, False]]
 
 

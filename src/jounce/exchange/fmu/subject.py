@@ -24,7 +24,7 @@ from jounce.parts.rig import quantity_at
 from jounce.parts.testers import Tester
 from jounce.parts.vehicles import FullCar, HalfCar4DOF, axle_of
 from jounce.simulation.compiled import Compiled, compile_model, compile_rig
-from jounce.simulation.controlled import AnyControl, Loop, close_loop, command_names
+from jounce.simulation.controlled import AnyControl, ControlLoop, close_loop, command_names
 from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 from jounce.testers.rig import rig_on_tester, tester_numbers
@@ -255,7 +255,7 @@ def _at_rest(compiled: Compiled, p: Array, u: Array) -> dict[str, Array]:
     return {"x0": rest.x, "u0": u, "p0": p, "m0": rest.modes, "scale": scale, "band": band}
 
 
-def _law(loop: Loop | None, findings: list[Finding]) -> tuple[Program | None, Array]:
+def _law(loop: ControlLoop | None, findings: list[Finding]) -> tuple[Program | None, Array]:
     if loop is None:
         return None, np.zeros(0)
     if isinstance(loop.first, CallbackController):
