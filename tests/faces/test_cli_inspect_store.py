@@ -172,7 +172,7 @@ def test_history_search_export(cli, lane) -> None:
     page = Path("h.html").read_text(encoding="utf-8")
     assert found["report"] == "h.html"
     assert all(text in page for text in ("2024-06-01", "adhesion", "%", "Change per year"))
-    assert "change per year" in cli("inspect", "history", "--plate", "b ab 123", "--store", "lane.sqlite").out
+    assert "Change per year" in cli("inspect", "history", "--plate", "b ab 123", "--store", "lane.sqlite").out
     shown = cli("inspect", "search", "--store", "lane.sqlite", "--since", "2026-01-01")
     assert "2 records" in shown.out
     assert "4 records" in cli("inspect", "search", "--store", "lane.sqlite", "--tester", "egea-specsus2018").out

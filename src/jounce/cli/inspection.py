@@ -32,15 +32,12 @@ from jounce.cli.reply import (
     FAILED,
     REFUSED,
     Reply,
-    cell,
     drawing,
     progress,
-    show_findings,
     show_written,
     table,
     tell,
 )
-from jounce.core.display import shown_as
 from jounce.core.errors import DescriptionError, JounceError, OutputError, RecordingError, is_of_system, unknown
 from jounce.core.files import existing_file
 from jounce.core.text import visible
@@ -52,14 +49,11 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.inspection.archive.entries import StoredRecord
-    from jounce.inspection.archive.history import Trend, WheelVisit
     from jounce.inspection.archive.lane import ImportedRecord, InspectedRecord
     from jounce.inspection.archive.reevaluation import Reevaluation
     from jounce.inspection.archive.store import Store
-    from jounce.inspection.grading import GradedInspection, VehicleGrade
+    from jounce.inspection.grading import VehicleGrade
     from jounce.inspection.limits import Limits
-    from jounce.inspection.quantities import Quantity
-    from jounce.inspection.result import WheelResult
     from jounce.parts.testers import Tester
     from jounce.report import Page
 
@@ -73,17 +67,6 @@ app = typer.Typer(
 )
 _OF_TESTER = "tester."
 _SIDES, _BOTH, _AXLES = ("left", "right"), "both", ("front", "rear")
-_ROWS = (
-    ("adhesion", "adhesion", "1"),
-    ("phase_angle_min_deg", "least phase angle", "deg"),
-    ("phase_frequency_hz", "  at", "Hz"),
-    ("relative_force_amplitude", "relative force amplitude", "1"),
-    ("tyre_rigidity", "tyre rigidity", "N/m"),
-    ("theta_rig", "Theta on the tester", "1"),
-    ("theta_road", "Theta on the road", "1"),
-    ("boge_amplitude", "BOGE amplitude", "m"),
-    ("lift_off", "tyre leaves the plate", ""),
-)
 
 
 @app.command("simulate")
@@ -159,12 +142,11 @@ def simulate(
             _write_record(measured, out, truth=truth, force=force)
         both = {**graded.to_dict(), **about, "record": out and str(out)}
 
-        def draw(console: Console) -> None:
-            console.print(f"{rig} on {chosen_tester.name}, sweep of both wheels", style="bold")
-            draw_axle(console, graded)
-            show_written(console, both)
+        from jounce.inspection.grading import grade_vehicle
+        from jounce.report.inspection import inspection_page
 
-        return Reply(both, draw, as_json)
+        title = f"{rig} on {chosen_tester.name}, sweep of both wheels"
+        return _page_reply(both, inspection_page(grade_vehicle([graded]), title=title), as_json=as_json)
     runs = []
     with progress() as say:
         for number, lost in enumerate(wears, 1):
@@ -176,15 +158,30 @@ def simulate(
             runs.append(found)
     if out is not None and runs[0].record is not None:
         _write_record(runs[0].record, out, truth=truth, force=force)
+    from jounce.report.inspection import wear_page, wheel_page
+
+    title = f"{rig} on {chosen_tester.name}, {'steady states' if steady else 'sweep'}"
     tables = [found.wheel.to_dict() for found in runs]
     if not steady:
         for one, found in zip(tables, runs, strict=True):
             one["truth"] = {"theta_road": found.theta_road, "theta_rig": found.theta_rig}
     if not several:
         plain: dict[str, Any] = {**tables[0], **about, "record": out and str(out)}
-        return Reply(plain, lambda console: _draw_wheel(console, plain, runs[0].wheel.findings), as_json)
+        return _page_reply(plain, wheel_page(runs[0].wheel, title=title), as_json=as_json)
     swept = {**about, "wear": wears, "wheels": [{"wear": lost, **one} for lost, one in zip(wears, tables, strict=True)]}
-    return Reply(swept, lambda console: _draw_wear(console, swept), as_json)
+    return _page_reply(swept, wear_page(wears, [run.wheel for run in runs], title=title), as_json=as_json)
+
+
+def _page_reply(plain: dict[str, Any], page: Page, *, as_json: bool) -> Reply:
+    """Answer with a page."""
+
+    def draw(console: Console) -> None:
+        from jounce.cli.terminal import show_page
+
+        show_page(console, page)
+        show_written(console, plain)
+
+    return Reply(plain, draw, as_json)
 
 
 def _chosen_tester(
@@ -217,42 +214,6 @@ def _write_record(record: Any, file: Path, *, truth: bool, force: bool) -> None:
 
     kept = record if truth else record[[name for name in record.data_vars if not str(name).startswith("truth.")]]
     write_test(kept, file, force=force)
-
-
-def _draw_wheel(out: Console, plain: dict[str, Any], findings: Any) -> None:
-    how = "steady states" if plain["steady"] else "sweep"
-    uncertainty = plain["uncertainty"]
-    rows = []
-    for key, text, unit in _ROWS:
-        if plain.get(key) is not None:
-            other = shown_as(unit)
-            value = plain[key] * other.factor if isinstance(plain[key], float) else plain[key]
-            error = f" ± {uncertainty[key] * other.factor:.2g}" if key in uncertainty else ""
-            rows.append((text, cell(value) + error, other.name))
-    load = shown_as("N")
-    title = f"{plain['rig']} on {plain['tester']}, {how}: {plain['wheel']} wheel, "
-    title += f"{plain['static_load'] * load.factor:.0f} {load.name}"
-    out.print(title, style="bold", soft_wrap=not out.is_terminal)
-    out.print(table("", ("", "value", "unit"), rows, text=(0, 1, 2)))
-    for name, band in plain["grade"].items():
-        out.print(f"{name}: {band}")
-    out.print(f"verdict: {plain['verdict']}")
-    for reason in plain["reasons"]:
-        out.print(f"  {reason}")
-    show_findings(out, list(findings))
-    show_written(out, plain)
-
-
-def _draw_wear(out: Console, plain: dict[str, Any]) -> None:
-    shown = [row for row in _ROWS if any(wheel.get(row[0]) is not None for wheel in plain["wheels"])]
-    header = ("wear", *(f"{text.strip()} [{unit}]" if unit else text for _, text, unit in shown), "verdict")
-    rows = [(wheel["wear"], *(wheel.get(key) for key, _, _ in shown), wheel["verdict"]) for wheel in plain["wheels"]]
-    how = "steady states" if plain["steady"] else "sweep"
-    last = len(header) - 1
-    out.print(table(f"{plain['rig']} on {plain['tester']}, {how}, over damper wear", header, rows, text=(last,)))
-
-
-_VERDICT_STYLES = {"pass": "green", "advise": "yellow", "fail": "bold red", "not graded": "bold"}
 
 
 @app.command("evaluate")
@@ -445,51 +406,16 @@ def _unfit(inspected: list[InspectedRecord]) -> RecordingError | None:
 
 
 def _draw_vehicle(console: Console, whole: VehicleGrade, plain: dict[str, Any]) -> None:
-    for graded in whole.axles:
-        draw_axle(console, graded)
-    if len(whole.axles) > 1:
-        console.print(f"vehicle: {whole.verdict}", style=_VERDICT_STYLES.get(whole.verdict, ""))
+    from jounce.cli.terminal import show_page
+    from jounce.report.inspection import inspection_page
+
+    names = plain.get("records", [plain.get("record")])
+    show_page(console, inspection_page(whole, title=", ".join(map(str, names))))
     for file in plain["protocol"]:
         console.print(f"written: {file}")
     if plain["store"] is not None:
         numbers = ", ".join(map(str, plain["store"]["records"]))
         console.print(f"stored: {plain['store']['location']}, record {numbers}")
-
-
-def draw_axle(console: Console, graded: GradedInspection) -> None:
-    """Print a graded axle: values of the wheels beside each other, reasons, findings."""
-    sides = [wheel.wheel for wheel in graded.wheels]
-    decides = ", ".join(graded.deciding)
-    title = f"{graded.axle or 'axle'}: {graded.verdict} (deciding: {decides}; limits: {graded.limits.label})"
-    console.print(table(title, ("", *sides), _rows(graded)))
-    for grade in graded.grades:
-        for reason in grade.reasons:
-            console.print(f"{grade.wheel}: {reason.text()}", soft_wrap=not console.is_terminal)
-    for reason in graded.reasons:
-        console.print(f"axle: {reason.text()}", soft_wrap=not console.is_terminal)
-    weakening = [one for wheel in graded.wheels for one in wheel.findings if one.severity != "problem"]
-    show_findings(console, [*graded.inspection.findings, *weakening])
-
-
-def _rows(graded: GradedInspection) -> list[list[object]]:
-    """Values with their uncertainties, grades and verdicts; one column for each wheel."""
-    from jounce.inspection.methods import QUANTITIES
-
-    wheels = graded.wheels
-    rows: list[list[object]] = [
-        ["static load", *("–" if one.static_load is None else f"{one.static_load:.0f} N" for one in wheels)]
-    ]
-    for name, shown in QUANTITIES.items():
-        if any(wheel.value(name) is not None for wheel in wheels):
-            rows.append([shown.words(), *(_cell(wheel, shown) for wheel in wheels)])
-    methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
-    rows += [[f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)] for method in methods]
-    return [*rows, ["verdict", *(wheel.verdict for wheel in wheels)]]
-
-
-def _cell(wheel: WheelResult, quantity: Quantity) -> str:
-    text, half = quantity.text(wheel.value(quantity.name)), wheel.uncertainty.get(quantity.name)
-    return text if half is None or text == "–" else f"{text} ± {quantity.rounded_up(half)}"
 
 
 StoreName = Annotated[str, typer.Option("--store", help="The store: a SQLite file, or a database URL.")]
@@ -693,7 +619,7 @@ def history(
         "trends": trends, "figure": drawn, "report": document,
     }  # fmt: skip
     missing = [*missing, *undrawn]
-    return Reply(plain, lambda out: _draw_history(out, plain, visits, trends), as_json, missing=missing)
+    return replace(_page_reply(plain, page(), as_json=as_json), missing=missing)
 
 
 @app.command("search")
@@ -861,18 +787,3 @@ def _summary(record: StoredRecord) -> dict[str, Any]:
     grading = record.grading
     about = {name: getattr(record, name) for name in (*_SHOWN, "accepted")}
     return {**about, "verdict": grading and grading.verdict, "limits": grading and grading.limits}
-
-
-def _draw_history(out: Console, plain: dict[str, Any], visits: list[WheelVisit], trends: list[Trend]) -> None:
-    title = ", ".join(filter(None, (plain["plate"], plain["vehicle"])))
-    names = ("adhesion", "phase [deg]", "theta")
-    rows = [(one.date, one.axle, one.wheel, *one.values.values(), one.verdict, one.record) for one in visits]
-    out.print(table(title, ("date", "axle", "wheel", *names, "verdict", "record"), rows, text=(0, 1, 2, 6)))
-    for one in visits:
-        if one.unreliable:
-            place = f"{one.date} {one.axle} {one.wheel}, record {one.record}"
-            out.print(f" unreliable: {', '.join(one.unreliable)} ({place})")
-    if trends:
-        rows_ = [(one.axle, one.wheel, one.quantity, one.change_per_year, one.visits) for one in trends]
-        out.print(table("change per year", ("axle", "wheel", "value", "per year", "visits"), rows_, text=(0, 1, 2)))
-    show_written(out, plain)

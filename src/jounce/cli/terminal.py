@@ -15,9 +15,13 @@ if TYPE_CHECKING:
     from jounce.report.page import Block, Page
 
 
+STYLES = {"plain": "", "muted": "dim", "good": "green", "fair": "yellow", "bad": "bold red"}
+"""How a terminal shows what a tone means."""
+
+
 def show_page(out: Console, page: Page) -> None:
     """Print a page."""
-    out.print(page.title if not page.subtitle else f"{page.title}: {page.subtitle}")
+    out.print(page.title if not page.subtitle else f"{page.title}: {page.subtitle}", style="bold")
     for section in page.sections:
         if not section.is_drawn:
             _show_blocks(out, section.blocks)
@@ -33,7 +37,8 @@ def _show_blocks(out: Console, blocks: Sequence[Block]) -> None:
                 out.print(block.note)
         elif isinstance(block, Facts):
             for fact in block.items:
-                out.print(f"{fact.label}: {fact.value}" + (f" ({fact.note})" if fact.note else ""))
+                text = f"{fact.label}: {fact.value}" + (f" ({fact.note})" if fact.note else "")
+                out.print(text, style=STYLES[fact.tone])
         elif isinstance(block, Findings):
             show_findings(out, block.items)
         elif isinstance(block, Paragraph):

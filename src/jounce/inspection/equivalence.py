@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Progress = Callable[[float], None]
-METHODS = {key: EVALUATED[key].quantities[0].name for key in ("eusama", "egea", "theta")}
+METHODS = {key: EVALUATED[key].numbers[0] for key in ("eusama", "egea", "theta")}
 """Methods that are compared, and what each of them grades."""
 SOUND, WORN = 0.2, 0.7
 """A damper that has lost up to this share is sound; one that has lost this share or more is worn (estimated)."""

@@ -1,9 +1,9 @@
 """The methods of inspection: what each of them measures on a tester, how it is evaluated, and what it has to say.
 
 A method is one row of ``METHODS``: its key and name, the shipped tester and the plates it works on, the values it gives
-with their units and words, the function that finds them in a test, and the sentences of its findings. Choices of
-commands, schemas, tables and grades follow from these rows; bands are given in ``limits.toml``, since a lane may have
-others.
+(``quantities.NUMBERS`` has their units and words), the function that finds them in a test, and the sentences of its
+findings. Choices of commands, schemas, tables and grades follow from these rows; bands are given in ``limits.toml``,
+since a lane may have others.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from jounce.core.constants import NORMAL_95
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection.findings import SENTENCES, remark, warning
-from jounce.inspection.quantities import Quantity, Sentence
+from jounce.inspection.quantities import NUMBERS, Sentence
 from jounce.inspection.quarter_car import (
     Corner,
     ResponseFit,
@@ -88,14 +88,15 @@ class Method:
     """A method of inspection: its key in files and results, and its name as people write it.
 
     It has a shipped ``tester`` that stands for it, the kinds of testers (``plates``) on which it can be evaluated, its
-    values that may be graded, the main one first, and what its findings say, by their code.
+    values that may be graded (keys of :data:`jounce.inspection.quantities.NUMBERS`), the main one first, and what its
+    findings say, by their code.
     """
 
     key: str
     name: str
     tester: str
     plates: tuple[str, ...]
-    quantities: tuple[Quantity, ...]
+    numbers: tuple[str, ...]
     evaluate: Callable[[WheelTest], Found]
     sentences: Mapping[str, Sentence] = field(default_factory=dict)
 
@@ -596,63 +597,21 @@ _RIGID, _SPRUNG = "rigid-plate", "sprung-plate"
 METHODS: dict[str, Method] = {
     method.key: method
     for method in (
-        Method(
-            "eusama", "EUSAMA", "eusama", (_RIGID,),
-            (Quantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),),
-            _eusama,
-        ),
+        Method("eusama", "EUSAMA", "eusama", (_RIGID,), ("adhesion",), _eusama),
         Method(
             "egea", "EGEA", "egea-specsus2018", (_RIGID,),
-            (
-                Quantity(
-                    "phase_angle_min_deg", "deg", "°", 1.0, 1,
-                    "least phase angle (EGEA)", "kleinster Phasenwinkel (EGEA)",
-                ),
-                Quantity(
-                    "relative_force_amplitude", "1", "%", 100.0, 1,
-                    "relative force amplitude", "relative Kraftamplitude",
-                ),
-                Quantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
-            ),
-            _egea,
-            _EGEA_SENTENCES,
+            ("phase_angle_min_deg", "relative_force_amplitude", "tyre_rigidity"), _egea, _EGEA_SENTENCES,
         ),
         Method(
             "theta", "THETA", "theta-msd3000", (_RIGID, _SPRUNG),
-            (
-                Quantity(
-                    "theta_road", "1", "", 1.0, 3,
-                    "damping ratio on the road (THETA)", "Dämpfungsgrad, Straße (THETA)",
-                ),
-                Quantity(
-                    "theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"
-                ),
-                Quantity(
-                    "body_damping_ratio", "1", "", 1.0, 3,
-                    "damping ratio of the body on this wheel", "Dämpfungsgrad, Aufbau über dem Rad",
-                ),
-                Quantity(
-                    "explained_force", "1", "%", 100.0, 1,
-                    "force that a linear wheel explains", "Kraft, die ein lineares Rad erklärt",
-                ),
-            ),
-            _theta,
-            _THETA_SENTENCES,
+            ("theta_road", "theta_rig", "body_damping_ratio", "explained_force"), _theta, _THETA_SENTENCES,
         ),
-        Method(
-            "boge", "BOGE", "boge", (_SPRUNG,),
-            (
-                Quantity(
-                    "boge_amplitude", "m", "mm", 1e3, 1, "greatest plate movement (BOGE)", "größter Ausschlag (BOGE)"
-                ),
-            ),
-            _boge,
-        ),
+        Method("boge", "BOGE", "boge", (_SPRUNG,), ("boge_amplitude",), _boge),
     )
 }  # fmt: skip
 """Methods by their key, in the order in which they are listed and evaluated."""
 
-QUANTITIES = {quantity.name: quantity for method in METHODS.values() for quantity in method.quantities}
+QUANTITIES = {name: NUMBERS[name] for method in METHODS.values() for name in method.numbers}
 """Values that limits may be given for, by their key in results."""
 
 for _method in METHODS.values():

@@ -55,6 +55,11 @@ class Quantity:
         """Give its name in words."""
         return self.german if language == "de" else self.english
 
+    def label(self, language: Language = "en") -> str:
+        """Give its name with the unit in brackets, as above a figure or a column."""
+        words = self.words(language)
+        return f"{words[:1].upper()}{words[1:]}" + (f" [{self.unit}]" if self.unit else "")
+
     def text(
         self,
         value: float | None,
@@ -104,3 +109,40 @@ class Quantity:
     def _written(self, value: float, decimals: int) -> str:
         text = f"{value * self.factor:.{decimals}f}"
         return text.lstrip("-") if float(text) == 0.0 else text
+
+
+NUMBERS: dict[str, Quantity] = {
+    quantity.name: quantity
+    for quantity in (
+        Quantity("static_load", "N", "N", 1.0, 0, "static load", "statische Radlast"),
+        Quantity("adhesion", "1", "%", 100.0, 1, "adhesion (EUSAMA)", "Bodenhaftung (EUSAMA)"),
+        Quantity(
+            "adhesion_frequency_hz", "Hz", "Hz", 1.0, 2, "frequency of the least force", "Frequenz der kleinsten Kraft"
+        ),
+        Quantity(
+            "phase_angle_min_deg", "deg", "°", 1.0, 1, "least phase angle (EGEA)", "kleinster Phasenwinkel (EGEA)"
+        ),
+        Quantity("phase_frequency_hz", "Hz", "Hz", 1.0, 2, "frequency of that angle", "Frequenz dieses Winkels"),
+        Quantity(
+            "relative_force_amplitude", "1", "%", 100.0, 1, "relative force amplitude", "relative Kraftamplitude"
+        ),
+        Quantity("tyre_rigidity", "N/m", "N/mm", 1e-3, 0, "tyre rigidity", "Reifensteifigkeit"),
+        Quantity("theta_rig", "1", "", 1.0, 3, "damping ratio on the tester", "Dämpfungsgrad, Prüfstand"),
+        Quantity(
+            "theta_road", "1", "", 1.0, 3, "damping ratio on the road (THETA)", "Dämpfungsgrad, Straße (THETA)"
+        ),
+        Quantity("resonance_frequency_hz", "Hz", "Hz", 1.0, 2, "resonance frequency", "Resonanzfrequenz"),
+        Quantity(
+            "boge_amplitude", "m", "mm", 1e3, 1, "greatest plate movement (BOGE)", "größter Ausschlag (BOGE)"
+        ),
+        Quantity(
+            "body_damping_ratio", "1", "", 1.0, 3,
+            "damping ratio of the body on this wheel", "Dämpfungsgrad, Aufbau über dem Rad",
+        ),
+        Quantity(
+            "explained_force", "1", "%", 100.0, 1,
+            "force that a linear wheel explains", "Kraft, die ein lineares Rad erklärt",
+        ),
+    )
+}  # fmt: skip
+"""Every number of a wheel by its key in results, in the order of tables: the one list of them."""

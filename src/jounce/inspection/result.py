@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
 from jounce.core.findings import Finding
 from jounce.core.serialise import Plain, plain_table
+from jounce.core.tables import TextTable
 from jounce.core.types import Array
+from jounce.inspection.quantities import NUMBERS, Quantity
 from jounce.inspection.quarter_car import Corner
 
 NOT_GRADED = "not graded"
-_KEYS = (
-    "adhesion",
-    "phase_angle_min_deg",
-    "phase_frequency_hz",
-    "relative_force_amplitude",
-    "tyre_rigidity",
-    "theta_rig",
-    "theta_road",
-)
 
 
 @dataclass(frozen=True)
@@ -127,6 +120,9 @@ class WheelResult(Plain):
     curves: WheelCurves | None = field(default=None, repr=False)
     more: Mapping[str, float | None] = field(default_factory=dict)
 
+    def __str__(self) -> str:
+        return "\n".join([str(wheel_table("", [self])), *self.reasons, *map(str, self.findings)])
+
     def value(self, key: str) -> float | None:
         """Give a value by its key in results, SI or as the key says; None where it is not known."""
         found: float | None = getattr(self, key) if key in FIELDS else self.more.get(key)
@@ -153,13 +149,10 @@ class WheelResult(Plain):
         Beside them ``wheel``, ``static_load``, ``adhesion_frequency_hz``, ``resonance_frequency_hz``,
         ``boge_amplitude``, ``theta_methods``, ``theta_graded`` and ``unreliable``.
         """
-        table: dict[str, Any] = {"wheel": self.wheel, "static_load": self.static_load}
-        table |= {key: getattr(self, key) for key in _KEYS} | dict(self.more)
+        table: dict[str, Any] = {"wheel": self.wheel}
+        table |= {name: getattr(self, name) for name in NUMBERS if name in FIELDS} | dict(self.more)
         table |= {
             "lift_off": self.lift_off,
-            "adhesion_frequency_hz": self.adhesion_frequency_hz,
-            "resonance_frequency_hz": self.resonance_frequency_hz,
-            "boge_amplitude": self.boge_amplitude,
             "theta_methods": self.theta_methods,
             "theta_graded": "theta_road",
             "uncertainty": self.uncertainty,
@@ -173,6 +166,35 @@ class WheelResult(Plain):
 
 
 FIELDS = frozenset(one.name for one in fields(WheelResult))
+
+
+def wheel_table(title: str, wheels: Sequence[WheelResult]) -> TextTable:
+    """Write what is known of wheels beside each other, with half 95 % intervals, grades and verdicts.
+
+    >>> print(wheel_table("front", [WheelResult("left", adhesion=0.61, uncertainty={"adhesion": 0.0123})]))
+    front
+                       left
+    ─────────────────  ──────────────
+    adhesion (EUSAMA)  61.0 % ± 1.3 %
+    verdict            not graded
+    """
+    rows = [
+        (number.words(), *(_with_half(wheel, number) for wheel in wheels))
+        for name, number in NUMBERS.items()
+        if any(wheel.value(name) is not None for wheel in wheels)
+    ]
+    if any(wheel.lift_off for wheel in wheels):
+        rows.append(("tyre leaves the plate", *("yes" if wheel.lift_off else "no" for wheel in wheels)))
+    methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
+    rows += [(f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)) for method in methods]
+    rows.append(("verdict", *(wheel.verdict for wheel in wheels)))
+    return TextTable(title, ("", *(wheel.wheel for wheel in wheels)), rows, tuple(range(len(wheels) + 1)))
+
+
+def _with_half(wheel: WheelResult, number: Quantity) -> str:
+    value, half = wheel.value(number.name), wheel.uncertainty.get(number.name)
+    text = number.text(value)
+    return text if half is None or text == "–" else f"{text} ± {number.rounded_up(half)}"
 
 
 @dataclass(frozen=True)
@@ -198,6 +220,11 @@ class Inspection(Plain):
     facts: Mapping[str, Any] = field(default_factory=dict)
     methods: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
+
+    def __str__(self) -> str:
+        title = str(self.axle.get("axle", ""))
+        findings = [*self.findings, *(finding for wheel in self.wheels for finding in wheel.findings)]
+        return "\n".join([str(wheel_table(title, self.wheels)), *map(str, findings)])
 
     def wheel(self, name: str) -> WheelResult:
         """Give the result of ``"left"`` or ``"right"``."""

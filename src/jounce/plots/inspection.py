@@ -243,11 +243,6 @@ def _decimal_commas(axes: Axes, language: str) -> None:
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}".replace(".", ",").replace("-", "−")))
 
 
-_TITLES = {
-    "adhesion": ("Adhesion [%]", 100.0),
-    "phase_angle_min_deg": ("Least phase angle [°]", 1.0),
-    "theta_road": ("Damping ratio on the road", 1.0),
-}
 _HOLLOW = " (hollow: unreliable, as after lift-off)"
 _MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
 
@@ -263,16 +258,18 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
     >>> from jounce.inspection.archive.history import WheelVisit
     >>> visit = WheelVisit(1, "2026-11-21", "B-AB 123", "rear", "left", {"adhesion": 0.6}, "pass", "")
     >>> [axes.get_title("left") for axes in vehicle_history([visit]).axes]
-    ['Adhesion [%]', 'Least phase angle [°]', 'Damping ratio on the road']
+    ['Adhesion (EUSAMA) [%]', 'Least phase angle (EGEA) [°]', 'Damping ratio on the road (THETA)']
     """
-    from jounce.inspection.archive.history import day_number
+    from jounce.inspection.archive.history import QUANTITIES, day_number
+    from jounce.inspection.quantities import NUMBERS
 
     dated = [(date.fromordinal(day), one) for one in visits if (day := day_number(one.date)) is not None]
     wheels = list(dict.fromkeys((one.axle, one.wheel) for _, one in dated))
     axles = list(dict.fromkeys(axle for axle, _ in wheels))
     figure = new_figure(height)
-    panels = figure.subplots(len(_TITLES), 1, sharex=True)
-    for axes, (name, (title, scale)) in zip(panels, _TITLES.items(), strict=True):
+    panels = figure.subplots(len(QUANTITIES), 1, sharex=True)
+    for axes, name in zip(panels, QUANTITIES, strict=True):
+        scale = NUMBERS[name].factor
         for axle, wheel in wheels:
             own = [(day, one) for day, one in dated if (one.axle, one.wheel) == (axle, wheel)]
             known = [(day, scale * value) for day, one in own if (value := one.values.get(name)) is not None]
@@ -290,7 +287,7 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
                 axes.plot(
                     *zip(*hollow, strict=True), marker=mark, ls="none", ms=size, color=colour, markerfacecolor="white"
                 )
-        axes.set_title(title + (_HOLLOW if any(name in one.unreliable for _, one in dated) else ""))
+        axes.set_title(NUMBERS[name].label() + (_HOLLOW if any(name in one.unreliable for _, one in dated) else ""))
         shown = [scale * value for _, one in dated if (value := one.values.get(name)) is not None] or [1.0]
         axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:

@@ -12,6 +12,9 @@ from .fits import damper_page as damper_page
 from .fits import decay_page as decay_page
 from .fits import stiffness_page as stiffness_page
 from .history import history_page as history_page
+from .inspection import inspection_page as inspection_page
+from .inspection import wear_page as wear_page
+from .inspection import wheel_page as wheel_page
 from .kinematic_design import kinematic_design_page as kinematic_design_page
 from .load_cases import load_cases_page as load_cases_page
 from .models import model_comparison_page as model_comparison_page

@@ -43,7 +43,7 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
     ['Answer', 'Visits']
     """
     words = "Adhesion, least phase angle and damping ratio of every wheel against the date."
-    answer: list[Block] = [Picture(vehicle_history(visits), "history", words, words)]
+    answer: list[Block] = [Picture(lambda: vehicle_history(visits), "history", words, words)]
     if trends:
         rows = tuple(
             (f"{one.axle} {one.wheel}".strip(), *_change(one), str(one.visits))

@@ -8,6 +8,9 @@ import json
 import pytest
 
 from jounce.inspection import Inspection, WheelResult, evaluate
+from jounce.inspection.archive.exporting import VALUES
+from jounce.inspection.methods import QUANTITIES
+from jounce.inspection.quantities import NUMBERS
 
 KEYS = {
     "adhesion",
@@ -98,3 +101,23 @@ def test_curves_go_with_the_values(inspection):
 def test_nothing_graded_without_wheels():
     assert not Inspection(()).is_gradable
     assert WheelResult("left").verdict == "not graded"
+
+
+def test_a_result_prints_as_a_table_of_eighty_columns() -> None:
+    wheels = tuple(
+        WheelResult(side, adhesion=share, phase_angle_min_deg=41.25, uncertainty={"adhesion": 0.0123}, lift_off=True)
+        for side, share in (("left", 0.399), ("right", None))
+    )
+    text = str(Inspection(wheels, axle={"axle": "front"}))
+    assert max(map(len, text.splitlines())) <= 80
+    lines = [" ".join(line.split()) for line in text.splitlines()]
+    assert "adhesion (EUSAMA) 39.9 % ± 1.3 % –" in lines
+    assert "least phase angle (EGEA) 41.2° 41.2°" in lines
+    assert "tyre leaves the plate yes yes" in lines
+
+
+def test_every_number_of_a_wheel_is_described_once() -> None:
+    told = {name for name, one in WheelResult("left").to_dict().items() if one is None}
+    assert told <= set(NUMBERS)
+    assert list(VALUES) == list(NUMBERS)
+    assert set(QUANTITIES) < set(NUMBERS)

@@ -157,7 +157,7 @@ def test_values_below_zero_are_within_the_picture() -> None:
 def test_an_unreliable_value_is_told_from_the_others_wherever_a_history_is_shown() -> None:
     from rich.console import Console
 
-    from jounce.cli.inspection import _draw_history
+    from jounce.cli.terminal import show_page
     from jounce.plots.inspection import vehicle_history
     from jounce.report.history import history_page
 
@@ -175,8 +175,8 @@ def test_an_unreliable_value_is_told_from_the_others_wherever_a_history_is_shown
     assert [["unreliable" in str(cell) for cell in row].index(True) for row in table.rows[2:]] == [3]
     assert not any("unreliable" in str(row) for row in table.rows[:2])
     with (console := Console(width=120)).capture() as shown:
-        _draw_history(console, {"plate": "B-AB 1", "vehicle": ""}, visits, [])
-    assert shown.get().count("unreliable: phase_angle_min_deg (2025-06-01 rear left, record 3)") == 1
+        show_page(console, history_page(visits, [], title="B-AB 1"))
+    assert [line.split()[0] for line in shown.get().splitlines() if "−11.0° (unreliable)" in line] == ["2025-06-01"]
 
 
 def test_records_are_evaluated_again_by_the_tester_they_came_with(tmp_path: Path, twin, eusama, monkeypatch) -> None:

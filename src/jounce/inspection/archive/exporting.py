@@ -10,17 +10,14 @@ from typing import TYPE_CHECKING, Any
 from jounce.core.optional import require
 from jounce.core.text import guarded_row
 from jounce.core.writing import Formats
-from jounce.inspection.methods import METHODS, QUANTITIES
+from jounce.inspection.methods import METHODS
+from jounce.inspection.quantities import NUMBERS
 
 if TYPE_CHECKING:
     from jounce.inspection.archive.entries import StoredRecord
 
 Row = dict[str, Any]
-VALUES = {
-    "static_load": "N", "adhesion": "1", "adhesion_frequency_hz": "Hz", "phase_angle_min_deg": "deg",
-    "phase_frequency_hz": "Hz", "relative_force_amplitude": "1", "tyre_rigidity": "N/m", "theta_rig": "1",
-    "theta_road": "1", "resonance_frequency_hz": "Hz", "boge_amplitude": "m",
-} | {name: quantity.si for name, quantity in QUANTITIES.items()}  # fmt: skip
+VALUES = {name: quantity.si for name, quantity in NUMBERS.items()}
 """Values of a wheel that are exported, with their unit; ``<name>_half_width`` is half their 95 % interval."""
 _OF_RECORD = ("number", "name", "plate", "vehicle", "date", "axle", "tester", "accepted")
 TEXTS = (

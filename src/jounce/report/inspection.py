@@ -1,0 +1,111 @@
+"""Tests of shock absorbers as pages: wheels beside each other, and one wheel over the wear of its damper."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jounce.inspection.quantities import NUMBERS
+from jounce.inspection.reasons import verdict_words
+from jounce.inspection.result import wheel_table
+from jounce.plots.display import number
+from jounce.report.page import Block, Bullets, Fact, Facts, Findings, Page, Section, Table, Tone, as_table
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from jounce.inspection.grading import GradedInspection, VehicleGrade
+    from jounce.inspection.result import WheelResult
+
+TONES: dict[str, Tone] = {"pass": "good", "advise": "fair", "fail": "bad"}
+"""What the verdicts mean."""
+
+
+def inspection_page(vehicle: VehicleGrade, *, title: str) -> Page:
+    """Put the graded axles of a vehicle on a page: values of the wheels, reasons, findings.
+
+    Parameters
+    ----------
+    vehicle : VehicleGrade
+        As :func:`jounce.inspection.grading.grade_vehicle` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    sections = [Section(graded.axle or "axle", axle_blocks(graded)) for graded in vehicle.axles]
+    if len(vehicle.axles) > 1:
+        sections.append(Section("Vehicle", (_verdict("vehicle", vehicle.verdict),)))
+    return Page(title, tuple(sections))
+
+
+def axle_blocks(graded: GradedInspection) -> tuple[Block, ...]:
+    """What a graded axle has to say, its values first."""
+    decides = ", ".join(graded.deciding)
+    title = f"{graded.axle or 'axle'}: {graded.verdict} (deciding: {decides}; limits: {graded.limits.label})"
+    reasons = [f"{grade.wheel}: {reason.text()}" for grade in graded.grades for reason in grade.reasons]
+    reasons += [f"axle: {reason.text()}" for reason in graded.reasons]
+    weakening = [one for wheel in graded.wheels for one in wheel.findings if one.severity != "problem"]
+    blocks = (
+        as_table(wheel_table(title, graded.wheels)),
+        Bullets(tuple(reasons)),
+        Findings((*graded.inspection.findings, *weakening)),
+    )
+    return tuple(block for block in blocks if isinstance(block, Table) or block.items)
+
+
+def wheel_page(wheel: WheelResult, *, title: str) -> Page:
+    """Put the test of one wheel on a page.
+
+    Parameters
+    ----------
+    wheel : WheelResult
+        What the test says of it, graded.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    blocks = (
+        as_table(wheel_table(f"{wheel.wheel} wheel", [wheel])),
+        _verdict("verdict", wheel.verdict),
+        Bullets(wheel.reasons),
+        Findings(wheel.findings),
+    )
+    return Page(title, (Section("Answer", blocks),))
+
+
+def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: str) -> Page:
+    """Put the tests of one wheel over the wear of its damper on a page.
+
+    Parameters
+    ----------
+    wear : sequence of float
+        Share of the damping that is lost [1], of each test.
+    wheels : sequence of WheelResult
+        What the tests say.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    shown = [one for name, one in NUMBERS.items() if any(wheel.value(name) is not None for wheel in wheels)]
+    rows = tuple(
+        (number(lost, 3), *(one.text(wheel.value(one.name), with_unit=False) for one in shown), wheel.verdict)
+        for lost, wheel in zip(wear, wheels, strict=True)
+    )
+    header = ("wear", *(one.label() for one in shown), "verdict")
+    table = Table("Over damper wear", header, rows, "r" * (len(shown) + 1) + "l")
+    return Page(title, (Section("Answer", (table,)),))
+
+
+def _verdict(label: str, verdict: str) -> Facts:
+    return Facts((Fact(label, verdict_words(verdict), tone=TONES.get(verdict, "plain")),))
