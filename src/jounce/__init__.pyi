@@ -71,6 +71,7 @@ from .identify.damper import DamperCurve as DamperCurve
 from .identify.damper import DamperResult as DamperResult
 from .identify.damper import damper_curve as damper_curve
 from .identify.damper import fit_damper as fit_damper
+from .identify.damper_laws import harmonic_energy as harmonic_energy
 from .identify.decay import fit_decay as fit_decay
 from .identify.discrepancy import Discrepancy as Discrepancy
 from .identify.doubt import Doubt as Doubt

@@ -13,7 +13,7 @@ import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.design.lumping import _damper, lump, lumped_from
 from jounce.design.model_comparison import compare_models
-from jounce.parts.elements import VelocityTable
+from jounce.parts.dampers import VelocityTable
 from jounce.parts.variants import with_strut_angle
 
 KART = jn.load("kart-double-wishbone")

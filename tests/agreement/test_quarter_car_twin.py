@@ -20,6 +20,16 @@ KART = parts.load("kart-quarter-car")
 AUDI = parts.load("audi-a6-quarter-car")
 POWER = {"kind": "power", "coefficient": 1.5e6, "exponent": 1.4}
 
+BLOW_OFF = {
+    "kind": "blow-off",
+    "bump_blow_off_force": 9.0,
+    "bump_blow_off_velocity": 0.06,
+    "bump_high_speed_coefficient": 40.0,
+    "rebound_blow_off_force": 25.0,
+    "rebound_blow_off_velocity": 0.1,
+    "rebound_high_speed_coefficient": 80.0,
+}
+
 RIGS = {
     "linear": {"tyre.lift_off": False},
     "linear with tyre damping": {"tyre.lift_off": False, "tyre.damping_coefficient": 60.0},
@@ -27,6 +37,7 @@ RIGS = {
     "little tyre damping": {"tyre.damping_coefficient": 20.0},
     "much tyre damping": {"tyre.damping_coefficient": 600.0},
     "bilinear damper": {"strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}},
+    "blow-off damper": {"strut.damper": BLOW_OFF},
     "velocity table": {
         "strut.damper": {
             "velocity": [-1.0, -0.2, -0.05, 0.0, 0.05, 0.3, 1.0],

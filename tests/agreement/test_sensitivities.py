@@ -26,6 +26,15 @@ BASIC = (
 )
 DAMPED = {"tyre.damping_coefficient": 60.0}
 TABLE = {"strut.damper": {"velocity": [-1.0, -0.2, 0.0, 0.3, 1.0], "force": [-120.0, -60.0, 0.0, 30.0, 60.0]}}
+BLOW_OFF = {
+    "kind": "blow-off",
+    "bump_blow_off_force": 9.0,
+    "bump_blow_off_velocity": 0.06,
+    "bump_high_speed_coefficient": 40.0,
+    "rebound_blow_off_force": 25.0,
+    "rebound_blow_off_velocity": 0.1,
+    "rebound_high_speed_coefficient": 80.0,
+}
 TANH = {
     "strut.damper": {
         "kind": "tanh",
@@ -55,6 +64,11 @@ CASES = {
         ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient"),
     ),
     "velocity table": (TABLE, BUMP, (*(f"strut.damper.force[{i}]" for i in range(5)), "strut.damper.velocity[1]")),
+    "blow-off": (
+        {"strut.damper": BLOW_OFF},
+        BUMP,
+        tuple(f"strut.damper.{name}" for name in BLOW_OFF if name != "kind"),
+    ),
     "tanh": (
         TANH,
         BUMP,

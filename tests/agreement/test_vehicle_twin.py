@@ -129,12 +129,22 @@ TABLE = {
 }
 TANH = {"kind": "tanh", "coefficient": 1500.0, "force": 300.0, "slope": 10.0, "displacement_coupling": 2.0}
 POLYNOMIAL = {"kind": "polynomial", "coefficients": [2e5, 2e6]}
+BLOW_OFF = {
+    "kind": "blow-off",
+    "bump_blow_off_force": 300.0,
+    "bump_blow_off_velocity": 0.1,
+    "bump_high_speed_coefficient": 700.0,
+    "rebound_blow_off_force": 700.0,
+    "rebound_blow_off_velocity": 0.15,
+    "rebound_high_speed_coefficient": 1500.0,
+}
 LAWS = {
     "no lift-off": {"front.tyre.lift_off": False, "rear.tyre.lift_off": False},
     "bilinear damper": {
         "front.damping_coefficient": None,
         "front.damper": {"bump_coefficient": 1500.0, "rebound_coefficient": 4500.0},
     },
+    "blow-off damper": {"rear.damping_coefficient": None, "rear.damper": BLOW_OFF},
     "velocity table": {"rear.damping_coefficient": None, "rear.damper": TABLE},
     "tanh damper": {"front.damping_coefficient": None, "front.damper": {**TANH, "stiffness": 500.0, "offset": 40.0}},
     "bump stop": {"front.bump_stop": {"gap": 0.175, "rate": 6e4, "progression": 3e8}},

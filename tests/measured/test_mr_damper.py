@@ -5,7 +5,9 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
-from jounce.identify.damper import damper_curve, damper_law, fit_damper, read_motion
+from jounce.identify.damper import damper_curve, fit_damper
+from jounce.identify.damper_laws import damper_law
+from jounce.identify.damper_record import read_motion
 from jounce.identify.hysteresis_path import bouc_wen_path
 
 pytestmark = pytest.mark.source(

@@ -50,6 +50,15 @@ def coulomb(friction, v: float) -> float:
     return 0.0 if friction is None else friction.force * math.tanh(v / friction.regularisation_velocity)
 
 
+def blow_off_force(law, v: float) -> float:
+    """Steep up to the blow-off force of the direction, flatter beyond."""
+    side, speed = ("bump", v) if v > 0.0 else ("rebound", -v)
+    force, knee, slope = (
+        getattr(law, f"{side}_{name}") for name in ("blow_off_force", "blow_off_velocity", "high_speed_coefficient")
+    )
+    return math.copysign(force * speed / knee if speed < knee else force + slope * (speed - knee), v)
+
+
 class QuarterCarTwin:
     """One rig on one road; ``road`` is a list of pieces ``(start, end, height(t), rate(t))`` in seconds."""
 
@@ -64,6 +73,8 @@ class QuarterCarTwin:
             return law.coefficient * v
         if law.kind == "bilinear":
             return (law.bump_coefficient if v > 0.0 else law.rebound_coefficient) * v
+        if law.kind == "blow-off":
+            return blow_off_force(law, v)
         if law.kind == "table":
             return interpolated(v, law.velocity, law.force)
         if law.kind == "tanh":

@@ -259,6 +259,11 @@ class WheelsTwin(Twin):
             return law.coefficient * v
         if law.kind == "bilinear":
             return (law.bump_coefficient if v > 0.0 else law.rebound_coefficient) * v
+        if law.kind == "blow-off":
+            side, speed = ("bump", v) if v > 0.0 else ("rebound", -v)
+            knee, slope = getattr(law, f"{side}_blow_off_velocity"), getattr(law, f"{side}_high_speed_coefficient")
+            steep = min(speed / knee, 1.0) * getattr(law, f"{side}_blow_off_force")
+            return math.copysign(steep + slope * max(speed - knee, 0.0), v)
         if law.kind == "tanh":
             bend = math.tanh(law.slope * (v + law.displacement_coupling * d))
             return law.coefficient * v + law.stiffness * d + law.force * bend + law.offset

@@ -23,7 +23,7 @@ from jounce.core.units import (
     to_si,
 )
 from jounce.parts import Corner, QuarterCar, load, rig_from_table
-from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve, VelocityTable
+from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve
 from jounce.parts.rig import change_table, split_path
 from jounce.parts.variants import with_strut_angle
 from jounce.recordings import Sensor
@@ -266,9 +266,9 @@ def true_values(
     if "tyre.stiffness" in paths and rig.tyre.curve is not None:
         run = simulate(rig, trials[0].trial)
         found["tyre.stiffness"] = _tangent(rig.tyre.curve, float(run["tyre.deflection"][0]))
-    if "strut.damper.coefficient" in paths and isinstance(rig.strut.damper, VelocityTable):
+    if "strut.damper.coefficient" in paths and "strut.damper.coefficient" not in values:
         velocity = np.concatenate([simulate(rig, one.trial)["strut.velocity"].to_numpy() for one in trials])
-        force = np.interp(velocity, rig.strut.damper.velocity, rig.strut.damper.force)
+        force = rig.strut.damper.forces(velocity)
         found["strut.damper.coefficient"] = float(velocity @ force / (velocity @ velocity))
     return {path: found[path] for path in paths if path in found}
 

@@ -356,7 +356,9 @@ def damper(
         Path,
         typer.Argument(metavar="FILE", help="Record with columns time, displacement, force and optionally velocity."),
     ],
-    law: Annotated[str, typer.Option(help="linear, bilinear, polynomial, tanh-hysteretic or bouc-wen.")] = "linear",
+    law: Annotated[
+        str, typer.Option(help="linear, bilinear, blow-off, polynomial, tanh-hysteretic or bouc-wen.")
+    ] = "linear",
     degree: Annotated[int, typer.Option(min=1, max=9, help="Degree of the polynomial.")] = 3,
     odd: Annotated[bool, typer.Option("--odd", help="Use odd powers only.")] = False,
     friction: Annotated[bool, typer.Option("--friction", help="Add dry friction to a law of velocity.")] = False,

@@ -15,7 +15,7 @@ from jounce.control.design import CornerModel
 from jounce.core.description import Description
 from jounce.core.types import Array
 from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
-from jounce.parts.elements import BoucWenDamper, TanhDamper
+from jounce.parts.dampers import BoucWenDamper, Samples, TanhDamper
 from jounce.parts.rig import parameters_of
 
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
@@ -394,17 +394,17 @@ class MagnetorheologicalDamper(_Actuator):
 
     def _force(self, end: str, now: Instant) -> ca.SX:
         """Force (N) at one end of the voltage."""
-
-        def number(name: str) -> ca.SX:
-            return now.number(f"{end}.{name}")
-
-        velocity = now.seen("strut.velocity")
         deflection = now.seen("strut.deflection") + now.number("static_deflection")
-        linear = number("coefficient") * velocity + number("stiffness") * deflection + number("offset")
-        if isinstance(getattr(self, end), TanhDamper):
-            lagged = velocity + number("displacement_coupling") * deflection
-            return linear + number("force") * ca.tanh(number("slope") * lagged)
-        return linear + number("hysteretic_force") * ca.tanh(velocity / _REVERSAL)
+        law: TanhDamper | BoucWenDamper = getattr(self, end)
+        return law.evaluate(_Seen(lambda name: now.number(f"{end}.{name}"), now.seen("strut.velocity"), deflection))
+
+
+class _Seen(Samples):
+    """Operating point of a damper law as a controller sees it, which knows the side of the hysteresis only."""
+
+    def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002
+        """Give the state that a motion in this direction leads to."""
+        return ca.tanh(self.velocity / _REVERSAL)
 
 
 def clipped(x: ca.SX, low: ca.SX | float, high: ca.SX | float) -> ca.SX:

@@ -27,8 +27,9 @@ from jounce.core.types import Array
 from jounce.design.poses import rigs_along
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.elements import BilinearDamper, Damper, LinearDamper, VelocityTable
-from jounce.parts.leverage import body_motion, damper_at, force_at, still_damper
+from jounce.parts.dampers import DamperLaw, VelocityTable
+from jounce.parts.leverage import body_motion, force_at
+from jounce.parts.tables import on_lines
 from jounce.parts.variants import LARGEST
 from jounce.simulation import Mode, equilibrium
 
@@ -266,7 +267,7 @@ def lumped_from(rig: Rig) -> QuarterCar:
     sprung, unsprung = found.effective_masses
     stop, stop_force, stop_rate = _stop(corner, found)
     damper = _damper(corner, found)
-    gas, gas_rate = still_damper(damper, ratio * found.travel)
+    gas, gas_rate = damper.at_rest(ratio * found.travel)
     rate = (found.wheel_rate - stop_rate * found.motion_ratio**2) / ratio**2 - gas_rate
     static = (found.wheel_force - stop_force * found.motion_ratio) / ratio - gas
     tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
@@ -357,38 +358,27 @@ def _stop(rig: Corner, found: Lumping) -> tuple[dict[str, float], float, float]:
     return table, force, stop.rate + 3.0 * stop.progression * depth**2
 
 
-def _damper(rig: Corner, found: Lumping) -> Damper:
+def _damper(rig: Corner, found: Lumping) -> DamperLaw:
     """Damper as a lumped rig describes it, the third one with it; of a map the row at its length at rest."""
-    damper = damper_at(rig.strut.damper, rig.hardpoints.length("damper") - found.damper_ratio * found.travel)
+    damper: DamperLaw = rig.strut.damper.at_length(rig.hardpoints.length("damper") - found.damper_ratio * found.travel)
     third = None if rig.third_spring is None else rig.third_spring.damper
     if third is None or found.third_ratio == 0.0:
         return damper
     one, other = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
     share = found.third_ratio / found.damper_ratio  # velocity of the third damper for one of the lumped one
     velocities = np.unique(np.round(np.concatenate([one[0], other[0] / share]), 12))
-    both = _through(one, velocities) + 0.5 * share * _through(other, share * velocities)
+    both = on_lines(*one, velocities) + 0.5 * share * on_lines(*other, share * velocities)
     return VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist()))
 
 
-def _law_points(damper: Damper | VelocityTable, where: str) -> tuple[Array, Array]:
+def _law_points(damper: DamperLaw, where: str) -> tuple[Array, Array]:
     """Velocities (m/s) and forces (N) of a damper made of straight lines."""
-    if isinstance(damper, VelocityTable):
-        return np.array(damper.velocity), np.array(damper.force)
-    velocity = np.array([-1.0, 0.0, 1.0])
-    if isinstance(damper, LinearDamper):
-        return velocity, damper.coefficient * velocity
-    if isinstance(damper, BilinearDamper):
-        return velocity, np.array([-damper.rebound_coefficient, 0.0, damper.bump_coefficient])
-    raise DescriptionError(
-        "a hysteretic damper beside a third damper has no lumped law",
-        where=where,
-        found=damper.kind,
-        allowed="linear, bilinear, table, or no third damper",
-    )
-
-
-def _through(points: tuple[Array, Array], velocity: Array) -> Array:
-    """Force (N) of straight lines through points and beyond them, at velocities (m/s)."""
-    at, force = points
-    i = np.clip(np.searchsorted(at, velocity) - 1, 0, len(at) - 2)
-    return np.asarray(force[i] + (force[i + 1] - force[i]) * (velocity - at[i]) / (at[i + 1] - at[i]))
+    points = damper.points()
+    if points is None:
+        raise DescriptionError(
+            "a hysteretic damper beside a third damper has no lumped law",
+            where=where,
+            found=damper.kind,
+            allowed="linear, bilinear, blow-off, table, or no third damper",
+        )
+    return points

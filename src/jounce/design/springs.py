@@ -16,7 +16,7 @@ from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import to_si
 from jounce.parts import QuarterCar, Rig, as_rig
-from jounce.parts.elements import LinearDamper
+from jounce.parts.dampers import LinearDamper
 from jounce.parts.options import AnyRig
 from jounce.parts.vehicles import FullCar3D, HalfCar, Vehicle
 from jounce.ride.closed_forms import (

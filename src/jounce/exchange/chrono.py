@@ -19,7 +19,8 @@ from jounce.core.writing import check_writable, write_atomically
 from jounce.parts import Rig
 from jounce.parts.bodies import RigidBody
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson
-from jounce.parts.elements import BilinearDamper, LinearDamper, MapDamper, TableCurve, VelocityTable
+from jounce.parts.dampers import LinearDamper, MapDamper
+from jounce.parts.elements import TableCurve
 from jounce.parts.importers.chrono import DESIGN, STOP_PROGRESSION, STOP_RATE, TEMPLATES, arm_frame, rod_frame
 from jounce.parts.leverage import force_at
 
@@ -368,13 +369,10 @@ class _Writing:
             force = -np.array(damper.force)[:, ::-1].T
             rows = np.column_stack([-np.array(damper.velocity)[::-1], force])
             return {"Deformation": np.array(damper.length), "Map Data": rows}
-        if isinstance(damper, VelocityTable):
-            velocity, force = np.array(damper.velocity), np.array(damper.force)
-        elif isinstance(damper, BilinearDamper):
-            velocity = np.array([-10.0, 0.0, 10.0])
-            force = velocity * np.where(velocity < 0.0, damper.rebound_coefficient, damper.bump_coefficient)
-        else:
+        points = damper.points(beyond=10.0)
+        if points is None:
             raise self._refused("a damper with hysteresis is in no file of Chrono", found=damper.kind)
+        velocity, force = points
         return {"Curve Data": np.column_stack([-velocity[::-1], -force[::-1]])}
 
     def _note_rest(self) -> None:

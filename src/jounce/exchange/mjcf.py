@@ -18,7 +18,8 @@ from jounce.mechanics import Mechanism
 from jounce.models.corner import suspension
 from jounce.parts import Rig
 from jounce.parts.corners import Corner
-from jounce.parts.elements import BilinearDamper, BumpStop, Curve, LinearDamper, MapDamper, VelocityTable
+from jounce.parts.dampers import LinearDamper
+from jounce.parts.elements import BumpStop, Curve
 from jounce.parts.leverage import force_at
 
 STEP = 1e-4  # s
@@ -312,20 +313,12 @@ class _Writing:
         damper = self.rig.strut.damper
         if isinstance(damper, LinearDamper):
             return damper.coefficient
-        if isinstance(damper, BilinearDamper):
-            mean = 0.5 * (damper.bump_coefficient + damper.rebound_coefficient)
-        elif isinstance(damper, VelocityTable):
-            ends = np.interp([-_SLOW, _SLOW], damper.velocity, damper.force)
-            mean = float(ends[1] - ends[0]) / (2.0 * _SLOW)
-        elif isinstance(damper, MapDamper):
-            at = int(np.argmin(np.abs(np.array(damper.length) - self.rig.hardpoints.length("damper"))))
-            ends = np.interp([-_SLOW, _SLOW], damper.velocity, damper.force[at])
-            mean = float(ends[1] - ends[0]) / (2.0 * _SLOW)
-        else:
+        if damper.hysteretic:
             raise OutputError(
                 "a damper with hysteresis is in no file of MuJoCo", where="strut.damper", found=damper.kind,
-                allowed="linear, bilinear, table, map",
+                allowed="linear, bilinear, blow-off, table, map",
             )  # fmt: skip
+        mean = damper.at_length(self.rig.hardpoints.length("damper")).mean_coefficient(_SLOW)
         self._say(
             "strut.damper", f"{mean:.5g} N s/m in both directions: MuJoCo's damper is a straight line.", "warning"
         )

@@ -16,7 +16,7 @@ from jounce.core.catalogue import Severity
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
-from jounce.identify.noise import noise_of
+from jounce.identify.signals import noise_of
 from jounce.identify.signs import likeness, turned_channel
 from jounce.recordings.sensors import Datum, Sensor, filter_signals
 

@@ -49,7 +49,7 @@ from jounce.identify.motion import (
     order_of,
     spoken,
 )
-from jounce.identify.noise import lost_samples, noise_of, quantum_of
+from jounce.identify.signals import lost_samples, noise_of, quantum_of, zigzag
 from jounce.recordings.carried import carried_channel, clock_of
 
 if TYPE_CHECKING:
@@ -159,26 +159,6 @@ def _half_period(time: Array, turns: list[int]) -> float:
         )
     gaps = np.diff(time[turns])
     return float(np.median(gaps[1:] if len(gaps) > 1 else gaps))
-
-
-def zigzag(signal: Array, threshold: float) -> list[int]:
-    """Indices of the first sample and of the turning points that the signal leaves by more than ``threshold``.
-
-    >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
-    [0, 3, 4]
-    """
-    turns, extreme, direction = [0], 0, 0
-    for index in range(1, len(signal)):
-        step = signal[index] - signal[extreme]
-        if direction == 0:
-            if abs(step) > threshold:
-                direction, extreme = (1 if step > 0 else -1), index
-        elif step * direction > 0.0:
-            extreme = index
-        elif -step * direction > threshold:
-            turns.append(extreme)
-            direction, extreme = -direction, index
-    return turns
 
 
 def _parabola(time: Array, signal: Array, smooth: Array, index: int, half: float) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from jounce.identify.estimate import linear_least_squares
 from jounce.identify.free_response import DecayParameters, decay_slopes
 from jounce.identify.low_pass import low_pass_corner, smoother_corner
 from jounce.identify.motion import Quantity
-from jounce.identify.noise import quantum_of
+from jounce.identify.signals import quantum_of
 from jounce.recordings.quality import clipped_share, frozen_samples
 
 EXACT = 1e-6  # of the range: a misfit below this leaves nothing to explain

@@ -14,9 +14,9 @@ from jounce.core.findings import Finding
 from jounce.core.samples import as_samples
 from jounce.core.shown import Shown
 from jounce.core.types import Array
-from jounce.identify.decay import zigzag
 from jounce.identify.estimate import linear_least_squares
 from jounce.identify.motion import MOTIONS, Motion, MotionName, spoken
+from jounce.identify.signals import zigzag
 from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 
 Branch = Literal["loading", "unloading", "both"]

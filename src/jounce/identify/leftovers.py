@@ -14,7 +14,7 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.estimate import correlation_time
 from jounce.identify.lags import Shifted, best_lag
-from jounce.identify.noise import noise_of
+from jounce.identify.signals import noise_of
 from jounce.recordings.quality import clipped_share
 from jounce.recordings.schema import channel_unit
 

@@ -18,7 +18,8 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.doubt import Doubt
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.elements import BilinearDamper, Friction, LinearDamper
+from jounce.parts.dampers import DamperLaw, Samples
+from jounce.parts.elements import Friction
 from jounce.parts.rig import unit_of, unknown_path
 
 _KNOTS = (0.03, 0.12, 0.35, 1.0)  # of the largest strut velocity: where the damper's law may bend, either way
@@ -127,10 +128,15 @@ class Richer:
 
     def damper_force(self, p: Mapping[str, float], xi: Array, velocity: Array) -> Array:
         """Force in N of the damper's law with its bends at strut velocities (m/s), straight between the knots."""
-        bump, rebound = (p.get(f"strut.damper.{side}_coefficient", 0.0) for side in ("bump", "rebound"))
-        linear = p.get("strut.damper.coefficient")
-        bump, rebound = (bump, rebound) if linear is None else (linear, linear)
-        force = np.where(velocity > 0.0, bump, rebound) * velocity
+
+        def number(name: str) -> float:
+            return p[f"strut.damper.{name}"]
+
+        law = self._damper_law()
+        if law is None:  # of another law what its coefficient says
+            force = p.get("strut.damper.coefficient", 0.0) * velocity
+        else:
+            force = law.evaluate(Samples(number, velocity))
         if self._knotted is None or self._knots is None:
             return np.asarray(force)
         places, root = self._knotted
@@ -198,9 +204,13 @@ class Richer:
             if i is not None:
                 self._shares[i] = path
 
+    def _damper_law(self) -> DamperLaw | None:
+        """The damper of the strut where its law is straight on either side of rest, which a table may bend."""
+        damper: DamperLaw = getattr(self.rig, "strut").damper  # noqa: B009 - rigs with laws have one
+        return damper if damper.bends() == (0.0,) else None
+
     def _damper(self) -> None:
-        damper = getattr(self.rig, "strut").damper  # noqa: B009 - rigs with laws have one
-        if not isinstance(damper, (LinearDamper, BilinearDamper)) or self.doubt.damper_shape <= 0.0:
+        if self._damper_law() is None or self.doubt.damper_shape <= 0.0:
             return
         positive = np.array(_KNOTS) * self.ridden.velocity
         knots = np.concatenate([-positive[::-1], [0.0], positive])

@@ -12,7 +12,7 @@ from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Residuals, UpdateProblem
 from jounce.identify.leftovers import LeftOver
-from jounce.identify.noise import noise_of
+from jounce.identify.signals import noise_of
 from jounce.recordings.schema import channel_unit
 
 _FEWEST = 3  # trials, below which nothing tells which of them is wrong

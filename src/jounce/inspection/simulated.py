@@ -18,7 +18,7 @@ from jounce.inspection.methods import METHODS, methods_on, rigidity_findings
 from jounce.inspection.quarter_car import body_damping
 from jounce.inspection.result import Inspection, WheelResult
 from jounce.parts import QuarterCar, Rig
-from jounce.parts.elements import LinearDamper
+from jounce.parts.dampers import LinearDamper
 from jounce.parts.testers import Tester, as_tester, load_tester
 from jounce.parts.vehicles import FrontViewAxle, Vehicle, axle_of
 from jounce.testers.periodic import steady_sweep

@@ -20,7 +20,6 @@ from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, prepare_sweep
 from jounce.mechanics.rotations import normals, unit
 from jounce.parts import Corner, Rig
-from jounce.parts.elements import BilinearDamper, LinearDamper
 from jounce.parts.leverage import AXES
 
 if TYPE_CHECKING:
@@ -293,7 +292,7 @@ def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: di
     joints.spring()
     if rig.torsion_bar is not None:
         joints.torsion_bar(rows["torsion_bar_torque"])
-    if not isinstance(rig.strut.damper, LinearDamper | BilinearDamper):
+    if rig.strut.damper.pushes_at_rest:
         joints.still_damper(rows["damper_force"])
     wheel, contact = parts[-1], points["contact_point"]
     flat = np.tile([0.0, load.lateral_force, load.vertical_force], (poses, 1))

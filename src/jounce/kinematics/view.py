@@ -15,7 +15,7 @@ import casadi as ca
 from jounce.mechanics import Track
 from jounce.mechanics.contact import towards_road
 from jounce.mechanics.driven import Quasistatic
-from jounce.mechanics.elements import curve_force, damper_force, damper_map_force
+from jounce.mechanics.elements import curve_force, damper_force
 from jounce.mechanics.frames import Moving
 from jounce.mechanics.rotations import turned, unit
 from jounce.models.attachments import (
@@ -34,7 +34,6 @@ from jounce.models.attachments import (
     winding,
 )
 from jounce.models.linkage import Line, Linkage
-from jounce.parts.elements import MapDamper
 
 _UP = ca.SX([0.0, 0.0, 1.0])
 _TINY = 1e-12  # m/s: on either side of rest
@@ -302,9 +301,7 @@ class CornerView:
 
     def _damper_force(self, line: Line, velocity: ca.SX) -> ca.SX:
         law = self.linkage.rig.strut.damper
-        if isinstance(law, MapDamper):
-            return damper_map_force(self.mechanism, law, "strut.damper", line.length, velocity)
-        return damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity)
+        return damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity, length=line.length)
 
     @cached_property
     def motion_ratio(self) -> ca.SX:

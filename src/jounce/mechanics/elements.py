@@ -7,24 +7,20 @@ themselves are parameters of the model.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import casadi as ca
 
 from jounce.mechanics.system import System
+from jounce.parts.dampers import DamperLaw, MapDamper
 from jounce.parts.elements import (
-    BilinearDamper,
-    BoucWenDamper,
     BumpStop,
     Curve,
-    Damper,
     Friction,
-    LinearDamper,
-    MapDamper,
     PolynomialCurve,
     PowerCurve,
     Spring,
     TableCurve,
-    TanhDamper,
     Tyre,
 )
 
@@ -67,34 +63,56 @@ def spring_force(system: System, spring: Spring, path: str, deflection: ca.SX) -
     return preload + system.parameter(f"{path}.rate") * deflection
 
 
+@dataclass(frozen=True)
+class ModelPoint:
+    """Operating point of a damper law as symbols of a model; ``path`` is that of its numbers (``OperatingPoint``)."""
+
+    system: System
+    path: str
+    deflection: ca.SX
+    velocity: ca.SX
+    length: ca.SX | None
+    numbers: Callable[[str], ca.SX] | None
+
+    def number(self, name: str) -> ca.SX:
+        """Give the parameter."""
+        return self.system.parameter(f"{self.path}.{name}") if self.numbers is None else self.numbers(name)
+
+    def switch(self, name: str, x: ca.SX) -> ca.SX:
+        """Give a mode symbol: steps land where ``x`` changes its sign."""
+        return self.system.switch(f"{self.path} {name}", x)
+
+    def table(self, variable: str, x: ca.SX, points: int) -> ca.SX:
+        """Give the force at ``x`` on straight lines through the law's points and beyond them."""
+        return table_force(self.system, self.path, variable, points, x)
+
+    def grid(self, damper: MapDamper) -> ca.SX:
+        """Give the force at length and velocity on a map."""
+        assert self.length is not None, "maps are laws of 3-D struts, which have a length"
+        return damper_map_force(self.system, damper, self.path, self.length, self.velocity)
+
+    def state(self, name: str, rate: Callable[[ca.SX], ca.SX]) -> ca.SX:
+        """Add a first-order state."""
+        state = self.system.internal_state(f"{self.path} {name}")
+        self.system.set_internal_rate(f"{self.path} {name}", rate(state))
+        return state
+
+
 def damper_force(
     system: System,
-    damper: Damper,
+    damper: DamperLaw,
     path: str,
     deflection: ca.SX,
     velocity: ca.SX,
     number: Callable[[str], ca.SX] | None = None,
+    *,
+    length: ca.SX | None = None,
 ) -> ca.SX:
-    """Damper force (N) at a deflection (m) and a deflection rate (m/s).
+    """Damper force (N) at a deflection (m) and a deflection rate (m/s), of a map at a ``length`` (m) as well.
 
     ``number`` gives the numbers of a law with one form (not of a table) where they are not parameters themselves.
     """
-    number = number or (lambda name: system.parameter(f"{path}.{name}"))
-    if isinstance(damper, LinearDamper):
-        return number("coefficient") * velocity
-    if isinstance(damper, BilinearDamper):
-        bump = system.switch(f"{path} bump", velocity)
-        rebound = number("rebound_coefficient")
-        return (rebound + bump * (number("bump_coefficient") - rebound)) * velocity
-    if isinstance(damper, TanhDamper):
-        lagged = velocity + number("displacement_coupling") * deflection
-        hysteresis = number("force") * ca.tanh(number("slope") * lagged)
-        return number("coefficient") * velocity + number("stiffness") * deflection + hysteresis + number("offset")
-    if isinstance(damper, BoucWenDamper):
-        z = _bouc_wen_state(system, path, velocity, number)
-        linear = number("coefficient") * velocity + number("stiffness") * deflection
-        return linear + number("hysteretic_force") * z + number("offset")
-    return table_force(system, path, "velocity", len(damper.velocity), velocity)
+    return damper.evaluate(ModelPoint(system, path, deflection, velocity, length, number))
 
 
 def damper_map_force(system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX) -> ca.SX:
@@ -160,23 +178,6 @@ def _contact_stiffness(system: System, tyre: Tyre) -> ca.SX:
     return ca.fabs(rise) / (
         system.parameter(f"tyre.curve.deflection[{last}]") - system.parameter("tyre.curve.deflection[0]")
     )
-
-
-def _bouc_wen_state(system: System, path: str, velocity: ca.SX, number: Callable[[str], ca.SX]) -> ca.SX:
-    """Normalised hysteretic state with its rate set; ``|z|^n`` by logarithm so that n may be fitted.
-
-    The absolute values are switches, so that steps land where the motion or the hysteresis turns over.
-    """
-    name = f"{path} z"
-    z = system.internal_state(name)
-    rate, sigma, exponent = (number(key) for key in ("rate", "sigma", "exponent"))
-    forward = 2.0 * system.switch(f"{path} forward", velocity) - 1.0
-    side = 2.0 * system.switch(f"{path} side", z) - 1.0
-    size = side * z
-    power = ca.exp(exponent * ca.log(ca.fmax(size, 1e-150)))
-    turning = sigma * forward * velocity * power * side
-    system.set_internal_rate(name, rate * (velocity - turning + (sigma - 1.0) * velocity * power))
-    return z
 
 
 def friction_force(system: System, friction: Friction | None, path: str, velocity: ca.SX) -> ca.SX:

@@ -13,7 +13,6 @@ from jounce.mechanics.elements import (
     bump_stop_force,
     curve_force,
     damper_force,
-    damper_map_force,
     friction_force,
     tyre_force,
 )
@@ -22,7 +21,7 @@ from jounce.mechanics.rotations import unit
 from jounce.models.actuation import replaced_tyre
 from jounce.models.bars import Swing, TBar, t_bar
 from jounce.models.linkage import Described, Linkage, Reached, Stretch, Suspension
-from jounce.parts.elements import CoilSpring, MapDamper, TyreLaw
+from jounce.parts.elements import CoilSpring, TyreLaw
 from jounce.parts.leverage import AXES
 
 
@@ -226,9 +225,7 @@ def stop_law(linkage: Described, line: Stretch) -> ca.SX:
 def damper_law(linkage: Described, line: Stretch) -> ca.SX:
     """Damper force (N, compression positive)."""
     mechanism, damper = linkage.mechanism, linkage.rig.strut.damper
-    if isinstance(damper, MapDamper):
-        return damper_map_force(mechanism, damper, "strut.damper", line.length, -line.rate)
-    return damper_force(mechanism, damper, "strut.damper", line.deflection, -line.rate)
+    return damper_force(mechanism, damper, "strut.damper", line.deflection, -line.rate, length=line.length)
 
 
 def friction_law(linkage: Described, line: Stretch) -> ca.SX:

@@ -50,7 +50,6 @@ wheel load r.m.s. is that of the dynamic part over the static load; powers are m
 RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}
 LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = ("linear", "tanh-hysteretic", "bouc-wen")
 _COLUMNS = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "N"}
-_CYCLE = 2000  # samples of a harmonic cycle
 _GRAVITY = 9.81  # m/s^2
 WHEEL_MASS, TYRE_MASS, TYRE_STIFFNESS, TYRE_DAMPING = 18.8, 37.6, 326332.0, 500.0
 """Of the same vehicle in the same repository as its hardpoints; see SOURCE.md beside them. kg, kg, N/m, N s/m."""
@@ -340,35 +339,9 @@ def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[
     return {key: value if key == "kind" else value * factors[key] for key, value in table.items()}
 
 
-def harmonic_energy(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
-    """Work (J) that a damper (``strut.damper``, linear, tanh or bouc-wen) takes up per cycle of harmonic motion; m, Hz.
-
-    Examples
-    --------
-    >>> round(harmonic_energy({"coefficient": 1000.0}, 0.02, 1.0), 4), round(1000.0 * np.pi * 2 * np.pi * 0.02**2, 4)
-    (7.8957, 7.8957)
-    """
-    phase = np.linspace(0.0, 4.0 * np.pi, 2 * _CYCLE + 1)  # the first cycle brings a law with a memory into its state
-    x, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
-    force = _force(table, x, v)
-    power = (force * v)[_CYCLE:]
-    return float(np.trapezoid(power, phase[_CYCLE:])) / (2.0 * np.pi * frequency)
-
-
 def equivalent_coefficient(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
     """Linear damping coefficient (N s/m) that takes up as much per cycle; ``amplitude`` in m, ``frequency`` in Hz."""
-    return harmonic_energy(table, amplitude, frequency) / (2.0 * np.pi**2 * frequency * amplitude**2)
-
-
-def _force(table: Mapping[str, Any], x: Array, v: Array) -> Array:
-    linear = table["coefficient"] * v + table.get("stiffness", 0.0) * x
-    if table.get("kind") == "tanh":
-        lagged = v + table["displacement_coupling"] * x
-        return np.asarray(linear + table["force"] * np.tanh(table["slope"] * lagged))
-    if table.get("kind") == "bouc-wen":
-        state = jn.bouc_wen_path(x, table["rate"], table["sigma"], table["exponent"], 0.0)
-        return np.asarray(linear + table["hysteretic_force"] * state)
-    return np.asarray(linear)
+    return jn.harmonic_energy(table, amplitude, frequency) / (2.0 * np.pi**2 * frequency * amplitude**2)
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import remembered
 from jounce.parts.corners import LARGE, Corner
-from jounce.parts.elements import MapDamper, VelocityTable
+from jounce.parts.dampers import MapDamper, VelocityTable
 from jounce.parts.leverage import (
     carried_beside_spring,
     motion_ratio,

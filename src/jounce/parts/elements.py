@@ -1,6 +1,6 @@
 """Force elements as frozen descriptions.
 
-Springs, dampers, friction, stops, tyres, steering, anti-roll, torsion and third springs, bushings.
+Springs, friction, stops, tyres, steering, anti-roll, torsion and third springs, bushings; dampers have a module.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import math
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Field, model_validator
 
 from jounce.core.description import Description, misplaced
 from jounce.core.samples import Listed
@@ -26,12 +26,12 @@ from jounce.core.units import (
     PositiveSpeed,
     PositiveStiffness,
     Pressure,
-    Speed,
-    Stiffness,
     Torque,
     Unit,
 )
 from jounce.parts.bodies import DampingTriple, Point, RotationalStiffnessTriple, StiffnessTriple, Triple
+from jounce.parts.dampers import Damper, StrutDamper
+from jounce.parts.tables import check_table
 
 
 class PolynomialCurve(Description):
@@ -62,33 +62,6 @@ class TableCurve(Description):
         return self
 
 
-class VelocityTable(Description):
-    """Damper force through points of velocity (m/s, bump positive), straight lines between them and beyond."""
-
-    kind: Literal["table"] = "table"
-    velocity: Annotated[tuple[Speed, ...], Listed] = Field(min_length=2)
-    force: Annotated[tuple[Force, ...], Listed] = Field(min_length=2)
-
-    @model_validator(mode="after")
-    def _check(self) -> VelocityTable:
-        check_table("velocity", self.velocity, self.force)
-        return self
-
-
-def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> None:
-    """Refuse tables of unequal length or with points that do not ascend."""
-    if len(x) != len(force):
-        raise ValueError(f"{name} has {len(x)} points and force has {len(force)}; give as many of both")
-    check_ascending(name, x)
-
-
-def check_ascending(name: str, values: tuple[float, ...]) -> None:
-    """Refuse points that do not ascend."""
-    for i, (a, b) in enumerate(pairwise(values)):
-        if b <= a:
-            raise ValueError(f"{name}[{i + 1}] = {b:g} does not lie above {name}[{i}] = {a:g}; sort the points")
-
-
 Curve = Annotated[PolynomialCurve | PowerCurve | TableCurve, Field(discriminator="kind")]
 
 
@@ -103,70 +76,6 @@ class Spring(Description):
     def _one_law(self) -> Spring:
         require_one(self, "rate", "curve")
         return self
-
-
-class LinearDamper(Description):
-    """Damper force ``coefficient * velocity``, N s/m."""
-
-    kind: Literal["linear"] = "linear"
-    coefficient: NonNegativeDampingCoefficient
-
-
-class BilinearDamper(Description):
-    """Damper with one coefficient in bump and another in rebound, N s/m."""
-
-    kind: Literal["bilinear"] = "bilinear"
-    bump_coefficient: NonNegativeDampingCoefficient
-    rebound_coefficient: NonNegativeDampingCoefficient
-
-
-class TanhDamper(Description):
-    """Hysteretic damper ``F = c v + k x + f tanh(slope (v + displacement_coupling x)) + offset`` (Kwok 2006)."""
-
-    kind: Literal["tanh"] = "tanh"
-    coefficient: NonNegativeDampingCoefficient
-    stiffness: Stiffness = 0.0
-    force: NonNegativeForce
-    slope: Annotated[float, Unit("s/m", above=0.0)]
-    displacement_coupling: Annotated[float, Unit("1/s")] = 0.0
-    offset: Force = 0.0
-
-
-class BoucWenDamper(Description):
-    """Hysteretic damper ``F = c v + k x + f z + offset`` with the normalised Bouc-Wen state ``-1 <= z <= 1``.
-
-    ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)``, rate in 1/m, sigma >= 1/2, exponent n >= 1.
-    """
-
-    kind: Literal["bouc-wen"] = "bouc-wen"
-    coefficient: NonNegativeDampingCoefficient
-    stiffness: Stiffness = 0.0
-    hysteretic_force: NonNegativeForce
-    rate: Annotated[float, Unit("1/m", above=0.0)]
-    sigma: Annotated[float, Unit("1", at_least=0.5)]
-    exponent: Annotated[float, Unit("1", at_least=1.0)]
-    offset: Force = 0.0
-
-
-def damper_kind(value: Any) -> str:
-    """Name the law of a damper table: by ``kind``, else by its keys."""
-    if not isinstance(value, dict):
-        return str(getattr(value, "kind", "linear"))
-    if "kind" in value:
-        return str(value["kind"])
-    if {"bump_coefficient", "rebound_coefficient"} & value.keys():
-        return "bilinear"
-    return "table" if {"velocity", "force"} & value.keys() else "linear"
-
-
-_LumpedDamper = (
-    Annotated[LinearDamper, Tag("linear")]
-    | Annotated[BilinearDamper, Tag("bilinear")]
-    | Annotated[VelocityTable, Tag("table")]
-    | Annotated[TanhDamper, Tag("tanh")]
-    | Annotated[BoucWenDamper, Tag("bouc-wen")]
-)
-Damper = Annotated[_LumpedDamper, Discriminator(damper_kind)]
 
 
 class Friction(Description):
@@ -239,45 +148,6 @@ class CoilSpring(Description):
                 f"{self.free_length:g} m. preload is the spring force at design length; it follows from the free length"
             )
         return self
-
-
-class MapDamper(Description):
-    """Damper force over its length and velocity: ``force[i][j]`` (N) at ``length[i]`` (m) and ``velocity[j]`` (m/s).
-
-    Velocity is positive in bump (shortening), force in compression. Straight lines between the points; extrapolated
-    beyond the velocities, constant beyond the lengths.
-    """
-
-    kind: Literal["map"] = "map"
-    length: Annotated[tuple[PositiveLength, ...], Listed] = Field(min_length=2)
-    velocity: Annotated[tuple[Speed, ...], Listed] = Field(min_length=2)
-    force: Annotated[tuple[Annotated[tuple[Force, ...], Listed], ...], Listed]
-
-    @model_validator(mode="after")
-    def _is_a_grid(self) -> Self:
-        check_ascending("length", self.length)
-        check_ascending("velocity", self.velocity)
-        if len(self.force) != len(self.length):
-            raise ValueError(
-                f"force has {len(self.force)} rows and length {len(self.length)} points; give one row for each length"
-            )
-        for i, row in enumerate(self.force):
-            if len(row) != len(self.velocity):
-                raise misplaced(
-                    ("force", i),
-                    f"this row has {len(row)} forces and velocity {len(self.velocity)} points; give as many of both",
-                )
-        return self
-
-
-def _strut_damper_kind(value: Any) -> str:
-    """Name the law of a damper table: a map has lengths, the rest as in lumped rigs."""
-    if isinstance(value, dict) and "kind" not in value and "length" in value:
-        return "map"
-    return damper_kind(value)
-
-
-StrutDamper = Annotated[_LumpedDamper | Annotated[MapDamper, Tag("map")], Discriminator(_strut_damper_kind)]
 
 
 class SpatialStrut(Description):

@@ -6,7 +6,6 @@ found by the kinematics.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import cast
 
 import numpy as np
@@ -14,20 +13,8 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
-from jounce.parts.elements import (
-    BilinearDamper,
-    BumpStop,
-    CoilSpring,
-    Curve,
-    Damper,
-    LinearDamper,
-    MapDamper,
-    PolynomialCurve,
-    PowerCurve,
-    TanhDamper,
-    Tyre,
-    VelocityTable,
-)
+from jounce.parts.elements import BumpStop, CoilSpring, Curve, PolynomialCurve, PowerCurve, Tyre
+from jounce.parts.tables import on_lines
 
 AXES = {
     "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
@@ -96,40 +83,13 @@ def carried_beside_spring(rig: Corner, travel: float = 0.0) -> float:
         force += (bar.preload + bar.stiffness * torsion_ratio(rig) * travel) * torsion_ratio(rig)
     if third is not None:
         length, ratio = 2.0 * abs(_at(rig.hardpoints, _THIRD)[1]), third_ratio(rig)
-        gas = 0.0 if third.damper is None else still_damper(third.damper, ratio * travel)[0]
+        gas = 0.0 if third.damper is None else third.damper.at_rest(ratio * travel)[0]
         force += 0.5 * (_coil_force(third.spring, length, ratio * travel) + gas) * ratio
-    if not isinstance(rig.strut.damper, LinearDamper | BilinearDamper):
+    if rig.strut.damper.pushes_at_rest:
         moved = motion_ratio(rig, "damper") * travel
-        law = damper_at(rig.strut.damper, rig.hardpoints.length("damper") - moved)
-        force += still_damper(law, moved)[0] * motion_ratio(rig, "damper")
+        law = rig.strut.damper.at_length(rig.hardpoints.length("damper") - moved)
+        force += law.at_rest(moved)[0] * motion_ratio(rig, "damper")
     return force
-
-
-def damper_at(law: Damper | VelocityTable | MapDamper, length: float) -> Damper | VelocityTable:
-    """Law of a damper at a length (m): of a map its row there, any other as it is."""
-    if not isinstance(law, MapDamper):
-        return law
-    forces = tuple(float(np.interp(length, law.length, column)) for column in zip(*law.force, strict=True))
-    return VelocityTable(velocity=law.velocity, force=forces)
-
-
-def still_damper(law: Damper | VelocityTable, deflection: float = 0.0) -> tuple[float, float]:
-    """Force (N, compression positive) and stiffness (N/m) of a damper at rest at a deflection (m): of its gas.
-
-    >>> from jounce.parts.elements import TanhDamper
-    >>> still_damper(TanhDamper(coefficient=900.0, force=0.0, slope=1.0, stiffness=2000.0, offset=150.0), 0.01)
-    (170.0, 2000.0)
-    """
-    if isinstance(law, LinearDamper | BilinearDamper):
-        return 0.0, 0.0
-    if isinstance(law, VelocityTable):
-        return _on_lines(law.velocity, law.force, 0.0), 0.0
-    force, stiffness = law.offset + law.stiffness * deflection, law.stiffness
-    if isinstance(law, TanhDamper):
-        lagged = np.tanh(law.slope * law.displacement_coupling * deflection)
-        force += law.force * float(lagged)
-        stiffness += law.force * law.slope * law.displacement_coupling * float(1.0 - lagged**2)
-    return force, stiffness
 
 
 def static_load(rig: Corner) -> float:
@@ -182,13 +142,7 @@ def force_at(curve: Curve, x: float) -> float:
         return float(sum(c * x ** (i + 1) for i, c in enumerate(curve.coefficients)))
     if isinstance(curve, PowerCurve):
         return curve.coefficient * x**curve.exponent if x > 0.0 else 0.0
-    return _on_lines(curve.deflection, curve.force, x)
-
-
-def _on_lines(xs: Sequence[float], forces: Sequence[float], x: float) -> float:
-    """Value of straight lines through points and beyond them."""
-    i = int(np.clip(np.searchsorted(np.array(xs), x) - 1, 0, len(xs) - 2))
-    return float(forces[i] + (forces[i + 1] - forces[i]) * (x - xs[i]) / (xs[i + 1] - xs[i]))
+    return float(on_lines(curve.deflection, curve.force, x))
 
 
 def _stop(stop: BumpStop | None, deflection: float) -> float:

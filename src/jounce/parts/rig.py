@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, ClassVar, Self
 
 from pydantic import BaseModel, model_validator
+from pydantic.fields import FieldInfo
 
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError
@@ -133,11 +134,15 @@ def quantity_at(kind: BaseModel, path: str) -> Unit:
         if isinstance(part, int):
             here = here[part]
             continue
-        field = type(here).model_fields[part]
-        units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
-        found = units[0] if units else Unit("1")
+        found = unit_of_field(type(here).model_fields[part])
         here = getattr(here, part)
     return found
+
+
+def unit_of_field(field: FieldInfo) -> Unit:
+    """Unit and range of a field of a description; those of a plain number where it has none."""
+    units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
+    return units[0] if units else Unit("1")
 
 
 def unit_of(kind: BaseModel, path: str) -> str:

@@ -22,7 +22,8 @@ from jounce.core.units import (
 )
 from jounce.parts.bodies import Point
 from jounce.parts.corners import AnyCorner
-from jounce.parts.elements import BumpStop, Damper, Friction, LinearDamper, Spring, Tyre, require_one
+from jounce.parts.dampers import Damper, LinearDamper
+from jounce.parts.elements import BumpStop, Friction, Spring, Tyre, require_one
 from jounce.parts.rig import Rig
 
 _StrutAngle = Annotated[float, Unit("rad", at_least=0.0, at_most=1.2)]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -17,6 +16,7 @@ from jounce.core.findings import Finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.parts import Rig, as_rig
+from jounce.parts.dampers import MapDamper, damper_laws
 from jounce.recordings.schema import channels_of, is_channel
 from jounce.ride.covariance import KICKED, WANDERS, Gain, RandomVibration, Signal
 from jounce.ride.family import Families, LinearFamily
@@ -30,7 +30,6 @@ _ABSENT = {
 }
 _LIFTS = 3.0  # standard deviations: a Gaussian signal exceeds them for 0.13 % of the time
 _TINY = 1e-12  # SI: rounding of zero
-_FARTHEST = 6.0  # standard deviations: the Gaussian weight beyond is 2e-9
 _USUAL_SPEED = 0.3  # m/s, assumed without a channel; cars of the library have 0.22 to 0.25 r.m.s. on class C at 20 m/s
 _BENDS = 0.1  # relative error of a damper's slope that is reported; standard deviations change by about half of it
 
@@ -299,57 +298,30 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
         findings.append(Finding(path, "warning", text, numbers[path]))
     for path in (path for path in numbers if path.endswith("bump_coefficient")):
         findings.append(Finding(path, "note", "the mean of bump and rebound coefficients is used.", numbers[path]))
-    return [*findings, *_nonlinear_dampers(numbers, sigma)]
+    return [*findings, *_nonlinear_dampers(rig, sigma)]
 
 
-def _nonlinear_dampers(numbers: Mapping[str, float], sigma: Mapping[str, float]) -> Iterator[Finding]:
+def _nonlinear_dampers(rig: Rig, sigma: Mapping[str, float]) -> Iterator[Finding]:
     """Report dampers whose slope at rest differs from their equivalent coefficient on this road.
 
-    The equivalent coefficient of a Gaussian velocity is the mean of force times velocity over that of the velocity
-    squared (statistical linearisation).
+    Nothing here tells the velocity of a third damper, and the slope at rest of a law with a state is no damping.
     """
-    for damper in (path.removesuffix(".coefficient") for path in numbers if path.endswith("damper.coefficient")):
-        if f"{damper}.slope" not in numbers:
+    for path, law in damper_laws(rig):
+        if "third_spring" in path or law.remembers or isinstance(law, MapDamper):
             continue
-        c, f, slope = (numbers[f"{damper}.{name}"] for name in ("coefficient", "force", "slope"))
-        yield from _bent(damper, sigma, partial(_of_tanh, c, f, slope), c + f * slope)
-    for damper in (path.removesuffix(".velocity[0]") for path in numbers if path.endswith("damper.velocity[0]")):
-        if f"{damper}.force[0]" not in numbers:  # a map
+        place = path.partition(".")[0]  # "strut", or the axle
+        speeds = [sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place)]
+        speed, whence = max(speeds, default=_USUAL_SPEED), "standard deviation" if speeds else "assumed"
+        if speed <= 0.0:
             continue
-        count = sum(path.startswith(f"{damper}.velocity[") for path in numbers)
-        knots, forces = (
-            np.array([numbers[f"{damper}.{name}[{i}]"] for i in range(count)]) for name in ("velocity", "force")
-        )
-        law = partial(_of_table, knots, np.diff(forces) / np.diff(knots), forces)
-        nearby = 1e-9 * float(np.abs(knots).max())
-        yield from _bent(damper, sigma, law, float(np.diff(law(np.array([-nearby, nearby])))[0] / (2.0 * nearby)))
-
-
-def _of_tanh(coefficient: float, force: float, slope: float, velocity: Array) -> Array:
-    return np.asarray(coefficient * velocity + force * np.tanh(slope * velocity))
-
-
-def _of_table(knots: Array, slopes: Array, forces: Array, velocity: Array) -> Array:
-    piece = np.clip(np.searchsorted(knots, velocity) - 1, 0, len(slopes) - 1)
-    return np.asarray(forces[piece] + slopes[piece] * (velocity - knots[piece]))
-
-
-def _bent(damper: str, sigma: Mapping[str, float], law: Callable[[Array], Array], at_rest: float) -> Iterator[Finding]:
-    place = damper.partition(".")[0]  # "strut", or the axle
-    speeds = [sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place)]
-    speed, whence = max(speeds, default=_USUAL_SPEED), "standard deviation" if speeds else "assumed"
-    if "third_spring" in damper or speed <= 0.0:
-        return
-    z = np.linspace(-_FARTHEST, _FARTHEST, 4001)
-    weight = np.exp(-0.5 * z**2)
-    equivalent = float(weight @ (law(speed * z) * z) / (weight @ z**2) / speed)
-    if abs(equivalent - at_rest) > _BENDS * abs(equivalent):
-        text = (
-            f"the curve bends: at {speed:.2g} m/s ({whence}) it damps like {equivalent:.4g} N*s/m, but its slope "
-            f"at rest, {at_rest:.4g} N*s/m, is used; give {equivalent:.4g} N*s/m as coefficient "
-            "and look again, or simulate."
-        )
-        yield Finding(damper, "warning", text, equivalent)
+        equivalent, at_rest = law.statistical_coefficient(speed), law.slope_at_rest()
+        if abs(equivalent - at_rest) > _BENDS * abs(equivalent):
+            text = (
+                f"the curve bends: at {speed:.2g} m/s ({whence}) it damps like {equivalent:.4g} N*s/m, but its slope "
+                f"at rest, {at_rest:.4g} N*s/m, is used; give {equivalent:.4g} N*s/m as coefficient "
+                "and look again, or simulate."
+            )
+            yield Finding(path, "warning", text, equivalent)
 
 
 def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:

@@ -8,7 +8,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.design.poses import moved_rig, rigid_motion, rigs_along, spin_axis, wheel_angles
-from jounce.parts.leverage import spring_force, still_damper
+from jounce.parts.leverage import spring_force
 
 KART = jn.load("kart-double-wishbone")
 MODELS = ("kart-double-wishbone", "hmmwv-front", "generic-mcpherson", "sedan-multi-link")
@@ -100,10 +100,10 @@ def test_a_damper_pushes_as_much_in_the_new_design():
     law = {"kind": "tanh", "coefficient": 160.0, "force": 0.0, "slope": 1.0, "stiffness": 1500.0, "offset": 40.0}
     rig = KART.with_changes({"strut.damper": law})
     (posed,) = rigs_along(rig, [0.01])
-    assert still_damper(posed.strut.damper)[0] == pytest.approx(
+    assert posed.strut.damper.at_rest()[0] == pytest.approx(
         float(jn.sweep_travel(rig, [0.01])["damper_force"][0]), rel=1e-9
     )
-    assert still_damper(posed.strut.damper)[0] > 50.0
+    assert posed.strut.damper.at_rest()[0] > 50.0
 
 
 def test_a_curve_with_a_preload_has_no_other_length():

@@ -10,20 +10,10 @@ import pytest
 
 from jounce.core.errors import DescriptionError, FitError
 from jounce.core.serialise import to_json
-from jounce.identify.damper import (
-    DamperResult,
-    _check_velocity,
-    _cycles,
-    _fitted_part,
-    _force_step,
-    _moving_part,
-    damper_advice,
-    damper_curve,
-    damper_law,
-    fit_damper,
-    hysteresis_share,
-    read_motion,
-)
+from jounce.identify.damper import DamperResult, _fitted_part, damper_curve, fit_damper
+from jounce.identify.damper_findings import _force_step, damper_advice, hysteresis_share
+from jounce.identify.damper_laws import LAWS, damper_law
+from jounce.identify.damper_record import _check_velocity, _moving_part, cycles_of, read_motion
 from jounce.identify.estimate import Estimate
 from jounce.identify.hysteresis_path import bouc_wen_path
 
@@ -190,12 +180,12 @@ def test_bouc_wen_recovers_its_parameters():
 def test_tables_are_accepted_by_a_rig():
     from pydantic import TypeAdapter
 
-    from jounce.parts.elements import Damper
+    from jounce.parts.dampers import Damper
 
     force = (
         np.where(V > 0, 400.0, 1200.0) * V + 60.0 * np.tanh(V / 0.005) + 0.5 * bouc_wen_path(X, 600.0, 2.5, 1.6, 0.0)
     )
-    for law in ("linear", "bilinear", "polynomial", "tanh-hysteretic", "bouc-wen"):
+    for law in LAWS:
         TypeAdapter(Damper).validate_python(fit_damper(X, V, force, TIME, law=law).damper)
 
 
@@ -328,9 +318,9 @@ def line():
         ({"parameters": {"coefficient": Estimate(-1.0, 0.1)}}, [("problem", -1.0)]),
         ({"parameters": {"bump_coefficient": Estimate(-1.0)}}, [("problem", -1.0)]),
         ({"parameters": {"rebound_coefficient": Estimate(-1.0)}}, [("problem", -1.0)]),
-        ({"parameters": {"slope": Estimate(10.0, 4.9)}}, []),
-        ({"parameters": {"slope": Estimate(-10.0, 5.1)}}, [("note", 5.1)]),
-        ({"parameters": {"sigma": Estimate(10.0, 5.1)}}, [("note", 5.1)]),
+        ({"law": "tanh-hysteretic", "parameters": {"slope": Estimate(10.0, 4.9)}}, []),
+        ({"law": "tanh-hysteretic", "parameters": {"slope": Estimate(-10.0, 5.1)}}, [("note", 5.1)]),
+        ({"law": "bouc-wen", "parameters": {"sigma": Estimate(10.0, 5.1)}}, [("note", 5.1)]),
         ({"parameters": {"force": Estimate(10.0, 9.0)}}, []),
         ({"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 1.9]}}, [("warning", None)]),
         ({"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 2.0]}}, []),
@@ -440,12 +430,12 @@ def test_rests_of_more_than_five_samples_are_left_out(before, after, left_out):
 
 def test_cycles_are_counted_by_crossings_or_by_the_path():
     phase = np.linspace(0.0, 3.0, 3001)  # in cycles
-    assert _cycles(np.sin(2.0 * np.pi * phase)) == pytest.approx(3.0, abs=0.02)
-    assert _cycles(5.0 - 0.01 * np.cos(2.0 * np.pi * phase)) == pytest.approx(3.0, abs=0.02)
-    assert _cycles(np.arange(101.0)) == 0.5
+    assert cycles_of(np.sin(2.0 * np.pi * phase)) == pytest.approx(3.0, abs=0.02)
+    assert cycles_of(5.0 - 0.01 * np.cos(2.0 * np.pi * phase)) == pytest.approx(3.0, abs=0.02)
+    assert cycles_of(np.arange(101.0)) == 0.5
     drifting = np.sin(2.0 * np.pi * phase) + 2.0 * phase  # it crosses its middle once
     turns = np.abs(np.diff(drifting)).sum() / (2.0 * np.ptp(drifting))
-    assert _cycles(drifting) == pytest.approx(turns, rel=1e-3)
+    assert cycles_of(drifting) == pytest.approx(turns, rel=1e-3)
 
 
 def test_the_first_swing_only_sets_the_state_of_what_remembers():

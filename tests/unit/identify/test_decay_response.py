@@ -17,11 +17,10 @@ from jounce.identify.decay import (
     ratio_from_decrement,
     regress_peaks,
     until_it_grows,
-    zigzag,
 )
 from jounce.identify.estimate import Uncertainty
 from jounce.identify.free_response import DecayParameters, decay_response, turning_points
-from jounce.identify.noise import noise_of
+from jounce.identify.signals import noise_of, zigzag
 
 MASS, STIFFNESS, DAMPING, FRICTION = 16.0, 18362.0, 120.0, 15.0
 # domain A6, verified there by integration; the last value is on the side of the one before it

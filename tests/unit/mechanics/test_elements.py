@@ -16,21 +16,16 @@ from jounce.core.description import Description
 from jounce.mechanics import System, damper_map_force
 from jounce.mechanics.bushings import add_sliding_bushing
 from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
-from jounce.parts.elements import (
+from jounce.parts.dampers import (
     BilinearDamper,
+    BlowOffDamper,
     BoucWenDamper,
-    BumpStop,
-    Friction,
     LinearDamper,
     MapDamper,
-    PolynomialCurve,
-    PowerCurve,
-    Spring,
-    TableCurve,
     TanhDamper,
-    Tyre,
     VelocityTable,
 )
+from jounce.parts.elements import BumpStop, Friction, PolynomialCurve, PowerCurve, Spring, TableCurve, Tyre
 
 MAP = MapDamper(
     length=(0.30, 0.36, 0.45),
@@ -81,6 +76,14 @@ def numbers_of(part: Description, path: str) -> dict[str, float]:
 
 
 TANH = TanhDamper(coefficient=700.0, stiffness=900.0, force=250.0, slope=12.0, displacement_coupling=3.0, offset=40.0)
+BLOW_OFF = BlowOffDamper(
+    bump_blow_off_force=300.0,
+    bump_blow_off_velocity=0.1,
+    bump_high_speed_coefficient=500.0,
+    rebound_blow_off_force=800.0,
+    rebound_blow_off_velocity=0.2,
+    rebound_high_speed_coefficient=700.0,
+)
 POLYNOMIAL = PolynomialCurve(coefficients=(2e4, -3e4, 5e5))
 POWER = PowerCurve(coefficient=3e5, exponent=1.3)
 TABLE = TableCurve(deflection=(-0.02, 0.0, 0.03), force=(-300.0, 50.0, 900.0))
@@ -111,6 +114,11 @@ def over(x: np.ndarray, points: tuple[float, ...], forces: tuple[float, ...]) ->
             damper_force,
             VelocityTable(velocity=TABLE.deflection, force=TABLE.force),
             lambda _, v: over(v, TABLE.deflection, TABLE.force),
+        ),
+        (
+            damper_force,
+            BLOW_OFF,
+            lambda _, v: np.interp(v, (-1.2, -0.2, 0.0, 0.1, 1.1), (-1500.0, -800.0, 0.0, 300.0, 800.0)),
         ),
         (damper_force, TANH, lambda x, v: 700.0 * v + 900.0 * x + 250.0 * np.tanh(12.0 * (v + 3.0 * x)) + 40.0),
         (bump_stop_force, STOP, lambda x, _: np.where(x > 0.01, 2e4 * (x - 0.01) + 3e6 * (x - 0.01) ** 3, 0.0)),

@@ -317,7 +317,7 @@ def test_a_missing_hardpoint_is_named():
         ),
         (
             {"strut.damper": {"kind": "maps"}},
-            "unknown kind 'maps'; allowed: linear, bilinear, table, tanh, bouc-wen, map",
+            "unknown kind 'maps'; allowed: linear, bilinear, blow-off, table, tanh, bouc-wen, map",
         ),
         ({"hardpoints.strut_topp[0]": 1.0}, r"no such parameter.*Did you mean 'hardpoints.strut_top\[0\]'"),
         ({"hardpoints.strut_top[3]": 1.0}, "no such parameter"),

@@ -166,7 +166,10 @@ DAMPER = "strut.damper"
             },
             "at least 0.5",
         ),
-        ({"kind": "tanhh", "coefficient": 1.0}, "'tanhh'; allowed: linear, bilinear, table, tanh, bouc-wen.*'tanh'"),
+        (
+            {"kind": "tanhh", "coefficient": 1.0},
+            "'tanhh'; allowed: linear, bilinear, blow-off, table, tanh, bouc-wen.*'tanh'",
+        ),
         ({"coefficient": 1.0, "bump_coefficient": 2.0, "rebound_coefficient": 2.0}, "coefficient: unknown key"),
     ],
     ids=str,

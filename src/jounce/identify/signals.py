@@ -1,4 +1,4 @@
-"""Noise, resolution and missing samples of a smooth signal."""
+"""Noise, resolution, turning points and missing samples of a smooth signal."""
 
 from __future__ import annotations
 
@@ -28,6 +28,26 @@ def quantum_of(x: Array) -> float:
         return 0.0
     counts = gaps / gaps.min()
     return float(gaps.min()) if float(np.abs(counts - np.round(counts)).max()) < 0.02 else 0.0
+
+
+def zigzag(signal: Array, threshold: float) -> list[int]:
+    """Indices of the first sample and of the turning points that the signal leaves by more than ``threshold``.
+
+    >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
+    [0, 3, 4]
+    """
+    turns, extreme, direction = [0], 0, 0
+    for index in range(1, len(signal)):
+        step = signal[index] - signal[extreme]
+        if direction == 0:
+            if abs(step) > threshold:
+                direction, extreme = (1 if step > 0 else -1), index
+        elif step * direction > 0.0:
+            extreme = index
+        elif -step * direction > threshold:
+            turns.append(extreme)
+            direction, extreme = -direction, index
+    return turns
 
 
 def lost_samples(time: Array, signal: Array) -> int:

@@ -1,0 +1,195 @@
+"""What a damper fit says about its record and its law."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from jounce.core.catalogue import Severity
+from jounce.core.findings import Finding
+from jounce.core.types import Array
+from jounce.identify.damper_laws import damper_law, regularisation_velocity
+from jounce.identify.damper_record import DamperMotion
+from jounce.identify.estimate import linear_least_squares
+from jounce.identify.low_pass import low_pass_corner
+from jounce.identify.signals import quantum_of
+
+if TYPE_CHECKING:
+    from jounce.identify.damper import DamperResult
+
+
+def hysteresis_share(motion: DamperMotion) -> float:
+    """How far the force at one velocity depends on whether the velocity rises or falls.
+
+    R.m.s. difference between both over velocity bins, relative to the range of the force [1]; 0 for any F(v).
+    """
+    rising = np.gradient(motion.velocity, motion.time) > 0.0
+    edges = np.linspace(-0.9, 0.9, 22) * motion.peak_velocity
+    place = np.digitize(motion.velocity, edges)
+    gaps = []
+    for index in range(1, len(edges)):
+        up, down = motion.force[(place == index) & rising], motion.force[(place == index) & ~rising]
+        if len(up) >= 2 and len(down) >= 2:
+            noise = up.var(ddof=1) / len(up) + down.var(ddof=1) / len(down)
+            gaps.append(max(float((up.mean() - down.mean()) ** 2 - noise), 0.0))
+    return float(np.sqrt(np.mean(gaps))) / float(np.ptp(motion.force)) if gaps else 0.0
+
+
+def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[str, ...], name: str) -> list[Finding]:
+    """Findings about a fitted law; ``at_bound`` names the parameters that ended at a limit of their range."""
+    findings: list[Finding] = []
+
+    def add(severity: Severity, text: str, value: float | None = None) -> None:
+        findings.append(Finding(name, severity, text, value))
+
+    law, parameters = damper_law(result.law, motion), result.parameters
+    shapes = [key for (key, _), is_signed in zip(law.shapes, law.signed, strict=True) if not is_signed]
+    if not law.hysteretic:
+        hysteresis = hysteresis_share(motion)
+        if hysteresis > 0.04:
+            text = (
+                f"the force differs by {100.0 * hysteresis:.0f} % of its range between rising and falling velocity: "
+                "hysteresis, which no F(v) law can reproduce; try 'tanh-hysteretic' or 'bouc-wen'."
+            )
+            add("warning", text, hysteresis)
+        offset = parameters["offset"]
+        if offset.interval and not offset.has(0.0):
+            text = (
+                f"the force has an offset of {offset.value:.3g} N (gas pressure, spring, load-cell zero), not part "
+                "of the damper table: put it into the preload."
+            )
+            add("note", text, offset.value)
+        for key in ("coefficient", "bump_coefficient", "rebound_coefficient"):
+            if key in parameters and parameters[key].value < 0.0:
+                add("problem", f"{key} is negative: the law would feed energy into the motion.", parameters[key].value)
+        if result.friction is None:
+            step, speed = _force_step(motion) or (None, 0.0)
+            if step is not None and speed > regularisation_velocity(motion):
+                text = (
+                    f"the force rises steeply up to some {speed:.2g} m/s, by about {step:.3g} N, and slower beyond: a "
+                    "degressive valve rather than dry friction; 'blow-off' or 'tanh-hysteretic' follows it."
+                )
+                add("warning", text, step)
+            elif step is not None:
+                text = (
+                    f"the force jumps by about +-{step:.3g} N where the velocity changes sign: dry friction; fit with "
+                    "friction=True or a hysteretic law."
+                )
+                add("warning", text, step)
+        if "force" in result.damper and np.any(np.diff(result.damper["force"]) < 0.0):
+            add("warning", "the fitted curve falls with rising velocity in places; lower the degree.")
+    for key in at_bound:
+        text = (
+            f"{key} ended at the limit of its range ({parameters[key].value:.4g} {result.units[key]}): the "
+            "record does not determine it."
+        )
+        add("warning", text, parameters[key].value)
+    for key, one in parameters.items():
+        vague = one.standard_error is not None and one.standard_error > 0.5 * abs(one.value)
+        if vague and key in shapes:
+            text = (
+                f"{key} = {one.value:.3g} +- {one.standard_error:.2g} {result.units[key]} is poorly determined: the "
+                "record has too few samples where the force reverses."
+            )
+            add("note", text, one.standard_error)
+    if result.cycles < 3.0:
+        add("note", f"only {result.cycles:.1f} cycles: the standard errors rest on few repetitions.", result.cycles)
+    if result.r2 < 0.9:
+        text = f"the law explains only {100.0 * result.r2:.0f} % of the force; try another one and compare the curves."
+        add("warning", text, result.r2)
+    return findings
+
+
+_FADED, _DRIFTED = 0.05, 0.03  # of the force of the law, and of the range of the force, over the record
+_FAR, _FEW = 12.0, 0.02  # times the usual residual, share of the samples: a spike, and how many may be spikes
+
+
+def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, name: str) -> list[Finding]:
+    """What changed while the record was taken: a damper that warms up, a zero that drifts; and spikes.
+
+    ``speed`` is the velocity over its peak; the force of the law may err as it grows, which is no change in time.
+    """
+    findings: list[Finding] = []
+    usual = float(np.median(np.abs(residual))) / 0.6745
+    spikes = np.abs(residual) > _FAR * usual
+    theirs = float(np.sum(residual[spikes] ** 2)) / max(float(residual @ residual), 1e-300)
+    if usual > 0.0 and 0 < np.count_nonzero(spikes) < _FEW * len(residual) and theirs > 0.5:
+        text = (
+            f"{np.count_nonzero(spikes)} samples lie more than {_FAR:g} times the usual residual from the law and make "
+            f"{100.0 * theirs:.0f} % of its sum of squares: spikes of the logger? Remove them."
+        )
+        findings.append(Finding(name, "warning", text, float(np.count_nonzero(spikes))))
+        speed, fitted, residual = speed[~spikes], fitted[~spikes], residual[~spikes]
+    reach = float(np.ptp(fitted))
+    if result.cycles < 2.0 or reach <= 0.0:
+        return findings
+    place, force = np.linspace(-0.5, 0.5, len(residual)), fitted - fitted.mean()
+    bent = [force * np.abs(speed), np.maximum(speed, 0.0), np.minimum(speed, 0.0)]
+    columns = np.column_stack([place, place * force / reach, np.ones_like(force), force, *bent])
+    drift, share = linear_least_squares(columns, residual)[0][:2] * (1.0, 1.0 / reach)
+    if abs(share) > _FADED:
+        way = "falls" if share < 0.0 else "grows"
+        text = (
+            f"the damping {way} by {100.0 * abs(share):.0f} % from the first to the last sample (oil that warms up?): "
+            "the law is that of the middle of the record, and its interval does not count the change; fit parts of it."
+        )
+        findings.append(Finding(name, "warning", text, share))
+    if abs(drift) > _DRIFTED * reach:
+        text = (
+            f"the force at rest drifts by {drift:.3g} N from the first to the last sample (load cell, or gas that "
+            "warms up): intervals are wide for it and the offset is that of the middle; take the drift off."
+        )
+        findings.append(Finding(name, "warning", text, drift))
+    return findings
+
+
+_COARSE = 0.25  # of the force on one side
+_NEAR = 12.0  # times the frequency of the motion, below which a low pass makes bump and rebound alike
+
+
+def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
+    """What the logger did to the force: steps as large as the force itself, a low pass near the motion."""
+    findings: list[Finding] = []
+    step, force = quantum_of(motion.force), fitted - offset
+    side = min(float(force.max()), -float(force.min()))
+    if step > _COARSE * side > 0.0:
+        text = (
+            f"the force is recorded in steps of {step:.3g} N, and one side has {side:.3g} N: rounding is no noise, and "
+            "coefficients may be off by more than their intervals; measure with a finer range, or faster."
+        )
+        findings.append(Finding(name, "warning", text, step))
+    time = motion.time
+    frequency = motion.cycles / float(time[-1] - time[0])
+    rate = 1.0 / float(np.median(np.diff(time)))
+    reach = float(np.ptp(motion.force))
+    if corner := low_pass_corner(motion.force - fitted, rate, frequency, reach=reach, step=step, near=_NEAR):
+        text = (
+            f"the noise of the force ends at some {corner:.2g} Hz, near the {frequency:.2g} Hz of the motion: a low "
+            "pass of the logger, which blurs the change from bump to rebound; both come out too equal. Measure with "
+            "a wider one, or slower."
+        )
+        findings.append(Finding(name, "warning", text, corner))
+    return findings
+
+
+def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
+    """Step of the force at zero velocity [N] that a velocity curve needs to fit well, and how fast it is taken [m/s].
+
+    Dry friction changes sides within the regularisation; a degressive valve takes its time to open.
+    """
+    v = motion.velocity / motion.peak_velocity
+    smooth = np.column_stack([np.ones_like(v), np.maximum(v, 0.0), np.minimum(v, 0.0)])
+
+    def fitted(*more: Array) -> tuple[float, float]:
+        columns = np.column_stack([smooth, *more])
+        found = np.linalg.lstsq(columns, motion.force, rcond=None)[0]
+        return float((motion.force - columns @ found).std()), float(found[-1])
+
+    sharp = regularisation_velocity(motion)
+    without, (left, step) = fitted()[0], fitted(np.tanh(motion.velocity / sharp))
+    if step <= 0.02 * float(np.ptp(motion.force)) or left >= 0.8 * without:
+        return None
+    knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
+    soft, height, knee = min((*fitted(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp)
+    return (height, knee) if soft < 0.9 * left else (step, sharp)

@@ -1,0 +1,296 @@
+"""Damper laws as fits see them: factors of columns, and the shapes that those depend on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import FitError, unknown
+from jounce.core.types import Array
+from jounce.identify.damper_record import DamperMotion
+from jounce.identify.estimate import Estimate, central_differences, uncertainty
+from jounce.identify.hysteresis_path import bouc_wen_path
+from jounce.parts.dampers import (
+    BilinearDamper,
+    BlowOffDamper,
+    BoucWenDamper,
+    DamperLaw,
+    LinearDamper,
+    Samples,
+    TanhDamper,
+    as_damper,
+    damper_kind,
+)
+from jounce.parts.rig import unit_of_field
+
+LawName = Literal["linear", "bilinear", "blow-off", "polynomial", "tanh-hysteretic", "bouc-wen"]
+LAWS: tuple[LawName, ...] = get_args(LawName)
+_DESCRIBED: dict[str, type[DamperLaw]] = {
+    "linear": LinearDamper,
+    "bilinear": BilinearDamper,
+    "blow-off": BlowOffDamper,
+    "tanh-hysteretic": TanhDamper,
+    "bouc-wen": BoucWenDamper,
+}
+
+
+@dataclass(frozen=True)
+class AlongPath(Samples):
+    """Operating points in the order in which a damper passes them; ``start`` is its state at the first."""
+
+    start: float = 0.0
+
+    def state(self, name: str, rate: Callable[[Any], Any]) -> Array:  # noqa: ARG002 - of its closed steps
+        """Follow the normalised Bouc-Wen state along the path."""
+        shapes = {shape: float(self.number(shape)) for shape in BoucWenDamper.shapes}
+        return bouc_wen_path(np.ascontiguousarray(self.deflection), start=self.start, **shapes)
+
+
+def harmonic_energy(damper: DamperLaw | Mapping[str, Any], amplitude: float, frequency: float) -> float:
+    """Work that a damper takes up per cycle of harmonic motion, once a law with a memory has settled.
+
+    Parameters
+    ----------
+    damper : DamperLaw or mapping
+        A law (``rig.strut.damper``) or its table, as ``strut.damper`` of a rig file or ``DamperResult.damper``.
+    amplitude : float
+        Of the damper's stroke about its design length [m].
+    frequency : float
+        [Hz].
+
+    Returns
+    -------
+    float
+        Energy [J], never negative for a law that damps.
+
+    Raises
+    ------
+    DescriptionError
+        A table that is no damper law.
+
+    Examples
+    --------
+    >>> round(harmonic_energy({"coefficient": 1000.0}, 0.02, 1.0), 4), round(1000.0 * np.pi * 2 * np.pi * 0.02**2, 4)
+    (7.8957, 7.8957)
+    """
+    law = as_damper(damper)
+    phase = np.linspace(0.0, 4.0 * np.pi, 2 * _CYCLE + 1)  # the first cycle brings a law with a memory into its state
+    x, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
+    power = (law.evaluate(AlongPath(partial(getattr, law), v, x)) * v)[_CYCLE:]
+    return float(np.trapezoid(power, phase[_CYCLE:])) / (2.0 * np.pi * frequency)
+
+
+_CYCLE = 2000  # samples of a cycle
+
+
+@dataclass(frozen=True)
+class FittedLaw:
+    """A force law F = sum of weights * columns(displacement, velocity, shapes).
+
+    ``weights`` and ``shapes`` hold names and units of the factors of the columns and of the parameters that change the
+    columns; shapes that have no sign are searched logarithmically, from ``starts`` (one row each) and within
+    ``bounds``. Weights in ``not_negative`` cannot be negative. The force of a ``hysteretic`` law depends on more than
+    the velocity; that of a law that ``remembers`` on the path so far, so the first swing only sets its state.
+    ``table`` makes the damper table of a rig file from the parameters by name.
+    """
+
+    name: str
+    weights: tuple[tuple[str, str], ...]
+    columns: Callable[[Array, Array, Array], Array]
+    table: Callable[[Mapping[str, float]], dict[str, Any]]
+    shapes: tuple[tuple[str, str], ...] = ()
+    starts: Array = field(default_factory=lambda: np.zeros((1, 0)))
+    bounds: tuple[Array, Array] = (np.zeros(0), np.zeros(0))
+    not_negative: tuple[str, ...] = ()
+    hysteretic: bool = False
+    remembers: bool = False
+
+    @property
+    def signed(self) -> NDArray[np.bool_]:
+        """Which shapes may be negative: they are searched as they are."""
+        return self.bounds[0] < 0.0
+
+
+def damper_law(
+    name: str, motion: DamperMotion, *, degree: int = 3, odd: bool = False, friction: bool = False
+) -> FittedLaw:
+    """Make a law for a motion, which sets its scales: start values, range of the table, friction regularisation.
+
+    ``friction`` adds dry friction F_c tanh(v / v_r) to laws without hysteresis.
+
+    Raises
+    ------
+    DescriptionError
+        An unknown law.
+    FitError
+        A degree out of range, or friction for a law that has it already.
+    """
+    if name not in LAWS:
+        raise unknown(str(name), LAWS, what="damper law")
+    law = _polynomial(motion, degree, odd) if name == "polynomial" else _described(name, motion)
+    if not law.hysteretic:
+        return _with_offset(law, motion, friction)
+    if friction:
+        raise FitError(f"the law {name!r} contains dry friction already", allowed="friction only with F(v) laws")
+    return law
+
+
+def regularisation_velocity(motion: DamperMotion) -> float:
+    """Speed below which dry friction is smoothed [m/s]: 1 % of the peak, or two steps of the record if larger."""
+    return max(0.01 * motion.peak_velocity, 2.0 * motion.velocity_resolution)
+
+
+def _described(name: str, motion: DamperMotion) -> FittedLaw:
+    """A law of rig files."""
+    kind = _DESCRIBED[name]
+
+    def columns(x: Array, v: Array, shapes: Array) -> Array:
+        side = np.sign(x[np.argmax(np.abs(x - x[0]) > 0.05 * np.ptp(x))] - x[0])
+        numbers = dict(zip(kind.shapes, shapes, strict=True))
+        basis = kind.basis(AlongPath(numbers.__getitem__, v, x, start=-float(side)))
+        return np.column_stack([np.broadcast_to(column, v.shape) for column in basis])
+
+    def table(values: Mapping[str, float]) -> dict[str, Any]:
+        numbers = {key: values[key] for key in kind.model_fields if key != "kind"}
+        word = kind.model_fields["kind"].default
+        return numbers if damper_kind(numbers) == word else {"kind": word, **numbers}
+
+    units = {key: unit_of_field(value).si for key, value in kind.model_fields.items()}
+    starts, least, most = kind.search(motion.stroke, motion.peak_velocity, motion.velocity_resolution)
+    return FittedLaw(
+        name,
+        tuple((key, units[key]) for key in kind.weights),
+        columns,
+        table,
+        tuple((key, units[key]) for key in kind.shapes),
+        starts,
+        (least, most),
+        kind.not_negative,
+        kind.hysteretic,
+        kind.remembers,
+    )
+
+
+def _polynomial(motion: DamperMotion, degree: int, odd: bool) -> FittedLaw:
+    """A polynomial of the velocity, which a rig file holds as a table over the velocities of the record."""
+    if not 1 <= degree <= 9:
+        raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
+    powers = [p for p in range(1, degree + 1) if p % 2 or not odd]
+
+    def table(values: Mapping[str, float]) -> dict[str, Any]:
+        speed = np.linspace(float(motion.velocity.min()), float(motion.velocity.max()), 41)
+        speed = np.unique(np.append(speed, 0.0))
+        force = sum(values[f"a{p}"] * speed**p for p in powers)
+        return {"velocity": speed.tolist(), "force": np.asarray(force).tolist()}
+
+    return FittedLaw(
+        "polynomial",
+        tuple((f"a{p}", f"N*(s/m)^{p}") for p in powers),
+        lambda _x, v, _shapes: np.column_stack([v**p for p in powers]),
+        table,
+    )
+
+
+def _with_offset(law: FittedLaw, motion: DamperMotion, friction: bool) -> FittedLaw:
+    """A law with what its record may have besides: dry friction, and a static force."""
+    slow = regularisation_velocity(motion)
+
+    def columns(x: Array, v: Array, shapes: Array) -> Array:
+        sliding = [np.tanh(v / slow)] if friction else []
+        return np.column_stack([law.columns(x, v, shapes), *sliding, np.ones_like(v)])
+
+    extra = (("friction_force", "N"),) if friction else ()
+    not_negative = (*law.not_negative, *(key for key, _ in extra))
+    weights = (*law.weights, *extra, ("offset", "N"))
+    return replace(law, weights=weights, columns=columns, not_negative=not_negative)
+
+
+def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Best factors of the columns, those that cannot be negative cut at zero; and which of them are free."""
+    free = np.ones(columns.shape[1], bool)
+    scale = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+    found = np.zeros(columns.shape[1])
+    for _ in range(3):
+        found = np.zeros(columns.shape[1])
+        found[free] = np.linalg.lstsq(columns[:, free] / scale[free], force, rcond=None)[0] / scale[free]
+        wrong = [i for i, (key, _) in enumerate(law.weights) if key in law.not_negative and found[i] < 0.0]
+        if not wrong:
+            break
+        free[wrong] = False
+        found[wrong] = 0.0
+    return found, free
+
+
+def _coded(law: FittedLaw, shapes: Array) -> Array:
+    """Shape parameters as the search sees them: logarithms, but for those that have a sign."""
+    return np.array(
+        [
+            value / bound if is_signed else math.log(value)
+            for is_signed, value, bound in zip(law.signed, shapes, law.bounds[1], strict=True)
+        ]
+    )
+
+
+def _decoded(law: FittedLaw, coded: Array) -> Array:
+    return np.array(
+        [
+            value * bound if is_signed else math.exp(value)
+            for is_signed, value, bound in zip(law.signed, coded, law.bounds[1], strict=True)
+        ]
+    )
+
+
+def search(
+    law: FittedLaw, motion: DamperMotion, used: slice
+) -> tuple[Array, Array, NDArray[np.bool_], tuple[str, ...]]:
+    """Weights, shapes, which parameters are free, and the names of those at a bound."""
+    from scipy.optimize import least_squares
+
+    size = float(motion.force.std())
+
+    def misfit(coded: Array) -> Array:
+        columns = law.columns(motion.displacement, motion.velocity, _decoded(law, coded))[used]
+        return np.asarray((columns @ _weights(law, columns, motion.force[used])[0] - motion.force[used]) / size)
+
+    shapes, inside = law.starts[0], np.zeros(0, bool)
+    if law.shapes:
+        low, high = _coded(law, law.bounds[0]), _coded(law, law.bounds[1])
+        starts = [np.clip(_coded(law, start), low + 1e-6, high - 1e-6) for start in law.starts]
+        starts.sort(key=lambda start: float((misfit(start) ** 2).sum()))
+        found = [
+            least_squares(misfit, start, bounds=(low, high), diff_step=1e-4, xtol=1e-8, ftol=1e-9, max_nfev=60)
+            for start in starts[:4]
+        ]
+        best = min(found, key=lambda one: float(one.cost))
+        shapes = _decoded(law, best.x)
+        inside = (best.x > low + 1e-3) & (best.x < high - 1e-3)
+    columns = law.columns(motion.displacement, motion.velocity, shapes)[used]
+    weights, free = _weights(law, columns, motion.force[used])
+    every = np.concatenate([free, inside])
+    names = [key for key, _ in (*law.weights, *law.shapes)]
+    return weights, shapes, every, tuple(key for key, is_free in zip(names, every, strict=True) if not is_free)
+
+
+def estimates(
+    law: FittedLaw, motion: DamperMotion, used: slice, values: Array, residual: Array, free: NDArray[np.bool_]
+) -> list[Estimate]:
+    """Give weights and shapes with their uncertainty; what is at a bound has none."""
+    weights, shapes = values[: len(law.weights)], values[len(law.weights) :]
+
+    def force(point: Array) -> Array:
+        return np.asarray((law.columns(motion.displacement, motion.velocity, point) @ weights)[used])
+
+    jacobian = law.columns(motion.displacement, motion.velocity, shapes)[used]
+    if len(shapes):
+        # what has a sign may be near zero: its step is then a share of its range
+        steps = 1e-3 * np.maximum(np.abs(shapes), 1e-2 * np.where(law.signed, law.bounds[1], 0.0))
+        jacobian = np.column_stack([jacobian, central_differences(force, shapes, steps)])
+    known = uncertainty(jacobian[:, free], residual).estimates(values[free])
+    remaining = iter(known)
+    return [next(remaining) if is_free else Estimate(float(v)) for v, is_free in zip(values, free, strict=True)]

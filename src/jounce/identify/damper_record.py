@@ -1,0 +1,322 @@
+"""Records of dampers: displacement, velocity and force checked, signed and cut to the motion."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from jounce.core.errors import FitError, unknown
+from jounce.core.findings import Finding
+from jounce.core.samples import as_samples
+from jounce.core.types import Array
+from jounce.identify.signals import lost_samples, noise_of, quantum_of, zigzag
+from jounce.identify.signs import ForcePositive, Signs, StrokePositive, damper_signs, sign_of
+from jounce.recordings.carried import as_recording, clock_of, damper_channels
+from jounce.recordings.quality import clipped_share, frozen_samples
+
+VelocityFrom = Literal["recorded", "displacement"]
+
+
+@dataclass(frozen=True)
+class DamperMotion:
+    """Displacement, velocity and force of a damper while it moves, compression positive.
+
+    ``displacement`` (m) counts from ``centre`` (m), the middle of the stroke in the record; ``force`` (N) is positive
+    where it resists compression. ``velocity_resolution`` is the smallest difference between two recorded velocities
+    (m/s), 0 where they are not quantised. ``signs`` are those of the record it was read from.
+    """
+
+    time: Array
+    displacement: Array
+    velocity: Array
+    force: Array
+    centre: float
+    cycles: float
+    velocity_resolution: float
+    signs: Signs
+
+    @property
+    def stroke(self) -> float:
+        """Largest minus smallest displacement [m]."""
+        return float(np.ptp(self.displacement))
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest speed [m/s]."""
+        return float(np.abs(self.velocity).max())
+
+
+def read_motion(
+    displacement: ArrayLike,
+    velocity: ArrayLike | None,
+    force: ArrayLike,
+    time: ArrayLike,
+    *,
+    velocity_from: VelocityFrom = "recorded",
+    stroke_positive: StrokePositive | None = None,
+    force_positive: ForcePositive | None = None,
+    name: str = "damper",
+) -> tuple[DamperMotion, list[Finding]]:
+    """Check a damper record (m, m/s, N, s), make compression positive and cut off the rest at both ends.
+
+    Without a velocity, or with ``velocity_from="displacement"``, the derivative of the displacement is used: central
+    differences, or slopes of cubics through as many samples as its noise asks for, since noise in a velocity makes
+    coefficients too small. A recorded velocity counts as the displacement does. How the record counts is stated or
+    found, with findings: :mod:`jounce.identify.signs`.
+
+    Raises
+    ------
+    FitError
+        Unequal lengths, fewer than 50 samples, NaN, time that does not increase, no motion, less than one cycle.
+    """
+    if velocity_from not in ("recorded", "displacement"):
+        raise unknown(str(velocity_from), ("recorded", "displacement"), what="velocity_from", where=name)
+    columns = {
+        "displacement": (displacement, "m"),
+        "velocity": (velocity, "m/s"),
+        "force": (force, "N"),
+        "time": (time, "s"),
+    }
+    arrays = {
+        key: as_samples(value, si, where=f"{name}: {key}", error=FitError)
+        for key, (value, si) in columns.items()
+        if value is not None or key != "velocity"
+    }
+    _check(arrays, name)
+    sign_of(stroke_positive, "stroke", where=name)
+    sign_of(force_positive, "force", where=name)
+    findings: list[Finding] = []
+    x, f, t = arrays["displacement"], arrays["force"], arrays["time"]
+    lost = _without_dropouts(arrays, name, findings)
+    x = arrays["displacement"]
+    derivative = np.asarray(np.gradient(x, t))
+    resolution = 0.0
+    uses_derivative = "velocity" not in arrays or velocity_from == "displacement"
+    if "velocity" in arrays:
+        arrays["velocity"] = _as_the_stroke(arrays["velocity"], derivative, name, findings)
+        resolution = _check_velocity(arrays["velocity"], derivative, t, velocity_from, name, findings)
+    else:
+        findings.append(Finding(name, "note", "no velocity was given: the derivative of the displacement is used."))
+    v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
+    findings += [*_out_of_range({"displacement": x, "force": f}, name)]
+    if uses_derivative and (jumps := lost_samples(t, x)):
+        text = (
+            f"the displacement jumps at {jumps} places as if samples were missing there, though the time goes on: the "
+            "derivative is wrong there and everywhere too large; give the recorded time, or the velocity."
+        )
+        findings.append(Finding(name, "problem", text, float(jumps)))
+    first, last = _moving_part(x, name, findings)
+    sound = np.flatnonzero(~lost[first:last]) + first
+    x, v, f, t, derivative = (column[sound] for column in (x, v, f, t, derivative))
+    cycles = cycles_of(x)
+    if cycles < 0.95:
+        raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
+    signs = damper_signs(
+        x, derivative, f, stroke_positive=stroke_positive, force_positive=force_positive, name=name, findings=findings
+    )
+    x, v, f = signs.stroke * x, signs.stroke * v, signs.force * f
+    centre = 0.5 * float(x.max() + x.min())
+    return DamperMotion(t, x - centre, v, f, centre, cycles, resolution, signs), findings
+
+
+def _check(arrays: dict[str, Array], name: str) -> None:
+    lengths = {key: value.shape for key, value in arrays.items()}
+    if len(set(lengths.values())) > 1 or any(value.ndim != 1 for value in arrays.values()):
+        raise FitError("the columns are not of the same length", where=name, found=str(lengths))
+    if len(arrays["time"]) < 50:
+        raise FitError("too few samples", where=name, found=len(arrays["time"]), allowed="at least 50")
+    for key, value in arrays.items():
+        bad = np.flatnonzero(~np.isfinite(value))
+        if len(bad):
+            raise FitError("a value is missing or not finite", where=name, found=f"{key}, sample {bad[0] + 1}")
+    if np.any(np.diff(arrays["time"]) <= 0.0):
+        place = int(np.argmax(np.diff(arrays["time"]) <= 0.0)) + 2
+        raise FitError("the time does not increase", where=name, found=f"sample {place}")
+    if np.ptp(arrays["displacement"]) == 0.0 or np.ptp(arrays["force"]) == 0.0:
+        raise FitError("displacement or force never changes", where=name, hint="Are these the right columns?")
+
+
+def _without_dropouts(arrays: dict[str, Array], name: str, findings: list[Finding]) -> NDArray[np.bool_]:
+    """Mark what the logger lost while the machine moved, and bridge the displacement there for its derivative."""
+    lost = np.zeros(len(arrays["time"]), bool)
+    for column in ("displacement", "velocity", "force"):
+        if column in arrays and (marks := frozen_samples(arrays[column])).any():
+            text = (
+                f"the {column} stands still at {np.count_nonzero(marks)} samples while the record goes on, and jumps: "
+                "dropouts of the logger, which were left out."
+            )
+            findings.append(Finding(name, "warning", text, float(np.count_nonzero(marks))))
+            lost |= marks
+            if column == "displacement":
+                time, bridged = arrays["time"], arrays[column].copy()
+                bridged[marks] = np.interp(time[marks], time[~marks], bridged[~marks])
+                arrays[column] = bridged
+                lost |= np.convolve(marks, np.ones(2 * _BESIDE + 1), mode="same") > 0.0
+    return lost
+
+
+_BESIDE = 8  # samples beside a bridge whose derivative it spoils
+
+
+def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
+    """Columns that lie flat at their limits, entered by a jump: no law can tell what was there."""
+    found = []
+    for column, values in columns.items():
+        share = clipped_share(values)
+        if share > _CLIPPED:
+            flat = f"{100.0 * share:.2g} % of the samples of the {column} lie flat at its limits"
+            if column == "force":
+                text = f"{flat}: the load cell or its amplifier was out of range, and every law fitted to it is wrong; "
+                found.append(Finding(name, "problem", text + "measure again with a larger range.", share))
+            else:
+                text = f"{flat}: does the machine dwell there, or was the sensor out of range? Then the law is wrong."
+                found.append(Finding(name, "warning", text, share))
+    return found
+
+
+_CLIPPED = 2e-3  # of the samples
+
+
+def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
+    """Give the velocity with the sign of the displacement's derivative."""
+    gain = float(velocity @ derivative) / float(derivative @ derivative)
+    if gain > -0.5:
+        return velocity
+    text = (
+        f"the recorded velocity is {gain:.3g} times the derivative of the displacement: it was recorded with the other "
+        "sign and has been reversed."
+    )
+    findings.append(Finding(name, "warning", text, gain))
+    return -velocity
+
+
+def _check_velocity(
+    velocity: Array, derivative: Array, time: Array, source: str, name: str, findings: list[Finding]
+) -> float:
+    """Compare the recorded velocity with the derivative of the displacement; give its resolution [m/s]."""
+    power = float(derivative @ derivative)
+    gain = float(velocity @ derivative) / power
+    slope = np.gradient(derivative, time)
+    delay = -float((velocity - derivative) @ slope) / float(slope @ slope)
+    step = float(np.median(np.diff(time)))
+    if abs(gain - 1.0) > 0.05:
+        text = f"the recorded velocity is {gain:.3g} times the derivative of the displacement: check units and signs."
+        findings.append(Finding(name, "problem", text, gain))
+    elif abs(delay) > 0.2 * step and source == "recorded":
+        text = (
+            f"the recorded velocity is {1e3 * delay:.3g} ms ({delay / step:.2f} samples) behind the displacement, "
+            "as a backward difference is; compare with velocity_from='displacement', a central difference."
+        )
+        findings.append(Finding(name, "warning", text, delay))
+    resolution = quantum_of(np.round(velocity, 9))
+    if resolution > 1e-3 * float(np.abs(velocity).max()):
+        text = (
+            f"the velocity is recorded in steps of {1e3 * resolution:.3g} mm/s: motion below a few of these is "
+            "not resolved."
+        )
+        findings.append(Finding(name, "note", text, resolution))
+    return resolution
+
+
+def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) -> Array:
+    """Derivative of a displacement (m/s), over as many samples as its noise asks for; ``plain`` is over three."""
+    steps = np.diff(t)
+    step = float(np.median(steps))
+    turns = np.diff(zigzag(_calmed(x), 0.05 * float(np.ptp(x))))[1:]
+    widest = int(_WIDEST * turns.min()) if len(turns) else 0
+    noise = max(noise_of(x), quantum_of(x) / math.sqrt(12.0))
+    if float(np.ptp(steps)) > 0.01 * step:
+        widest = 0
+    power = float(np.mean((_slope(x, widest) / step) ** 2 if widest > 1 else plain**2))
+
+    def share(half: int) -> float:
+        weights = _weights_of_slope(half) if half > 1 else np.array([0.5, 0.5])
+        white = noise**2 * float(weights @ weights)
+        return max(white, (0.5 * quantum_of(x) / (2 * half + 1)) ** 2) / (step**2 * power)
+
+    half = 1
+    while share(half) > _CALM and half < widest:
+        half = min(max(half + 1, int(1.2 * half)), widest)
+    left = share(half)
+    if half > 1:
+        text = f"the derivative of the displacement is taken over {2 * half + 1} samples, as its noise asks for."
+        findings.append(Finding(name, "note", text, float(2 * half + 1)))
+    if left > _NOISY:
+        text = (
+            f"noise of the displacement (about {1e3 * noise:.2g} mm) is some {100.0 * left:.2g} % of the mean square "
+            "of its derivative, and coefficients come out too small by about as much: give a velocity, or filter it."
+        )
+        findings.append(Finding(name, "warning", text, left))
+    return plain if half == 1 else _slope(x, half) / step
+
+
+_CALM, _NOISY = 1e-4, 1e-2  # of the mean square of a velocity: noise that does no harm, and that is told
+_WIDEST = 0.05  # of half a cycle: samples on either side over which a cubic follows the motion
+
+
+def _calmed(x: Array) -> Array:
+    """Average over a hundredth of a cycle or so, in which turning points are looked for."""
+    width = max(1, len(x) // 2000) | 1
+    return np.convolve(np.pad(x, width // 2, mode="edge"), np.ones(width) / width, mode="valid")
+
+
+def _weights_of_slope(half: int) -> Array:
+    """What the slope (a sample) of the cubic through ``2 half + 1`` samples in its middle takes of each of them."""
+    place = np.arange(-half, half + 1) / half
+    weights: Array = np.linalg.pinv(place[:, None] ** np.arange(4.0))[1] / half
+    return weights
+
+
+def _slope(x: Array, half: int) -> Array:
+    """Slope (a sample) of cubics through ``2 half + 1`` samples, at the ends of the first and the last of them."""
+    place = np.arange(-half, half + 1) / half
+    inside = np.convolve(x, _weights_of_slope(half)[::-1], mode="valid")
+    ends = [
+        np.polyval(np.polyder(np.polyfit(place, part, 3)), place) / half
+        for part in (x[: 2 * half + 1], x[-2 * half - 1 :])
+    ]
+    return np.concatenate([ends[0][:half], inside, ends[1][half + 1 :]])
+
+
+def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tuple[int, int]:
+    """First and last sample of the motion; short rests at the ends are kept."""
+    still = 2e-3 * float(np.ptp(displacement))
+    away = np.flatnonzero(np.abs(displacement - displacement[0]) > still)
+    back = np.flatnonzero(np.abs(displacement - displacement[-1]) > still)
+    first, last = max(int(away[0]) - 1, 0), min(int(back[-1]) + 2, len(displacement))
+    first = first if first > 5 else 0
+    last = last if len(displacement) - last > 5 else len(displacement)
+    left_out = first + len(displacement) - last
+    if left_out:
+        text = f"{left_out} samples at rest at the ends were left out: at rest the force says nothing about velocity."
+        findings.append(Finding(name, "note", text, float(left_out)))
+    return first, last
+
+
+def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
+    """Number of cycles: half the crossings of the middle, or the path over twice the stroke where that is more.
+
+    What ``is_closed`` begins and ends at a crossing, which are one more than those within.
+    """
+    stroke = float(np.ptp(displacement))
+    side = displacement - 0.5 * float(displacement.max() + displacement.min())
+    clear = np.sign(side[np.abs(side) > 0.1 * stroke])
+    turns = displacement[[*zigzag(displacement, 0.05 * stroke), len(displacement) - 1]]
+    path = float(np.abs(np.diff(turns)).sum())
+    return max(0.5 * float(np.count_nonzero(np.diff(clear)) + is_closed), path / (2.0 * stroke))
+
+
+def columns_of(
+    displacement: Any, velocity: Any, force: Any, time: Any, name: str
+) -> tuple[ArrayLike, ArrayLike | None, ArrayLike, ArrayLike]:
+    """A record with what its data carry: channels of a recording their time, a recording or a table all."""
+    if force is None and velocity is None and not hasattr(displacement, "dtype"):
+        displacement, velocity, force = damper_channels(as_recording(displacement, where=name), where=name)
+    if force is None:
+        raise FitError("the force is missing", where=name, allowed="displacement, velocity or None, force, time")
+    return displacement, velocity, force, clock_of((displacement, force), where=name) if time is None else time
