@@ -29,7 +29,7 @@ PARTS = {
     "studies": ["variants"],
     "designs": ["design", "kinematics"],
 }
-ON_NO_PAGE = {"identify/damper.py", "damper_signs", "dissipating", "turned"}
+ON_NO_PAGE = {"identify/damper_findings.py", "identify/damper_record.py", "damper_signs", "dissipating", "turned"}
 """What only the command line does, modules and functions: laws of dampers from their records."""
 
 
