@@ -278,6 +278,7 @@ const KEYS: Record<string, string> = {
   zz: "zz",
   "linear damper": "linearer Dämpfer",
   "bilinear damper": "Dämpfer mit Druck- und Zugstufe",
+  "blow off damper": "degressiver Dämpfer mit Überdruckventil",
   "map damper": "Dämpfer mit Kennfeld",
   "tanh damper": "Tanh-Dämpfer",
   "bouc wen damper": "Bouc-Wen-Dämpfer",
