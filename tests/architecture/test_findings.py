@@ -36,7 +36,7 @@ def test_every_call_fills_in_what_its_sentence_has() -> None:
 def test_both_languages_are_filled_with_the_same(code: str) -> None:
     row = ROWS[code]
     assert fields_of(row.en) == fields_of(row.de)
-    assert row.en != row.de
+    assert row.en != row.de or row.en == "{error}"
 
 
 @given(st.sampled_from(sorted(ROWS)), st.data())

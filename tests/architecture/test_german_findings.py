@@ -24,10 +24,6 @@ LIBRARY = ROOT / "src" / "jounce"
 PARTS = {
     "recordings": ["recordings"],
     "identification": ["identify"],
-    "campaigns": ["campaign"],
-    "rides": ["control", "ride", "roughness"],
-    "studies": ["variants"],
-    "designs": ["design", "kinematics"],
 }
 ON_NO_PAGE = {"identify/damper_findings.py", "identify/damper_record.py", "damper_signs", "dissipating", "turned"}
 """What only the command line does, modules and functions: laws of dampers from their records."""

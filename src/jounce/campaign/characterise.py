@@ -17,7 +17,7 @@ from numpy.polynomial import Polynomial
 
 from jounce.campaign.description import Bench, DecayBench, StiffnessBench
 from jounce.core.errors import RecordingError, reason
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, at_place, finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -170,8 +170,7 @@ def characterise(rig: Rig, bench: Bench, folder: Path) -> tuple[Characterisation
             knowledge = step(found, knowledge, table, folder)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
             found.failed.append(place)
-            text = f"{reason(error)} The described value is used instead."
-            found.findings.append(Finding(place, "problem", text))
+            found.findings.append(finding("campaign.described_value_used", place, error=reason(error)))
     return found, knowledge
 
 
@@ -231,9 +230,7 @@ def _fit(
     }
     result = fit_stiffness(trials, **settings)
     found.loaded.setdefault(where.removesuffix(" as polynomial"), trials)
-    found.findings += [
-        Finding(f"{where}: {f.place}", f.severity, f.message, f.value) for f in (*findings, *result.findings)
-    ]
+    found.findings += [at_place(f"{where}: {item.place}", item) for item in (*findings, *result.findings)]
     return result
 
 
@@ -244,7 +241,7 @@ def _has_value(found: Characterisation, place: str, findings: Sequence[Finding],
     if problem is None and not unsure:
         return True
     why = problem or f"{estimate.value:.3g} ± {estimate.standard_error:.2g} is no value"
-    found.findings.append(Finding(place, "problem", f"replaces nothing, the described value is used: {why}"))
+    found.findings.append(finding("campaign.replaces_nothing", place, error=why))
     return False
 
 
@@ -404,13 +401,12 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
         results.append(fit_decay(time, signal, stiffness=stiffness, quadratic_drag=table.quadratic_drag, **asked))
     found.decays = tuple(results)
     found.decay = combine_decays(results) if len(results) > 1 else results[0]
-    found.findings += [Finding(f"bench.decay: {f.place}", f.severity, f.message, f.value) for f in found.decay.findings]
+    found.findings += [at_place(f"bench.decay: {item.place}", item) for item in found.decay.findings]
     has_coefficient = "strut.damper.coefficient" in values
     refer: Callable[[float], tuple[float, float]] = seen_at.referred if on_tyre else lambda seen: (seen, 1.0)
     found.damping_choices = _damping_choices(found.decay, seen_at, refer if has_coefficient else None, table.method)
     if not has_coefficient:
-        text = "the rig's damper is no plain coefficient; the decay is reported and does not replace it"
-        found.findings.append(Finding("bench.decay", "note", text))
+        found.findings.append(finding("campaign.decay_not_used", "bench.decay"))
         return knowledge
     at_strut = next(choice.at_strut for choice in found.damping_choices if choice.is_used)
     assert at_strut is not None
@@ -420,11 +416,7 @@ def _decay(found: Characterisation, knowledge: Knowledge, table: DecayBench, fol
     if not _has_value(found, "bench.decay", found.decay.findings, at_strut):
         return knowledge
     if on_tyre and seen_at.damping_behind(seen.value) is None:
-        text = (
-            "the body comes to rest faster than any damper between it and a wheel on its tyre lets it: the damping is "
-            "referred by the share of the strut in the deflection, which is rough; block the hub"
-        )
-        found.findings.append(Finding("bench.decay", "warning", text, seen.value))
+        found.findings.append(finding("campaign.decay_too_fast", "bench.decay", seen.value))
     found.replaced.append(
         Replaced(
             "strut.damper.coefficient",

@@ -14,7 +14,7 @@ from jounce.campaign.characterise import Knowledge
 from jounce.campaign.result import StrategyResult
 from jounce.campaign.run import Runner, prepared_campaign
 from jounce.core.errors import FitError, JounceError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.units import positive_si, to_si
 from jounce.identify.next_trial import Candidate, NextTrials, next_trials
 from jounce.identify.posterior import Posterior, posterior, rested
@@ -225,7 +225,9 @@ def _candidates(
             late = f"obstacles end after the {duration:.4g} s that were recorded: drive faster, or record longer."
             lost.setdefault(late, []).append(name)
     left_out = [
-        Finding(each[0], "note", f"left out{f', as are {len(each) - 1} more' if each[1:] else ''}: {why}")
+        finding("campaign.left_out_with_others", each[0], error=why, more=len(each) - 1)
+        if each[1:]
+        else finding("campaign.left_out", each[0], error=why)
         for why, each in lost.items()
     ]
     if not found:

@@ -34,7 +34,7 @@ from jounce.campaign.result import (
 from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, at_place, finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
@@ -147,7 +147,7 @@ def _truth(campaign: Campaign, folder: Path, findings: list[Finding]) -> BenchTr
     try:
         return load_truth(file)
     except JounceError as error:
-        findings.append(Finding("truth.toml", "note", f"{error} Truths are not shown beside the estimates."))
+        findings.append(finding("campaign.no_truths", "truth.toml", error=error))
         return None
 
 
@@ -236,9 +236,9 @@ def _load_trials(
         try:
             loaded[entry.number], notes = load_trial(entry, roads, folder)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-            findings.append(Finding(place, "problem", f"{reason(error)} The trial is left out."))
+            findings.append(finding("campaign.trial_left_out", place, error=reason(error)))
         else:
-            findings += [Finding(f"{place}: {note.place}", note.severity, note.message, note.value) for note in notes]
+            findings += [at_place(f"{place}: {note.place}", note) for note in notes]
     return loaded
 
 
@@ -339,7 +339,7 @@ class Runner:
                 self.progress(f"update {k} of {len(self.campaign.update)}: {entry.name}")
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(Finding(entry.name, "problem", f"{reason(error)} The update is left out."))
+                self.findings.append(finding("campaign.update_left_out", entry.name, error=reason(error)))
         return list(done.values())
 
     def set_up(
@@ -372,8 +372,8 @@ class Runner:
         knowledge, chosen, trials, asked = self.set_up(entry, start, done)
         result = update_model(trials, entry.free, **asked)
         self.findings += [
-            f if f.place == entry.name else Finding(f"{entry.name}: {f.place}", f.severity, f.message, f.value)
-            for f in result.findings
+            item if item.place == entry.name else at_place(f"{entry.name}: {item.place}", item)
+            for item in result.findings
         ]
         after = knowledge.after(result.parameters, [item.entry.tyre_pressure for item in chosen])
         numbers = tuple(item.entry.number for item in chosen)
@@ -383,9 +383,7 @@ class Runner:
                 truth = true_values(self.truth, list(result.parameters), trials, chosen[0].entry)
                 strategy = replace(strategy, truth=truth)
             except JounceError as error:
-                self.findings.append(
-                    Finding("truth.toml", "note", f"{error} Truths are not shown beside {entry.name}.")
-                )
+                self.findings.append(finding("campaign.no_truths_of", "truth.toml", error=error, name=entry.name))
         chain = [*self._before(entry, done), strategy]
         return replace(strategy, rig_texts=updated_rigs(self.campaign, self.rig_text, self.bench, chain))
 
@@ -437,8 +435,7 @@ class Runner:
             found = compare_models(knowledge.rig)
             peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-            text = f"{reason(error)} It is not compared with the 3-D rig."
-            self.findings.append(Finding("lumped model", "warning", text))
+            self.findings.append(finding("campaign.lumped_not_compared", "lumped model", error=reason(error)))
             return None
         return replace(found, peaks=tuple(peaks))
 
@@ -487,21 +484,19 @@ class Runner:
             try:
                 self.compared[key] = compare_trial(trial, lag)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(Finding(trial.name, "problem", reason(error)))
+                self.findings.append(finding("campaign.not_compared", trial.name, error=reason(error)))
                 self.compared[key] = (None, {}, [], None)
         return self.compared[key]
 
 
 def _without_repeats(notes: list[Finding]) -> list[Finding]:
     """Ratings' notes about the sample rate are the same for all trials: they are said once a channel."""
-    return [
-        Finding(n.place.split(", ")[-1], n.severity, n.message, n.value) if n.severity == "note" else n for n in notes
-    ]
+    return [at_place(n.place.split(", ")[-1], n) if n.severity == "note" else n for n in notes]
 
 
 def _unique(findings: list[Finding]) -> list[Finding]:
     """Each finding once, in order; the same sentence about many places becomes one."""
     seen: dict[tuple[str, str], Finding] = {}
-    for finding in findings:
-        seen.setdefault((finding.place, finding.message), finding)
+    for item in findings:
+        seen.setdefault((item.place, item.message), item)
     return list(seen.values())

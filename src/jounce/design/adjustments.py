@@ -9,7 +9,7 @@ from typing import TypeVar, cast
 import numpy as np
 
 from jounce.core.errors import DescriptionError, JounceError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -253,8 +253,7 @@ def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
     if steep or any(abs(np.degrees(angle) - known) < 0.05 for known in PUBLISHED_ANGLES):
         return steep
     built = ", ".join(f"{known:g}" for known in PUBLISHED_ANGLES)
-    text = f"{np.degrees(angle):.4g} deg is not one of the angles that were built ({built} deg)."
-    return [Finding("strut_angle", "note", text, float(angle))]
+    return [finding("design.angle_not_built", "strut_angle", angle, angle=angle, built=built)]
 
 
 def adjusted(rig: Rig, settings: Mapping[str, Value]) -> Corner:
@@ -575,7 +574,7 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
         try:
             found.append(_effect(rig, setting, findings))
         except JounceError as error:
-            findings.append(Finding(setting.name, "note", f"is not available: {error}"))
+            findings.append(finding("design.not_available", setting.name, error=error))
     after = wheel_state(changed) if values else before
     first = _over_travel(rig)
     over = OverTravel(_TRAVELS, first, _over_travel(changed) if values else first)
@@ -740,8 +739,9 @@ def _effect(rig: Corner, setting: Setting, findings: list[Finding]) -> Effect:
         try:
             return wheel_state(adjusted(rig, {setting.name: value}))
         except JounceError as error:
-            text = f"{shown(value, setting.unit)} is out of reach: {error}"
-            findings.append(Finding(setting.name, "note", text, value))
+            findings.append(
+                finding("design.out_of_reach", setting.name, value, wanted=shown(value, setting.unit), error=error)
+            )
             return None
 
     step = _STEP * (highest - lowest)

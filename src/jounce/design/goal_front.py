@@ -16,7 +16,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
@@ -228,11 +228,9 @@ def _aims(race: _Race, tried: list[Array], best: Array, span: Array, points: int
 def _findings(count: int, *, settled: bool) -> list[Finding]:
     found = []
     if not settled:
-        text = "some searches did not come to rest; narrow the bounds or choose fewer points."
-        found.append(Finding("front", "warning", text))
+        found.append(finding("design.goal_searches_unsettled", "front"))
     if count == 1:
-        text = "one design is best in every metric: within the bounds and limits there is nothing to trade."
-        found.append(Finding("front", "note", text))
+        found.append(finding("design.best_in_all_metrics", "front"))
     return found
 
 

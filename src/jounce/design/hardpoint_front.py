@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, JounceError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.design.hardpoint_search import Search, places, refuse_idle
@@ -175,8 +175,7 @@ def front_of(task: Task, points: int, starts: int, seed: int) -> KinematicFront:
     designs = [design for design in (_design(race, sound[i]) for i in kept) if design is not None]
     findings = []
     if len(designs) == 1:
-        text = "one design is best in every goal: within the boxes there is nothing to trade."
-        findings.append(Finding("front", "note", text))
+        findings.append(finding("design.best_in_all_goals", "front"))
     start = _design(race, np.zeros(len(search.scale)))
     assert start is not None
     order = sorted(designs, key=lambda one: tuple(one.goals.values()))

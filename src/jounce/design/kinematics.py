@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from jounce.core.description import line_of, read_description
 from jounce.core.display import display_unit
 from jounce.core.errors import DescriptionError, JounceError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -738,33 +738,31 @@ def identifiability(search: Search, slopes: list[Array]) -> tuple[tuple[Identifi
 
 def _unspread(task: Task, wanted: Sequence[Wanted]) -> list[Finding]:
     """Targets that a spread does not know."""
-    text = "is not in the spread, which builds one corner and its mirror image."
     several = [i for i, item in enumerate(wanted) if task.spread is not None and item.right]
-    return [Finding(f"target[{i}] {wanted[i].label}", "note", text) for i in several]
+    return [finding("design.not_in_spread", f"target[{i}] {wanted[i].label}") for i in several]
 
 
 def _unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
     """How many searches ended before they came to rest."""
     count = sum(outcome.ended == UNSETTLED for outcome in outcomes)
-    text = (
-        f"{count} of {len(outcomes)} ended before they came to rest ({UNSETTLED}): the design is one that was found "
-        "on the way, and another may be better. Free fewer numbers, or those alone that have a say."
+    return (
+        [finding("design.searches_unsettled", "starts", count, count=count, all=len(outcomes), ended=UNSETTLED)]
+        if count
+        else []
     )
-    return [Finding("starts", "note", text, float(count))] if count else []
 
 
 def _findings(search: Search, x: Array, targets: Sequence[TargetResult]) -> list[Finding]:
     found = []
     met = all(target.met for target in targets)
     for j in np.flatnonzero((x < search.lower + _EDGE) | (x > search.upper - _EDGE)):
-        gain = "meet the targets with less movement of the others" if met else "bring the targets nearer"
+        code = "design.box_edge_met" if met else "design.box_edge_missed"
         if not met or abs(x[j]) > _EDGE:
-            text = f"ends at the edge of its box; a wider one may {gain}."
-            found.append(Finding(search.free.labels[j], "note", text, float(search.scale[j] * x[j])))
+            found.append(finding(code, search.free.labels[j], search.scale[j] * x[j]))
     for i, target in enumerate(targets):
         if not target.met:
             far = float(np.max(np.abs(search.wanted[i].off(np.atleast_1d(np.array(target.after))))))
-            text = f"is missed by {far / target.tolerance:.3g} tolerances at its worst"
-            text += ", though it must hold: no design within the boxes was found where it does." if target.must else "."
-            found.append(Finding(f"target[{i}] {search.wanted[i].label}", "warning", text, far))
+            code = "design.must_missed" if target.must else "design.target_missed"
+            place = f"target[{i}] {search.wanted[i].label}"
+            found.append(finding(code, place, far, tolerances=far / target.tolerance))
     return found

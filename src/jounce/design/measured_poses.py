@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_samples
 from jounce.core.seeds import check_seed
 from jounce.core.serialise import Plain
@@ -349,8 +349,7 @@ def _told(table: _Table, x: Array, given: Mapping[str, float], before: Array, st
         widened[part] *= np.sqrt(correlation_time(one)) if one.size else 1.0
         share = float(np.sqrt(np.mean((one / spread[part][table.known[part]]) ** 2))) if one.size else 0.0
         if name in given and share > _FARTHEST:
-            text = f"is left {share:.3g} times as far off as its noise: the model does not explain it."
-            findings.append(Finding(name, "warning", text, share))
+            findings.append(finding("design.pose_unexplained", name, share, times=share))
             widened[part] *= share
     rows = (slopes / widened[:, None])[table.known] * table.scale
     _, seen, directions = np.linalg.svd(rows, full_matrices=False)
@@ -364,12 +363,12 @@ def _told(table: _Table, x: Array, given: Mapping[str, float], before: Array, st
     for k, label in enumerate(table.labels):
         error = None if lost[k] else float(np.sqrt(variance[k]))
         if lost[k]:
-            findings.append(Finding(label, "warning", "is not told by what was measured: others can make up for it."))
+            findings.append(finding("design.undetermined", label))
         if k < size:
             value = float(table.numbers.values[k] + x[k])
             numbers[label] = estimate(value, error, freedom)
             if min(x[k] - low[k], high[k] - x[k]) <= 1e-6 * (high[k] - low[k]):
-                findings.append(Finding(label, "warning", "ends at the edge of its box; widen it.", value))
+                findings.append(finding("design.edge_of_box", label, value))
         else:
             offsets[table.offsets[k - size]] = estimate(float(x[k]), error, freedom)
     quantities = {}

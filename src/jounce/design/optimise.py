@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.text import aligned
 from jounce.core.types import Array
@@ -648,21 +648,18 @@ def _constraints(
 def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, converged: bool) -> list[Finding]:
     found = []
     if not converged:
-        text = "the search ended without meeting the conditions of an optimum; try more starts or narrower bounds."
-        found.append(Finding("optimise", "warning", text))
+        found.append(finding("design.no_optimum", "optimise"))
     for number in numbers:
         if number.at:
-            text = f"ended at its {number.at} bound; the objective would improve further beyond it."
-            found.append(Finding(number.path, "warning", text, number.value))
+            found.append(finding("design.at_bound", number.path, number.value, bound=number.at))
         if number.flat == (number.lower, number.upper):
-            text = "has little influence: over its whole range the objective stays within 1 % and every limit holds."
-            found.append(Finding(number.path, "note", text, number.value))
+            found.append(finding("design.little_influence", number.path, number.value))
     value = problem.objective(np.array([number.value for number in numbers]))[0]
     if value > 1.0 - 1e-6:
-        text = "nothing better than the start was found."
-        if any(_is_broken(limit, problem.numbers(problem.start)[limit.metric.text][0]) for limit in problem.limits):
-            text = f"the start breaks a limit; keeping all costs {100.0 * (value - 1.0):.2g} % of the objective."
-        found.append(Finding("optimise", "note", text, value))
+        given = problem.numbers(problem.start)
+        is_broken = any(_is_broken(limit, given[limit.metric.text][0]) for limit in problem.limits)
+        code = "design.start_breaks_limit" if is_broken else "design.start_is_best"
+        found.append(finding(code, "optimise", value, cost=value - 1.0))
     return found
 
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import Count, Mark, operation
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
@@ -349,7 +349,7 @@ def _marks(
     try:
         best = best_dampers(soft.rig, **given, comfort=metrics["comfort"], holding=metrics["holding"])
     except (DescriptionError, FitError) as error:
-        return tuple(found), [Finding("closed forms", "note", f"no best dampers: {error}")]
+        return tuple(found), [finding("design.no_best_dampers", "closed forms", error=error)]
     for one in best:
         name = f"best damper for {one.goal}"
         found.append(_mark(name, "closed form", soft, one.closed_form, metrics))
@@ -380,9 +380,7 @@ def _present(soft: DesignProblem) -> dict[str, float]:
 def _findings(whole: dict[str, Array], *, converged: bool) -> list[Finding]:
     found = []
     if not converged:
-        text = "some points did not converge; narrow the bounds or choose fewer points."
-        found.append(Finding("pareto", "warning", text))
+        found.append(finding("design.points_unsettled", "pareto"))
     if len(whole["comfort"]) == 1:
-        text = "one design is best in both: within the bounds and limits there is nothing to trade."
-        found.append(Finding("pareto", "note", text))
+        found.append(finding("design.best_in_both", "pareto"))
     return found

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, FitError, SimulationError, nearest, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import Bounds, Free, free_parameters
@@ -561,5 +561,5 @@ def stationary_evaluator(
         return StationaryEvaluator(families, surface(road, speed, **given), metrics), ()
     evaluator = StationaryEvaluator(families, surface(road, speed, **{**given, "band": "iso"}), metrics)
     text, reason = next(iter(reasons.items()))
-    note = Finding(text, "note", f"{reason}; waves of 0.011 to 2.83 1/m are taken instead of white noise.")
+    note = finding("design.band_instead_of_white", text, reason=reason)
     return evaluator, (note,)

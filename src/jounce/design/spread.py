@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, JounceError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.design.adjustments import SETTINGS, adjusted
@@ -353,10 +353,8 @@ def _told(
         beyond = float(np.mean((settings[:, k] <= ends[0] + 1e-9) | (settings[:, k] >= ends[1] - 1e-9)))
         needs[name] = AdjustmentNeed(low, high, beyond)
         if beyond > 1.0 - (_BAND[1] - _BAND[0]) / 100.0:
-            text = f"its range is not enough for {100.0 * beyond:.0f} % of the cars."
-            findings.append(Finding(name, "warning", text, beyond))
+            findings.append(finding("design.range_too_small", name, beyond, share=beyond))
     if failed:
-        text = f"{failed} of {workshop.spread.cars} cars do not go together or do not reach a pose; they are left out."
-        findings.append(Finding("spread", "warning", text, float(failed)))
+        findings.append(finding("design.cars_left_out", "spread", failed, failed=failed, cars=workshop.spread.cars))
     both = [float(np.all(met[name], axis=0).mean()) for name in ("made", "settled")]
     return KinematicSpread(tuple(targets), workshop.spread.cars, failed, both[0], both[1], needs, tuple(findings))

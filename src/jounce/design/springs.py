@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import MadeBy, Number, Switch, operation
 from jounce.core.serialise import plain_table
 from jounce.core.shown import Shown
@@ -256,25 +256,14 @@ def _each(value: Any, wheels: tuple[Wheel, ...], where: str) -> tuple[Any, ...]:
 
 
 def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
-    found = []
-    for wheel in wheels:
-        if wheel.wanted.static_deflection > 0.25:
-            text = (
-                f"the spring sags {1e3 * wheel.wanted.static_deflection:.0f} mm under the body; without preload or "
-                "levelling that is more travel than a car has."
-            )
-            found.append(Finding(wheel.place or "spring", "note", text, wheel.wanted.static_deflection))
+    sags = [(wheel.place or "spring", wheel.wanted.static_deflection) for wheel in wheels]
+    found = [finding("design.spring_sags", place, sag, deflection=sag) for place, sag in sags if sag > 0.25]
     if len(wheels) == 2:
         front, rear = (wheel.wanted.frequency_hz for wheel in wheels)
         if rear < front:
-            text = (
-                "the rear is softer than the front; after a bump the car pitches less when the rear, which meets it "
-                "later, swings faster (Olley's flat ride: some 10 to 20 %)."
-            )
-            found.append(Finding("rear", "note", text, rear / front))
+            found.append(finding("design.rear_softer", "rear", rear / front))
         vehicle: Any = rig
         levers = [w.wanted.wheel_rate * getattr(vehicle, w.place).distance for w in wheels]
         ratio = levers[0] / levers[1]
-        text = f"front over rear rate times distance is {ratio:.3g}; 1 uncouples bounce from pitch."
-        found.append(Finding("front, rear", "note", text, ratio))
+        found.append(finding("design.bounce_and_pitch", "front, rear", ratio, ratio=ratio))
     return found

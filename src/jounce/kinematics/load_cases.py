@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.text import guarded
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
@@ -206,10 +206,11 @@ def _tips(car: LoadedAxle, case: LoadCase, name: str) -> list[Finding]:
     if total <= 0.0 or 0.0 <= axle <= total:
         return []
     lifted = car.axle if axle < 0.0 else {"front": "rear", "rear": "front"}[car.axle]
-    text = (
-        f"the car would tip over: its {lifted} axle carries {min(axle, total - axle):.4g} N; the other one carries all."
-    )
-    return [Finding(name, "warning", text, min(axle, total - axle))]
+    return [
+        finding(
+            "kinematics.car_tips", name, min(axle, total - axle), end=f"{lifted} axle", load=min(axle, total - axle)
+        )
+    ]
 
 
 @dataclass(frozen=True)
@@ -339,11 +340,9 @@ def _together(
         step = np.linalg.lstsq(slopes, -off[:, 0], rcond=None)[0]
         step = step * min(1.0, _STEP / max(float(np.max(np.abs(step))), _CLOSE))
         travel = np.clip(best + step, -_FARTHEST, _FARTHEST)
-    text = (
-        f"springs and bars cannot carry it within {1e3 * _FARTHEST:g} mm of travel: forces are those where they come "
-        f"nearest, and the spring has what the load asks for."
-    )
-    return (float(best[0]), float(best[1])), [Finding(name, "warning", text, least if np.isfinite(least) else None)]
+    return (float(best[0]), float(best[1])), [
+        finding("kinematics.springs_cannot_carry", name, least if np.isfinite(least) else None, travel=_FARTHEST)
+    ]
 
 
 def _pushed(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
@@ -380,11 +379,11 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
         crossed = np.flatnonzero((excess[:-1] <= 0.0) & (excess[1:] > 0.0))
         if not len(crossed):
             nearest = float(travels[np.nanargmax(np.where(excess > 0.0, -excess, excess))])
-            text = (
-                f"spring and stops cannot carry it within {1e3 * _TRAVELS[-1]:g} mm of travel: forces are those at "
-                f"{1e3 * nearest:.4g} mm, where they come nearest, and the spring has what the load asks for."
-            )
-            return nearest, [Finding(where, "warning", text, float(load.vertical_force))]
+            return nearest, [
+                finding(
+                    "kinematics.spring_cannot_carry", where, load.vertical_force, travel=_TRAVELS[-1], nearest=nearest
+                )
+            ]
         i = int(crossed[np.argmin(np.abs(travels[crossed]))])
         low, high = float(travels[i]), float(travels[i + 1])
     return 0.5 * (low + high), []

@@ -15,7 +15,7 @@ from jounce.core.constants import GRAVITY
 from jounce.core.datasets import dataset
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, SimulationError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import Length, Mass, Unit, bare_si, to_si
@@ -369,16 +369,13 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
         return []
     size, names = len(sweep.walk.start), [row.name for row in sweep.model.rows]
     speeds = {
-        f"parts move {{ratio:.3g}} times as fast with the {_TRACKS[t]} as": np.max(
-            np.abs(found.slopes[t * size : (t + 1) * size]), axis=0
-        )
+        ("kinematics.parts_toggle", _TRACKS[t]): np.max(np.abs(found.slopes[t * size : (t + 1) * size]), axis=0)
         for t in range(tracks)
     }
-    ratio = "the motion ratio of the spring is {ratio:.3g} times the one"
     if "motion_ratio" in names:
-        speeds[ratio] = np.abs(found.outputs[names.index("motion_ratio")])
+        speeds["kinematics.spring_toggles", ""] = np.abs(found.outputs[names.index("motion_ratio")])
     findings = []
-    for text, speed in speeds.items():
+    for (code, track), speed in speeds.items():
         for side in (1.0, -1.0):
             away = side * sweep.layout.targets.sum(axis=1)
             near = reached & (away > 0.0) & (speed > _TOGGLE * speed[0]) & (speed[0] > 0.0)
@@ -387,8 +384,7 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
                 travel, rack = sweep.layout.targets[i]
                 at = f"wheel travel {1e3 * travel:.4g} mm" + (f", rack travel {1e3 * rack:.4g} mm" if rack else "")
                 share = float(speed[i] / speed[0])
-                message = text.format(ratio=share) + " at the start of the sweep: a toggle is near."
-                findings.append(Finding(at, "warning", message, share))
+                findings.append(finding(code, at, share, ratio=share, track=track))
     return findings
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.core.errors import RecordingError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.recursion import first_order
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
@@ -164,16 +164,13 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
     crest, dose = crest_factor(signal, sample_rate), vdv(signal, sample_rate) / (average * total**0.25)
     findings = []
     if crest > LARGEST_CREST_FACTOR:
-        text = f"crest factor {crest:.3g} is above 9: a weighted r.m.s. says too little, use MTVV or VDV as well"
-        findings.append(Finding(place, "warning", text, crest))
+        findings.append(finding("ride.crest_factor", place, crest, factor=crest))
     if total >= TIME_CONSTANT:
         ratio = mtvv(signal, sample_rate) / average
         if ratio > LARGEST_MTVV_RATIO:
-            text = f"MTVV is {ratio:.3g} times the weighted r.m.s. (limit 1.5): report MTVV as well"
-            findings.append(Finding(place, "note", text, ratio))
+            findings.append(finding("ride.mtvv", place, ratio, ratio=ratio))
     if dose > LARGEST_VDV_RATIO:
-        text = f"VDV is {dose:.3g} times weighted r.m.s. and T^(1/4) (limit 1.75): report VDV as well"
-        findings.append(Finding(place, "note", text, dose))
+        findings.append(finding("ride.vdv", place, dose, dose=dose))
     return tuple(findings)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
 
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array, Complex
 
 _BODY, _WHEEL = ("sprung", "body", "chassis"), ("unsprung", "wheel")
@@ -85,11 +85,7 @@ def _steps(name: str, values: Array, power: float) -> Iterator[Finding]:
     step = float(np.diff(np.unique(values)).min())
     share = step**2 / 12.0 / power
     if share > _STEPS:
-        text = (
-            f"its steps of {step:.3g} m/s^2 are coarse beside its {power**0.5:.3g} m/s^2 r.m.s.: they alone make "
-            f"{100.0 * share:.2g} % of its power; choose a smaller range of the sensor or logger"
-        )
-        yield Finding(name, "warning", text, step)
+        yield finding("ride.coarse_steps", name, step, step=step, rms=power**0.5, share=share)
 
 
 def _travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) -> Iterator[Finding]:
@@ -97,9 +93,8 @@ def _travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) 
     inside = frequency > lowest
     motion = float(np.sqrt(np.sum(density[inside] / (2.0 * np.pi * frequency[inside]) ** 4) * frequency[1]))
     if motion > most:
-        excuse = "suspension lets a body" if kind is _BODY else "tyre lets a wheel"
-        text = f"above {lowest:g} Hz it means a motion of {1e3 * motion:.3g} mm r.m.s., and no {excuse} move so; is it "
-        yield Finding(name, "warning", text + "m/s^2 called g?", motion)
+        code = "ride.body_travels" if kind is _BODY else "ride.wheel_travels"
+        yield finding(code, name, motion, lowest=lowest, motion=motion)
 
 
 def _empty_bands(name: str, frequency: Array, density: Array) -> Iterator[Finding]:
@@ -110,24 +105,15 @@ def _empty_bands(name: str, frequency: Array, density: Array) -> Iterator[Findin
     }
     strongest = max(level.values())
     if 16.0 in level and (strongest - level[16.0] > _EMPTY or level[8.0] - level[16.0] > _FALLING):
-        text = (
-            f"from 16 to 32 Hz it is {strongest - level[16.0]:.0f} dB below its strongest octave, where wheels still "
-            "shake a body: has a low pass (or a slow sensor) taken it away? Then weighted values are too small"
-        )
-        yield Finding(name, "warning", text, strongest - level[16.0])
+        yield finding("ride.band_empty", name, strongest - level[16.0], fall=strongest - level[16.0])
     if 1.0 in level and level[1.0] - level[0.5] > _STEEP:
-        text = (
-            f"from the octave above 1 Hz to that below it falls by {level[1.0] - level[0.5]:.0f} dB, as behind a high "
-            "pass (AC coupling): then the motion of the body is missing, and weighted values are too small"
-        )
-        yield Finding(name, "warning", text, level[1.0] - level[0.5])
+        yield finding("ride.high_pass", name, level[1.0] - level[0.5], fall=level[1.0] - level[0.5])
 
 
 def _exchanged(wheel: str, body: str, accelerations: Mapping[str, Array]) -> Iterator[Finding]:
     ratio = float(accelerations[body].std()) / max(float(accelerations[wheel].std()), 1e-300)
     if ratio > _EXCHANGED:
-        text = f"it is shaken {ratio:.3g} times as much as {wheel}: were the two exchanged?"
-        yield Finding(body, "warning", text, ratio)
+        yield finding("ride.exchanged", body, ratio, ratio=ratio, wheel=wheel)
 
 
 def _filtered(wheel: str, body: str, accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
@@ -142,12 +128,16 @@ def _filtered(wheel: str, body: str, accelerations: Mapping[str, Array], rate: f
     for kind in _FILTERS:
         residual, corner = _fitted(frequency, transfer, coherence, kind)
         if residual_without > _FAR and residual < min(_CLOSE, _BETTER * residual_without):
-            text = (
-                f"it follows {wheel} as behind a {kind} pass of some {corner:.2g} Hz, which leaves "
-                f"{100.0 * residual:.2g} % of its response unexplained where spring and damper alone leave "
-                f"{100.0 * residual_without:.2g} %: record both channels without a filter, or with the same"
+            yield finding(
+                "ride.filtered",
+                body,
+                corner,
+                wheel=wheel,
+                filter=f"{kind} pass",
+                corner=corner,
+                left=residual,
+                plain=residual_without,
             )
-            yield Finding(body, "warning", text, corner)
             return
 
 

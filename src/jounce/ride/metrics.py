@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, RecordingError, nearest, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.shown import Shown
 from jounce.core.text import aligned
 from jounce.core.units import positive_si, to_si
@@ -382,33 +382,24 @@ def _findings(
         if item.metric == "daily_exposure" and item.value > comfort.ACTION_VALUE:
             is_over = item.value > comfort.LIMIT_VALUE
             name, limit = ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
-            text = f"for {hours:g} h a day A(8) is {item.value:.3g} m/s^2, above the {name} value of "
-            yield Finding(item.place, "note", text + f"{limit:g} (2002/44/EC)", item.value)
+            exposure = item.value
+            code = "ride.daily_exposure"
+            yield finding(code, item.place, exposure, hours=hours, exposure=exposure, name=name, limit=limit)
         if item.metric == "motion_sickness" and item.value > 1.0:
-            text = (
-                f"{100.0 * item.value:.3g} % of the people cannot be: no vehicle shakes so, or for so long; check the "
-                "unit of the acceleration (mm/s^2 or mg rather than m/s^2?) and of time"
-            )
-            yield Finding(item.place, "problem", text, item.value)
+            yield finding("ride.sick_people", item.place, item.value, share=item.value)
     struts_without_damper = [corner for corner, view in views["corner"] if view.has("strut.force")]
     by_damper = any(view.has("strut.damper_force") for _, view in views["corner"])
     if "dissipated_power" in wanted and struts_without_damper and not by_damper:
-        text = "dissipated power is that of the whole strut force; it is the damper's over closed cycles only"
-        yield Finding(", ".join(filter(None, struts_without_damper)) or "strut", "note", text)
+        yield finding("ride.strut_power", ", ".join(filter(None, struts_without_damper)) or "strut")
 
 
 def _about_signal(place: str, motion: Acceleration, rate: float) -> Iterator[Finding]:
     average, spread = float(motion.values.mean()), float(motion.values.std())
     if motion.choices.start == "rest" and abs(average) > _OFFSET * spread:
-        text = (
-            f"the signal has an offset of {average:.3g} m/s^2 (gravity?), which starts the weighting with a step; "
-            "use start='mean', or a settling time"
-        )
-        yield Finding(place, "warning", text, average)
+        yield finding("ride.offset", place, average, offset=average)
     row = weighting(motion.usual)
     if rate < 2.0 * row.limits[2] and rate >= row.slowest_rate:
-        text = f"sampled at {rate:g} Hz: what {row.name} passes above {0.5 * rate:g} Hz is missing"
-        yield Finding(place, "note", text, rate)
+        yield finding("ride.sampled_slowly", place, rate, rate=rate, metric=row.name, highest=0.5 * rate)
 
 
 def _advice(place: str, motion: Acceleration) -> tuple[Finding, ...]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from jounce.core.constants import NORMAL_95
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.parts import Rig, as_rig
@@ -280,24 +280,16 @@ def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, f
         if is_channel(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
             times = static[name] / value
             share = 0.5 * math.erfc(times / math.sqrt(2.0))
-            text = (
-                f"the wheel would lose contact for {100 * share:.2g} % of the time (its static load is {times:.2g} "
-                "standard deviations of the dynamic load), which the linear model does not capture."
-            )
-            findings.append(Finding(name, "warning", text, share))
+            findings.append(finding("ride.contact_lost", name, share, share=share, deviations=times))
     numbers = rig.parameters()
     findings += _stop_findings(rig, sigma, static)
     frictions = [path for path, value in numbers.items() if path.endswith("friction.force") and value > _TINY]
     for path in frictions:
-        text = "friction is linearised at rest, where it is far stiffer than on a road; leave it out or simulate."
-        findings.append(Finding(path, "warning", text, numbers[path]))
+        findings.append(finding("ride.friction_at_rest", path, numbers[path]))
     for path in (path for path in numbers if path.endswith("damper.hysteretic_force")):
-        text = (
-            "hysteresis is linearised at rest, where it is a spring; large motions see less stiffness and more damping."
-        )
-        findings.append(Finding(path, "warning", text, numbers[path]))
+        findings.append(finding("ride.hysteresis_at_rest", path, numbers[path]))
     for path in (path for path in numbers if path.endswith("bump_coefficient")):
-        findings.append(Finding(path, "note", "the mean of bump and rebound coefficients is used.", numbers[path]))
+        findings.append(finding("ride.mean_coefficient", path, numbers[path]))
     return [*findings, *_nonlinear_dampers(rig, sigma)]
 
 
@@ -316,12 +308,9 @@ def _nonlinear_dampers(rig: Rig, sigma: Mapping[str, float]) -> Iterator[Finding
             continue
         equivalent, at_rest = law.statistical_coefficient(speed), law.slope_at_rest()
         if abs(equivalent - at_rest) > _BENDS * abs(equivalent):
-            text = (
-                f"the curve bends: at {speed:.2g} m/s ({whence}) it damps like {equivalent:.4g} N*s/m, but its slope "
-                f"at rest, {at_rest:.4g} N*s/m, is used; give {equivalent:.4g} N*s/m as coefficient "
-                "and look again, or simulate."
+            yield finding(
+                "ride.curve_bends", path, equivalent, speed=speed, whence=whence, equivalent=equivalent, at_rest=at_rest
             )
-            yield Finding(path, "warning", text, equivalent)
 
 
 def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
@@ -334,6 +323,5 @@ def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, fl
                 continue
             room = (gap - sign * static[name]) / sigma[name]
             if room < _LIFTS:
-                text = f"the {stop} stop is {room:.2g} standard deviations away from rest; the linear model ignores it."
-                findings.append(Finding(name, "warning", text, room))
+                findings.append(finding("ride.stop_near", name, room, stop=f"{stop} stop", room=room))
     return findings

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.columns import text_of
 from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Number, operation
 from jounce.core.recursion import first_order
 from jounce.core.samples import as_samples
@@ -327,14 +327,11 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
         )
     found = []
     if whole > ROUGHEST:
-        text = f"IRI {whole:.3g} m/km is rougher than any road that is driven at 80 km/h; are the units right?"
-        found.append(Finding(place, "warning", text, whole))
+        found.append(finding("roughness.rougher", place, whole, iri=whole))
     if 0.0 < whole < SMOOTHEST:
-        text = f"IRI {whole:.3g} m/km is smoother than any road that is built; are the units right?"
-        found.append(Finding(place, "warning", text, whole))
+        found.append(finding("roughness.smoother", place, whole, iri=whole))
     if spacing > COARSE:
-        text = f"samples every {spacing:g} m; ASTM E1926 asks for 0.3 m or less, so the index comes out too low"
-        found.append(Finding(place, "warning", text, spacing))
+        found.append(finding("roughness.spacing", place, spacing, spacing=spacing))
     return tuple(found)
 
 
@@ -497,6 +494,5 @@ def _bare_columns(file: Path) -> tuple[Array, Array, list[Finding]]:
                 hint="Fill the gap, or cut padding off.",
             )
         values.append(row)
-    text = "the file has no header; its two columns were taken for distance and height in m"
     table = np.array(values)
-    return table[:, 0].copy(), table[:, 1].copy(), [Finding(str(file), "note", text)]
+    return table[:, 0].copy(), table[:, 1].copy(), [finding("roughness.no_header", str(file))]

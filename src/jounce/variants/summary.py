@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.errors import DescriptionError, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.variants.designs import DESIGNS
 from jounce.variants.findings import findings_of_variants
@@ -119,16 +119,14 @@ def summarise(many: xr.Dataset) -> Summary:
     names = metrics_of(many) if has_metrics and ran else []
     influences, findings = _influences(many, names) if numbers and names else ((), list[Finding]())
     if names and many.attrs.get("design") == "morris":
-        text = "mean, deviation and percentiles are those of points on trajectories, not of the spreads"
-        findings.append(Finding("statistics", "note", text))
+        findings.append(finding("variants.points_on_trajectories", "statistics"))
     if failed:
-        text = f"{len(reasons) - ran} of {len(reasons)} variants have no run; statistics are of the others"
-        findings.insert(0, Finding("variants", "warning", text, float(len(reasons) - ran)))
+        lost = len(reasons) - ran
+        findings.insert(0, finding("variants.without_run", "variants", lost, lost=lost, all=len(reasons)))
     outside = int(many.attrs.get("outside", 0))
     if outside and many.attrs.get("design") in DESIGNS.keys() - {"grid"}:
         share = outside / len(reasons)
-        text = f"{share:.2g} of the variants have a number outside what its description allows and no run: statistics "
-        findings.append(Finding("spreads", "warning", f"{text}are of distributions that are cut off there", share))
+        findings.append(finding("variants.cut_off", "spreads", share, share=share))
     findings += findings_of_variants(many.attrs, ran)
     metrics = tuple(_metric(many, name) for name in names)
     side_by_side = int(many.attrs.get("side_by_side", 0))
@@ -165,7 +163,7 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
     try:
         indices = sensitivity_indices(many, names)
     except DescriptionError as error:
-        return (), [Finding("sensitivity", "note", f"{error.what}: what metrics depend on is not told")]
+        return (), [finding("variants.dependencies_unknown", "sensitivity", error=error.what)]
     found, findings = [], []
     measures = [str(name) for name in indices.data_vars if not str(name).endswith(("_low", "_high"))]
     for metric in names:
@@ -176,14 +174,13 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
             found.append(Influence(metric, number, {**told, **ends}))
         explained = float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
         if explained < _LITTLE:
-            text = (
-                f"straight lines explain {100.0 * explained:.0f} % of its variance: "
-                "look at the scatter; a design of kind saltelli tells the rest"
-            )
-            findings.append(Finding(metric, "note", text, explained))
+            findings.append(finding("variants.lines_explain_little", metric, explained, explained=explained))
     if indices.attrs["left_out"] and indices.attrs["design"] in ("morris", "saltelli"):
-        text = f"{indices.attrs['left_out']} variants are left out with those that have no run"
-        findings.append(Finding("sensitivity", "warning", text, float(indices.attrs["left_out"])))
+        findings.append(
+            finding(
+                "variants.variants_left_out", "sensitivity", indices.attrs["left_out"], count=indices.attrs["left_out"]
+            )
+        )
     return tuple(found), findings
 
 

@@ -27,7 +27,7 @@ def made_in(file: Path) -> Iterator[Made]:
             names = {word.arg for word in call.keywords}
             known = None if None in names else {str(name) for name in names} - {"severity"}
             first = call.args[0]
-            code = first.value if isinstance(first, ast.Constant) else None
+            code = str(first.value) if isinstance(first, ast.Constant) else None
             yield Made(f"{file.name}:{call.lineno}", code, known)
 
 

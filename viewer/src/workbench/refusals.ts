@@ -83,6 +83,7 @@ const PHRASES: Record<string, string> = {
   "the channel has another unit": "der Kanal hat eine andere Einheit",
   "the channel has not as many samples as time": "der Kanal hat nicht so viele Werte wie die Zeit",
   "the sample rate is not positive": "die Abtastrate ist nicht positiv",
+  "other reasons": "andere Gründe",
   "time and values do not fit together": "Zeit und Werte passen nicht zusammen",
   "not a road file": "keine Straßendatei",
   "not a road table": "keine Straßentabelle",

@@ -19,7 +19,7 @@ from xml.etree import ElementTree as ET
 from jounce.control.fmu.platforms import PLATFORMS, this_platform
 from jounce.core.errors import DescriptionError
 from jounce.core.files import State, existing_file, state_of
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.turns import turn
 from jounce.core.units import base_units, conversion_factor, is_unit
@@ -203,9 +203,9 @@ class FmuComponent(Plain):
                 allowed="FMUs for co-simulation",
                 hint="Export it again for co-simulation.",
             )
-        for finding in self.findings:
-            if finding.severity == "problem":
-                raise DescriptionError(finding.message.rstrip("."), where=where, allowed=_ALLOWED)
+        for item in self.findings:
+            if item.severity == "problem":
+                raise DescriptionError(item.message.rstrip("."), where=where, allowed=_ALLOWED)
         here = this_platform()
         folder = here if self.version == 3 else PLATFORMS[here].fmi2
         return f"binaries/{folder}/{self.identifier}{PLATFORMS[here].suffix}"
@@ -331,15 +331,13 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
         raise DescriptionError("its fixed step is negative", where=where, found=f"{pace:g} s")
     findings = []
     if this_platform() not in platforms:
-        holds = f"it holds {', '.join(platforms)}" if platforms else "it holds sources only"
-        message = f"no binary for this machine ({this_platform()}) is in it: {holds}."
-        findings.append(Finding(where, "problem", message))
+        code = "control.no_binary" if platforms else "control.sources_only"
+        findings.append(finding(code, where, machine=this_platform(), platforms=", ".join(platforms)))
     needs_tool = options.get("needsExecutionTool") in ("true", "1")
     if needs_tool:
-        text = f"it needs the tool {root.get('generationTool') or 'that made it'} on the machine that it runs on."
-        findings.append(Finding(where, "warning", text))
+        findings.append(finding("control.tool", where, tool=root.get("generationTool") or "that made it"))
     if step is None:
-        findings.append(Finding(where, "problem", "it is for model exchange only, and brings no integrator."))
+        findings.append(finding("control.model_exchange", where))
     return FmuComponent(
         file,
         version,

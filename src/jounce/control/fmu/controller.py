@@ -27,7 +27,7 @@ from jounce.control.controller import CallbackController, Limits, Regulator, Set
 from jounce.control.fmu import caller
 from jounce.control.fmu.component import REALS, WHOLE, FmuComponent, FmuVariable, read_fmu, unpacked
 from jounce.core.errors import DescriptionError, SimulationError, resource_error, unknown
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.text import shortened
 from jounce.core.trust import trust_said
 from jounce.core.types import Array
@@ -353,8 +353,7 @@ class _Connection:
             elif open_:
                 left.append(f"{v.name} = {shortened(v.start, _LONGEST) or '0'}")
         if left:
-            text = f"inputs that nothing is connected to keep their start: {', '.join(left)}."
-            note = Finding(str(self.component.path), "note", text)
+            note = finding("control.inputs_left", str(self.component.path), inputs=", ".join(left))
             self.findings += [note] if note not in self.findings else []
 
     def _check_counts(self, places: list[_Place]) -> None:
@@ -383,7 +382,7 @@ class _Connection:
                 raise DescriptionError("a count of no size", where=where, found=count, allowed=f"more than 0 {si}")
             return 1.0 / count, 0.0
         if not variable.unit and si not in ("", "1"):
-            note = Finding(f"{self.component.path}: {variable.name}", "note", f"it has no unit: taken for {si}.")
+            note = finding("control.no_unit", f"{self.component.path}: {variable.name}", unit=si)
             self.findings += [note] if note not in self.findings else []
         return self.component.conversion(variable, si)
 
@@ -590,8 +589,7 @@ class _FmuRegulator:
         said = trust_said()
         self._told, self._is_trusted = told, law.trusted if said is None else said
         if law.trusted and said is False:
-            text = "trusted = true in a file is not enough: it runs in a process of its own. Say --trust, too."
-            self._notes.append(Finding(self._file, "note", text))
+            self._notes.append(finding("control.not_trusted", self._file))
         self._instances: _Asked | None = None
         self._instant = 0
 
@@ -601,15 +599,12 @@ class _FmuRegulator:
         written = self._instances.written() if isinstance(self._instances, _Child) else []
         told = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
         if self._cut:
-            text = f"its force was beyond the limits of its actuator at {self._cut} instants: force_limit, rate_limit."
-            told.append(Finding(self._file, "warning", text))
+            told.append(finding("control.force_cut", self._file, instants=self._cut))
         if self._pushed:
-            text = "it gave a force while the tyre was off the road, which the wheel does not feel: compare the radii."
-            told.append(Finding(self._file, "warning", text))
+            told.append(finding("control.force_off_road", self._file))
         if not written:
             return told
-        text = f"it wrote files, which go with the folder it ran in: {', '.join(written)}."
-        return [*told, Finding(self._file, "warning", text)]
+        return [*told, finding("control.files_written", self._file, files=", ".join(written))]
 
     def start(self) -> None:
         """Begin a run."""
@@ -739,14 +734,10 @@ class _HeldWork:
         if not self._through:
             return []
         share = abs(self._made) / self._through
-        way = "taken" if self._made > 0.0 else "given"
-        text = (
-            f"its {self._what} is held for {1e3 * self._period:.4g} ms: of {self._through:.3g} J of its work "
-            f"{abs(self._made):.2g} J ({100.0 * share:.2g} %) were {way} by holding"
-        )
-        if share <= _MUCH:
-            return [Finding(where, "note", f"{text}.")]
-        return [Finding(where, "warning", f"{text}; take a higher rate.")]
+        change = "taken" if self._made > 0.0 else "given"
+        numbers: dict[str, Any] = {"what": self._what, "period": self._period, "change": change, "share": share}
+        numbers |= {"work": self._through, "held": abs(self._made)}
+        return [finding("control.held" if share <= _MUCH else "control.held_too_long", where, **numbers)]
 
 
 def _along_lines(f: float, v: float, force: float, speed: float) -> float:
