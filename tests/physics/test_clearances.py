@@ -112,7 +112,7 @@ def test_slopes_of_clearances_are_those_of_whole_sweeps(rig, side: str) -> None:
     poses = np.array([-0.02, 0.0, 0.02]), y * np.array([0.0, 0.0, 0.012])
     names = set(corner.hardpoints.given())
     exact = PosedCorner.along(corner, names, poses, numbers, directions)
-    found = {name: exact.apart(*pair)[1] for name, pair in pairs.items()}
+    found = {name: exact.distance(*pair)[1] for name, pair in pairs.items()}
     for j, i in enumerate(paths):
         ends = []
         for sign in (1.0, -1.0):
@@ -120,7 +120,7 @@ def test_slopes_of_clearances_are_those_of_whole_sweeps(rig, side: str) -> None:
             moved[i] += sign * 1e-6
             ends.append(PosedCorner.along(corner, names, poses, moved))
         for name, pair in pairs.items():
-            one, other = (end.apart(*pair)[0] for end in ends)
+            one, other = (end.distance(*pair)[0] for end in ends)
             assert found[name][j] == pytest.approx((one - other) / 2e-6, abs=2e-6), (name, model.parameters[i])
     assert all(np.abs(slope).max() > 0.2 for slope in found.values())
 

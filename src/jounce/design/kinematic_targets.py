@@ -477,7 +477,7 @@ class Evaluator:
         if key not in self._posed:
             directions = self._padded if slopes else None
             self._posed[key] = PosedCorner.along(self.rig, self._solid, (travel, rack), numbers, directions)
-        found, along = self._posed[key].apart(*item.pair)
+        found, along = self._posed[key].distance(*item.pair)
         return found, None if along is None else along.T
 
     # axles ---------------------------------------------------------------------------------------------------------

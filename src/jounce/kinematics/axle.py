@@ -1,6 +1,6 @@
 """An axle of a corner and its mirror image: both wheels while the body rolls, and while the rack steers.
 
-The right wheel is the left corner's mirror: at a rack travel it stands as the left one at the opposite rack travel.
+The right wheel is the left corner's mirror image: at a rack travel it stands as the left one at the opposite travel.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import REACHED
-from jounce.kinematics.across import Connection, Ends, Wheel, connect, reaches_over
+from jounce.kinematics.across import ConnectedWheel, Connection, Ends, connect, reaches_over
 from jounce.kinematics.catalogue import Quantity
 from jounce.kinematics.column import handwheel_angle, pinion_angle, rack_travel
 from jounce.kinematics.model import check_corner, check_rack, kinematic_model
@@ -24,8 +24,8 @@ from jounce.kinematics.sweeps import (
     AxleLayout,
     End,
     PreparedSweep,
+    SweepVariables,
     Values,
-    Variables,
     facts_of,
     no_pose,
     path_sweep,
@@ -43,10 +43,10 @@ if TYPE_CHECKING:
 # both wheels ----------------------------------------------------------------------------------------------------------
 
 
-_ITERATIONS, _LEVEL = 40, 1e-13  # m
-_STEEPEST = 1.2  # rad
-_STRAIGHT = 1e-6  # rad: turns below it share nothing
-_ODD = {  # rows that change sign in a mirror across y
+_ITERATIONS, _LEVEL = 40, 1e-13  # m: rounding of a height
+_STEEPEST = 1.2  # rad: 69 degrees; a car rolls over earlier
+_STRAIGHT = 1e-6  # rad: Ackermann shares of smaller steer angles are rounding
+_ODD = {  # rows that change sign when mirrored in y
     "rack_travel",
     "inclination",
     "steer",
@@ -57,15 +57,15 @@ _ODD = {  # rows that change sign in a mirror across y
 }
 _INNER_MORE = "positive: inner wheel steers more"
 _OUTER_MORE = "positive: outer wheel steers more than Ackermann geometry asks, towards parallel steering"
-_BEND = 1e-4  # rad: step of the only difference, that of an exact slope
+_BEND = 1e-4  # rad: step of the only difference, taken of an exact slope: 1e-8 of truncation, 1e-12 of rounding
 
 
 @dataclass(frozen=True)
 class WheelRows:
     """Catalogue of one wheel of the axle at the poses of a sweep, in the axes of a left wheel.
 
-    ``rows`` holds each quantity, shape (n,), NaN where it is out of reach; ``radius`` in m. ``ends`` are those of what
-    reaches over to the other wheel, where there is such a thing.
+    ``rows`` has each quantity, shape (n,), NaN out of reach; ``radius`` is in m. ``ends`` are those of connections to
+    the other wheel, if there are any.
     """
 
     rows: dict[str, Array]
@@ -101,32 +101,33 @@ class WheelRows:
 
     @property
     def turn_slope(self) -> Array:
-        """Turn of the upright for a unit rate of travel, rad/m, shape (n, 3).
+        """Rotation of the upright for a unit rate of travel, rad/m, shape (n, 3).
 
-        Its share across the wheel's axis turns that axis; that along it follows from the motion of the contact patch.
+        Its component across the wheel's axis turns that axis; that along it follows from the motion of the contact
+        patch.
         """
         axis, recession = self.axis, self.rows["contact_patch_recession"]
         across = np.cross(axis, self.axis_slope)
-        contact = np.stack([self.rows[f"contact_point_{one}"] for one in "xyz"], axis=1)
+        contact = np.stack([self.rows[f"contact_point_{component}"] for component in "xyz"], axis=1)
         reach = contact - self.centre
 
-        def behind(turn: Array) -> Array:
-            """By how much the patch of a turning wheel lags behind its recession."""
-            moved = np.cross(turn, reach)
-            return np.asarray(moved[:, 0] - recession * moved[:, 2])
+        def lag(turn: Array) -> Array:
+            """Lag of the patch of a turning wheel behind its recession."""
+            velocity = np.cross(turn, reach)
+            return np.asarray(velocity[:, 0] - recession * velocity[:, 2])
 
         still = self.centre_slope[:, 0] - recession
-        along = -(still + behind(across)) / behind(axis)
+        along = -(still + lag(across)) / lag(axis)
         return np.asarray(across + along[:, None] * axis)
 
     def seen(self, side: float) -> dict[str, Array]:
-        """Rows as the ground's axes show them: 1 for the left wheel, -1 for the right one."""
+        """Rows in ground axes: ``side`` is 1 for the left wheel, -1 for the right one."""
         return {name: side * value if name in _ODD else value for name, value in self.rows.items()}
 
 
 @dataclass(frozen=True)
 class Ground:
-    """A plane road under a wheel of a body that rolls: its normal in the wheel's axes, and how that turns with roll.
+    """A plane road under a wheel while the body rolls: its normal in the wheel's axes, and the normal's slope by roll.
 
     ``side`` is 1 for the left wheel, -1 for the right one; ``roll`` (rad) is positive about +x, after a ``pitch``
     about +y (nose down).
@@ -151,11 +152,11 @@ class Ground:
 
     @property
     def toe_out(self) -> Array:
-        """Angle along the road from the body's x axis to the plane of a left wheel, rad."""
+        """Angle along the road from the body's x axis to the wheel plane of a left wheel, rad."""
         ahead = np.cross(self.wheel.axis, self.normal)
         body = np.array([1.0, 0.0, 0.0]) - self.normal[:, :1] * self.normal
-        turned = _dot(np.cross(body, ahead), self.normal)
-        return np.arctan2(turned, _dot(body, ahead))
+        sine = _dot(np.cross(body, ahead), self.normal)
+        return np.arctan2(sine, _dot(body, ahead))
 
     @property
     def lean(self) -> Array:
@@ -196,18 +197,18 @@ def _dot(a: Array, b: Array) -> Array:
     return np.asarray(np.einsum("ij,ij->i", a, b))
 
 
-def _by_side(given: Array | tuple[Array, Array] | None) -> dict[float, Array]:
-    """What is known of each side: 1 left, -1 right."""
-    both = given if isinstance(given, tuple) else (given, given)
+def _by_side(values: Array | tuple[Array, Array] | None) -> dict[float, Array]:
+    """Values by side: 1 left, -1 right."""
+    both = values if isinstance(values, tuple) else (values, values)
     return {side: own for side, own in zip((1.0, -1.0), both, strict=True) if own is not None}
 
 
 class Axle:
-    """Both wheels of an axle, from the description of one of them, or of each where ``right`` is given.
+    """Both wheels of an axle, from the description of one of them, or of each if ``right`` is given.
 
-    ``numbers`` are those of the model's ``parameters`` where they are not the description's own. With ``directions``
-    (tracks and parameters, n; see ``tangents``) each wheel keeps its rows' slopes along them in ``slopes``. Of a right
-    corner of its own both are the second of a pair.
+    ``numbers`` replace the values of the model's ``parameters`` in the description. With ``directions`` (tracks and
+    parameters, n; see ``tangents``) each wheel stores the slopes of its rows along them in ``slopes``. With a right
+    corner both are pairs.
     """
 
     def __init__(
@@ -227,7 +228,7 @@ class Axle:
         self.radius = self.number("wheel.radius")
 
     def number(self, path: str) -> float:
-        """A number of the (left) description, SI."""
+        """A parameter of the (left) description, SI."""
         return float(self._values[1.0][path])
 
     def of(self, side: float) -> Corner:
@@ -235,20 +236,20 @@ class Axle:
         return self.rig if side > 0.0 else self.right
 
     def wheel(self, side: float, travel: Array | float, rack: Array | float) -> WheelRows:
-        """One wheel at pairs of travel and rack travel (m); either of them may be one value for all."""
+        """One wheel at pairs of travel and rack travel (m); either may be one value for all."""
         rig = self.of(side)
-        turned = side * rig.sign * np.asarray(rack, dtype=float)
+        rack_of_wheel = side * rig.sign * np.asarray(rack, dtype=float)
         travel, numbers = np.asarray(travel, dtype=float), self._numbers.get(side)
-        if travel.ndim and turned.ndim:
-            kept = np.flatnonzero(np.isfinite(travel + turned))
-            sweep = path_sweep(rig, travel[kept], turned[kept], numbers)[0] if len(kept) else None
+        if travel.ndim and rack_of_wheel.ndim:
+            finite = np.flatnonzero(np.isfinite(travel + rack_of_wheel))
+            sweep = path_sweep(rig, travel[finite], rack_of_wheel[finite], numbers)[0] if len(finite) else None
             count = len(travel)
         else:
-            swept, other = (travel, turned) if turned.ndim == 0 else (turned, travel)
+            swept, fixed = (travel, rack_of_wheel) if rack_of_wheel.ndim == 0 else (rack_of_wheel, travel)
             order = np.argsort(swept)
-            kept, count = order[np.isfinite(swept[order])], len(swept)
-            pair = (swept[kept], float(other)) if turned.ndim == 0 else (float(other), swept[kept])
-            sweep = prepare_sweep(rig, *pair) if len(kept) else None
+            finite, count = order[np.isfinite(swept[order])], len(swept)
+            pair = (swept[finite], float(fixed)) if rack_of_wheel.ndim == 0 else (float(fixed), swept[finite])
+            sweep = prepare_sweep(rig, *pair) if len(finite) else None
             if sweep is not None and numbers is not None:
                 sweep.walk.p[:] = numbers
             if sweep is not None:
@@ -257,64 +258,64 @@ class Axle:
             raise no_pose(self.ends)
         reached = sweep.found.outcome == REACHED
         values = np.full((len(sweep.model.rows), count), np.nan)
-        values[:, kept] = sweep.in_place(sweep.found.outputs, reached).reshape(len(values), -1)
+        values[:, finite] = sweep.in_place(sweep.found.outputs, reached).reshape(len(values), -1)
         self.note(sweep)
         names = [row.name for row in sweep.model.rows]
         if side in self._directions:
-            self.slopes[side] = self._sloped(sweep, side, names, kept, count)
+            self.slopes[side] = self._sloped(sweep, side, names, finite, count)
         rows = self._flipped(dict(zip(names, values, strict=True)), rig)
         return WheelRows(
             rows,
             float(sweep.walk.p[sweep.model.parameters.index("wheel.radius")]),
-            self._ends(sweep, side, kept, count),
+            self._ends(sweep, side, finite, count),
         )
 
-    def _ends(self, sweep: PreparedSweep, side: float, kept: NDArray[np.intp], count: int) -> Ends | None:
-        """Ends of what reaches over to the other wheel, at the poses just found."""
+    def _ends(self, sweep: PreparedSweep, side: float, finite: NDArray[np.intp], count: int) -> Ends | None:
+        """Ends of the connections to the other wheel, at the poses of a sweep."""
         if "across" not in sweep.model.functions:
             return None
         reached = sweep.found.outcome == REACHED
         states = []
-        for found in (sweep.found.poses, sweep.found.inputs):
-            placed = np.full((len(found), count), np.nan)
-            placed[:, kept] = sweep.in_place(found, reached).reshape(len(found), -1)
-            states.append(placed)
+        for values_of in (sweep.found.poses, sweep.found.inputs):
+            in_order = np.full((len(values_of), count), np.nan)
+            in_order[:, finite] = sweep.in_place(values_of, reached).reshape(len(values_of), -1)
+            states.append(in_order)
         return Ends.of(sweep.model, self.of(side), (states[0], states[1], sweep.walk.p), side)
 
     def connection(self, left: WheelRows, right: WheelRows) -> Connection:
-        """Give what connects both wheels at pairs of poses."""
+        """Forces between both wheels at pairs of poses."""
         model = kinematic_model(self.rig)
         numbers = self._numbers.get(1.0, model.parameter_values(self.rig))
-        one, other = (
-            Wheel(wheel.rows, wheel.ends, self._values[side], side * self.of(side).sign)
+        left_wheel, right_wheel = (
+            ConnectedWheel(wheel.rows, wheel.ends, self._values[side], side * self.of(side).sign)
             for side, wheel in ((1.0, left), (-1.0, right))
         )
-        return connect(self.rig, model, numbers, one, other)
+        return connect(self.rig, model, numbers, left_wheel, right_wheel)
 
     def _sloped(
-        self, sweep: PreparedSweep, side: float, names: list[str], kept: NDArray[np.intp], count: int
+        self, sweep: PreparedSweep, side: float, names: list[str], finite: NDArray[np.intp], count: int
     ) -> dict[str, Array]:
-        """Slopes of the rows just found, each (directions, poses), in the axes of a left wheel."""
-        found = Tangents(sweep, self._directions[side]).run()
-        ordered = sweep.in_place(found.reshape(-1, found.shape[2]), sweep.found.outcome == REACHED)
-        slopes = np.full((*found.shape[:2], count), np.nan)
-        slopes[:, :, kept] = ordered.reshape(*found.shape[:2], -1)
+        """Slopes of the rows of a sweep, each (directions, poses), in the axes of a left wheel."""
+        tangents = Tangents(sweep, self._directions[side]).run()
+        ordered = sweep.in_place(tangents.reshape(-1, tangents.shape[2]), sweep.found.outcome == REACHED)
+        slopes = np.full((*tangents.shape[:2], count), np.nan)
+        slopes[:, :, finite] = ordered.reshape(*tangents.shape[:2], -1)
         return self._flipped(dict(zip(names, slopes, strict=True)), self.of(side))
 
     def _flipped(self, rows: dict[str, Array], rig: Corner) -> dict[str, Array]:
         return {name: rig.sign * value if name in _ODD else value for name, value in rows.items()}
 
     def note(self, sweep: PreparedSweep) -> None:
-        """Keep the ends of travel that a sweep came to, if they are the first."""
+        """Store the ends of travel of the first sweep that has some."""
         if not self.ends and np.any(sweep.found.outcome != REACHED):
             self.ends = sweep.ends()
 
     def rows_of(self, side: float) -> tuple[Quantity, ...]:
-        """Rows of the catalogue that a wheel has."""
+        """Rows of the catalogue for a wheel."""
         return kinematic_model(self.of(side)).rows
 
     def level(self, roll: Array, rack: float) -> tuple[Ground, Ground]:
-        """Both wheels, travelled by the same amount against each other until they stand on one plane road."""
+        """Both wheels, moved by the same travel in opposite directions until they stand on one plane road."""
         away = np.abs(self.number("hardpoints.wheel_centre[1]")) * np.tan(roll)
         for _ in range(_ITERATIONS):
             left = Ground(self.wheel(1.0, -away, rack), roll, 1.0)
@@ -332,8 +333,8 @@ class Axle:
 def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     """Roll the body over an axle of a corner and its mirror image, both wheels on one plane road.
 
-    The wheels travel by the same amount against each other, so that both contact points stay on the road. Deflections
-    of the tyres do not count.
+    The wheels travel by the same amount in opposite directions, so that both contact points stay on the road. Tyre
+    deflections are neglected.
 
     Parameters
     ----------
@@ -350,15 +351,15 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
         On ``roll_angle`` (rad): ``left.<quantity>`` and ``right.<quantity>`` of the catalogue (against the body), with
         ``camber_to_ground`` (rad), ``roll_steer`` and ``roll_camber`` (rad/rad); ``track`` (m), ``roll_centre_height``
         and ``roll_centre_y`` (m, above the road and left of the middle between the contact points), ``roll_moment``
-        (N m, of springs and anti-roll bar, against the roll) and ``roll_stiffness`` (N m/rad). Attributes as
+        (N m, of springs and anti-roll bar, against the roll) and ``roll_stiffness`` (N m/rad). Attributes as in
         :func:`sweep_travel`.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, angles that go to and fro or are steeper than 1.2 rad.
+        If a rig has no hardpoints, or angles are not monotonic or exceed 1.2 rad.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -371,138 +372,140 @@ def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
     corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
     check_roll(angles, "roll")
     axle, at = Axle(corner), to_si(rack, "m", where="rack travel")
-    found = rolled(axle, angles, at)
-    kept = np.isfinite(found.values["track"])
-    if not kept.any():
+    variables = rolled(axle, angles, at)
+    reached = np.isfinite(variables.values["track"])
+    if not reached.any():
         raise no_pose(axle.ends)
-    return found.dataset(kept, axle, corner)
+    return variables.dataset(reached, axle, corner)
 
 
 def rolled(axle: Axle, angles: Array, rack: float) -> AxleVariables:
-    """Roll an axle (rad), its rack at one travel (m)."""
+    """Roll an axle (rad) at one rack travel (m)."""
     left, right = axle.level(angles, rack)
     bend = _bend(axle, angles, rack)
-    found = roll_rows(axle, left, right, bend)
-    _add_roll_stiffness(found, axle, angles, rack, (left, right), bend)
-    return found
+    variables = roll_rows(axle, left, right, bend)
+    _add_roll_stiffness(variables, axle, angles, rack, (left, right), bend)
+    return variables
 
 
 def check_roll(angles: Array, name: str) -> None:
-    """Refuse angles of the body at which no wheel stands on a road."""
+    """Refuse roll angles at which no wheel stands on a road."""
     if np.max(np.abs(angles)) > _STEEPEST:
         raise DescriptionError("too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
 
 
 def roll_rows(axle: Axle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
-    """Rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel with roll, m/rad^2."""
+    """Rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel by roll, m/rad^2."""
     gain = _gain(left, right)
-    found = AxleVariables("roll_angle", left.roll, "rad", "roll angle of the body", "positive: about +x, left side up")
+    sign = "positive: about +x, left side up"
+    variables = AxleVariables("roll_angle", left.roll, "rad", "roll angle of the body", sign)
     outward = "positive: top outward"
     for wheel, name, travel in ((left, "left", -gain), (right, "right", gain)):
-        found.add_wheel(axle, wheel.wheel, name, wheel.side)
+        variables.add_wheel(axle, wheel.wheel, name, wheel.side)
         seen = wheel.wheel.seen(wheel.side)
-        found.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
-        found.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
-        found.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
+        variables.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
+        variables.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
+        variables.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
         if "caster_gain" in seen:
             text, sign = "roll caster: caster angle over roll angle", "positive: top moves rearward"
-            found.add(f"{name}.roll_caster", travel * seen["caster_gain"], "1", text, sign)
-    add_axle_rows(found, left, right)
-    _add_roll_moments(found, axle, (left, right), bend)
-    return found
+            variables.add(f"{name}.roll_caster", travel * seen["caster_gain"], "1", text, sign)
+    add_axle_rows(variables, left, right)
+    _add_roll_moments(variables, axle, (left, right), bend)
+    return variables
 
 
 def _gain(left: Ground, right: Ground) -> Array:
-    """Derivative of the right wheel's travel with roll, m/rad."""
+    """Derivative of the right wheel's travel by roll, m/rad."""
     return (left.height_by_roll - right.height_by_roll) / (left.height_by_travel + right.height_by_travel)
 
 
 def _bend(axle: Axle, roll: Array, rack: float) -> Array:
-    """Second derivative of the right wheel's travel with roll, m/rad^2."""
+    """Second derivative of the right wheel's travel by roll, m/rad^2."""
     ahead, behind = (_gain(*axle.level(roll + step, rack)) for step in (_BEND, -_BEND))
     return (ahead - behind) / (2.0 * _BEND)
 
 
-def add_axle_rows(found: AxleVariables, left: Ground, right: Ground) -> None:
+def add_axle_rows(variables: AxleVariables, left: Ground, right: Ground) -> None:
     """Add track and roll centre."""
-    one, other = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
+    left_point, right_point = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
     roll = left.roll
-    at_left, at_right = _across(one, roll), _across(other, roll)
-    found.add("track", at_left - at_right, "m", "track: distance of the contact points", "never negative")
-    slope, mirrored = left.jacking, right.jacking
+    at_left, at_right = _across(left_point, roll), _across(right_point, roll)
+    variables.add("track", at_left - at_right, "m", "track: distance of the contact points", "never negative")
+    left_slope, right_slope = left.jacking, right.jacking
     with np.errstate(divide="ignore", invalid="ignore"):
-        along = (other[:, 2] - one[:, 2] + (one[:, 1] - other[:, 1]) * mirrored) / (slope + mirrored)
-        centre = np.stack([one[:, 0], one[:, 1] - along, one[:, 2] + along * slope], axis=1)
+        apart = right_point - left_point
+        along = (apart[:, 2] - apart[:, 1] * right_slope) / (left_slope + right_slope)
+        centre = np.stack([left_point[:, 0], left_point[:, 1] - along, left_point[:, 2] + along * left_slope], axis=1)
         height = _dot(centre, left.normal) - left.height
-        found.add("roll_centre_height", height, "m", "roll centre height above the road", "positive: up")
-        aside = _across(centre, roll) - 0.5 * (at_left + at_right)
-        found.add("roll_centre_y", aside, "m", "roll centre, lateral distance from mid-track", "positive: left")
+        variables.add("roll_centre_height", height, "m", "roll centre height above the road", "positive: up")
+        offset = _across(centre, roll) - 0.5 * (at_left + at_right)
+        variables.add("roll_centre_y", offset, "m", "roll centre, lateral distance from mid-track", "positive: left")
 
 
 _AGAINST = "positive: against the roll"
 
 
-def _add_roll_moments(found: AxleVariables, axle: Axle, wheels: tuple[Ground, Ground], bend: Array) -> None:
-    """Moments of springs and of what connects both wheels, and the roll stiffness of the springs."""
+def _add_roll_moments(variables: AxleVariables, axle: Axle, wheels: tuple[Ground, Ground], bend: Array) -> None:
+    """Moments of springs and connections, and the roll stiffness of the springs."""
     left, right = (ground.wheel for ground in wheels)
     forces = "wheel_force" in left.rows and "wheel_force" in right.rows
-    if not forces or (reaches_over(axle.rig) and left.ends is None):  # nothing is known of forces
+    if not forces or (reaches_over(axle.rig) and left.ends is None):  # forces are unknown
         return
     gain = _gain(*wheels)
     force = right.rows["wheel_force"] - left.rows["wheel_force"]
     stiffness = right.rows["wheel_rate"] + left.rows["wheel_rate"]
     connection = axle.connection(left, right)
     moment = force * gain + (connection.forces[1] - connection.forces[0]) * gain
-    found.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", _AGAINST)
+    variables.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", _AGAINST)
     for name, (value, unit, text, sign) in connection.rows.items():
-        found.add(name, value, unit, text, sign)
+        variables.add(name, value, unit, text, sign)
     springs = stiffness * gain**2 + force * bend
-    found.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", _AGAINST)
+    variables.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", _AGAINST)
 
 
 def _add_roll_stiffness(
-    found: AxleVariables, axle: Axle, roll: Array, rack: float, wheels: tuple[Ground, Ground], bend: Array
+    variables: AxleVariables, axle: Axle, roll: Array, rack: float, wheels: tuple[Ground, Ground], bend: Array
 ) -> None:
-    """Roll stiffness of what connects both wheels, of all springs, and with the tyres."""
+    """Roll stiffness of the connections, of all springs, and with the tyres."""
     left, right = (ground.wheel for ground in wheels)
-    if "roll_stiffness_springs" not in found.values:
+    if "roll_stiffness_springs" not in variables.values:
         return
-    gain, bar = _gain(*wheels), axle.rig.anti_roll_bar
-    springs, twisted = found.values["roll_stiffness_springs"], np.zeros_like(roll)
-    if bar is not None and bar.kind == "u" and axle.rig.third_spring is None:
+    gain, description = _gain(*wheels), axle.rig.anti_roll_bar
+    springs, bar = variables.values["roll_stiffness_springs"], np.zeros_like(roll)
+    if description is not None and description.kind == "u" and axle.rig.third_spring is None:
         angle, ratio, change = (
             [wheel.rows[f"anti_roll_bar_{name}"] for wheel in (left, right)]
             for name in ("angle", "motion_ratio", "motion_ratio_gradient")
         )
         twist, speed = angle[1] - angle[0], (ratio[0] + ratio[1]) * gain
-        turned = twist * ((change[1] - change[0]) * gain**2 + (ratio[0] + ratio[1]) * bend)
-        twisted = left.rows["anti_roll_bar_stiffness"] * (speed**2 + turned)
-    elif bar is not None or axle.rig.third_spring is not None:
+        geometric = twist * ((change[1] - change[0]) * gain**2 + (ratio[0] + ratio[1]) * bend)
+        bar = left.rows["anti_roll_bar_stiffness"] * (speed**2 + geometric)
+    elif description is not None or axle.rig.third_spring is not None:
         ahead, behind = (_connected_moment(axle, roll + step, rack) for step in (_BEND, -_BEND))
-        twisted = (ahead - behind) / (2.0 * _BEND)
-    total = springs + twisted
+        bar = (ahead - behind) / (2.0 * _BEND)
+    total = springs + bar
     text = "roll stiffness of anti-roll bar and third spring"
-    found.add("roll_stiffness_bar", twisted, "N*m/rad", text, _AGAINST)
-    found.add("roll_stiffness", total, "N*m/rad", "roll stiffness of springs and anti-roll bar", _AGAINST)
+    variables.add("roll_stiffness_bar", bar, "N*m/rad", text, _AGAINST)
+    variables.add("roll_stiffness", total, "N*m/rad", "roll stiffness of springs and anti-roll bar", _AGAINST)
     if "tyre_stiffness" in left.rows:
-        tyres = 0.25 * (left.rows["tyre_stiffness"] + right.rows["tyre_stiffness"]) * found.values["track"] ** 2
+        tyres = 0.25 * (left.rows["tyre_stiffness"] + right.rows["tyre_stiffness"]) * variables.values["track"] ** 2
         text = "roll stiffness of springs and anti-roll bar in series with the tyres"
-        found.add("roll_stiffness_total", total * tyres / (total + tyres), "N*m/rad", text, _AGAINST)
+        variables.add("roll_stiffness_total", total * tyres / (total + tyres), "N*m/rad", text, _AGAINST)
 
 
 def _connected_moment(axle: Axle, roll: Array, rack: float) -> Array:
-    """Moment against the roll of what connects both wheels, N m."""
+    """Moment of the connections against the roll, N m."""
     grounds = axle.level(roll, rack)
     connection = axle.connection(*(ground.wheel for ground in grounds))
     return np.asarray((connection.forces[1] - connection.forces[0]) * _gain(*grounds))
 
 
 def _across(point: Array, roll: Array) -> Array:
-    """Coordinate along the road to the left, m."""
+    """Coordinate along the road, to the left, m."""
     return np.asarray(point[:, 1] * np.cos(roll) - point[:, 2] * np.sin(roll))
 
 
-class AxleVariables(Variables):
+class AxleVariables(SweepVariables):
     """Variables of an axle over one coordinate."""
 
     def __init__(self, along: str, at: Array, unit: str, long_name: str, sign: str) -> None:
@@ -511,21 +514,21 @@ class AxleVariables(Variables):
         self.coordinate = {"units": unit, "long_name": long_name, "sign": sign}
 
     def add_wheel(self, axle: Axle, wheel: WheelRows, name: str, side: float) -> None:
-        """Add the catalogue of one wheel as the ground's axes show it."""
-        seen = wheel.seen(side)
+        """Add the catalogue of one wheel in ground axes."""
+        rows = wheel.seen(side)
         for row in axle.rows_of(side):
-            self.add(f"{name}.{row.name}", seen[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
+            self.add(f"{name}.{row.name}", rows[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
 
-    def dataset(self, kept: NDArray[np.bool_], axle: Axle, corner: Corner) -> xr.Dataset:
-        """Put the poses that both wheels reach together."""
+    def dataset(self, reached: NDArray[np.bool_], axle: Axle, corner: Corner) -> xr.Dataset:
+        """Dataset of the poses that both wheels reach."""
         import xarray as xr
 
         variables = {
-            name: xr.Variable((self.along,), value[kept], self.attributes[name], fastpath=True)
+            name: xr.Variable((self.along,), value[reached], self.attributes[name], fastpath=True)
             for name, value in self.values.items()
         }
-        facts = facts_of(corner, "both", self.at[kept], axle.ends if not kept.all() else [])
-        along = xr.Variable((self.along,), self.at[kept], self.coordinate)
+        facts = facts_of(corner, "both", self.at[reached], axle.ends if not reached.all() else [])
+        along = xr.Variable((self.along,), self.at[reached], self.coordinate)
         return dataset(variables, xr.Dataset(coords={self.along: along}), facts)
 
 
@@ -546,7 +549,7 @@ def sweep_steering(
     travel : float or str
         Vertical travel of both wheel centres from design, m, bump positive.
     vehicle : AxleLayout, optional
-        Its wheelbase adds the rows of the turn; ``front_overhang`` and ``body_width`` that between walls.
+        Its wheelbase adds the rows of the turn; ``front_overhang`` and ``body_width`` add the diameter between walls.
 
     Returns
     -------
@@ -562,9 +565,9 @@ def sweep_steering(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or rack, or values that go to and fro.
+        If a rig has no hardpoints or rack, or values are not monotonic.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -579,93 +582,94 @@ def sweep_steering(
     axle = Axle(corner)
     lifted = to_si(travel, "m", where="wheel travel")
     left, right = (axle.wheel(side, lifted, racks) for side in (1.0, -1.0))
-    kept = np.isfinite(left.rows["steer"] + right.rows["steer"])
-    if not kept.any():
+    reached = np.isfinite(left.rows["steer"] + right.rows["steer"])
+    if not reached.any():
         raise no_pose(axle.ends)
-    return steering_rows(axle, left, right, racks, vehicle).dataset(kept, axle, corner)
+    return steering_rows(axle, left, right, racks, vehicle).dataset(reached, axle, corner)
 
 
 def steering_rows(
     axle: Axle, left: WheelRows, right: WheelRows, racks: Array, vehicle: AxleLayout | None
 ) -> AxleVariables:
-    """Rows of a steered axle at each travel of the rack (m)."""
-    found = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
-    found.add_wheel(axle, left, "left", 1.0)
-    found.add_wheel(axle, right, "right", -1.0)
-    add_steering(found, left, right, vehicle, axle)
-    handwheel_rows(found, axle, racks, left, right)
-    return found
+    """Rows of a steered axle at each rack travel (m)."""
+    variables = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
+    variables.add_wheel(axle, left, "left", 1.0)
+    variables.add_wheel(axle, right, "right", -1.0)
+    add_steering(variables, left, right, vehicle, axle)
+    handwheel_rows(variables, axle, racks, left, right)
+    return variables
 
 
 def add_steering(
-    found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle
+    variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: Axle
 ) -> None:
-    """Add steer angles of both wheels together and, with a vehicle, those of the turn."""
-    one, other = left.rows["steer"], -right.rows["steer"]
-    mean = 0.5 * (one + other)
-    difference = one - other  # the inner wheel is the left one in left turns, where both angles are positive
+    """Add steer angles of both wheels and, with a vehicle, those of the turn."""
+    left_steer, right_steer = left.rows["steer"], -right.rows["steer"]
+    mean = 0.5 * (left_steer + right_steer)
+    difference = left_steer - right_steer  # in left turns both angles are positive, and the inner wheel is the left one
     track = left.rows["contact_point_y"] + right.rows["contact_point_y"]
-    found.add("mean_steer", mean, "rad", "mean steer angle of both wheels", "positive: about +z, a left turn")
-    found.add(
+    variables.add("mean_steer", mean, "rad", "mean steer angle of both wheels", "positive: about +z, a left turn")
+    variables.add(
         "steer_difference",
         difference,
         "rad",
         "steer angle of the inner minus that of the outer wheel",
         "positive: toe-out",
     )
-    if "track" not in found.values:
-        found.add("track", track, "m", "track: distance of the contact points", "never negative")
+    if "track" not in variables.values:
+        variables.add("track", track, "m", "track: distance of the contact points", "never negative")
     if vehicle is not None:
-        _add_turn(found, left, right, vehicle, axle)
+        _add_turn(variables, left, right, vehicle, axle)
 
 
-def handwheel_rows(found: AxleVariables, axle: Axle, racks: Array, left: WheelRows, right: WheelRows) -> None:
-    """Add what turns the rack, where the corner says it."""
+def handwheel_rows(variables: AxleVariables, axle: Axle, racks: Array, left: WheelRows, right: WheelRows) -> None:
+    """Add handwheel, pinion and steering ratio, if the corner has a rack ratio."""
     steering = getattr(axle.rig, "steering", None)
     if steering is None or steering.rack_ratio is None:
         return
     at = handwheel_angle(steering, racks)
-    moved = rack_travel(steering, at)[1]
+    rack_slope = rack_travel(steering, at)[1]
     angle = pinion_angle(steering, at)[0]
     to_left, mean = "positive: to the left", 0.5 * (left.rows["steer_gain"] + right.rows["steer_gain"])
-    found.add("handwheel_angle", at, "rad", "angle of the handwheel", to_left)
-    found.add("pinion_angle", angle, "rad", "angle of the pinion", to_left)
+    variables.add("handwheel_angle", at, "rad", "angle of the handwheel", to_left)
+    variables.add("pinion_angle", angle, "rad", "angle of the pinion", to_left)
     text = "C-factor: travel of the rack over one turn of the handwheel, here"
-    found.add("c_factor", 2.0 * np.pi * moved, "m", text, "positive: a turn to the left moves the rack to the left")
+    sign = "positive: a turn to the left moves the rack to the left"
+    variables.add("c_factor", 2.0 * np.pi * rack_slope, "m", text, sign)
     text = "steering ratio: turn of the handwheel over the mean turn of the wheels"
-    found.add("steering_ratio", 1.0 / (moved * mean), "1", text, "positive: the wheels follow the handwheel")
+    variables.add("steering_ratio", 1.0 / (rack_slope * mean), "1", text, "positive: the wheels follow the handwheel")
 
 
-def _add_turn(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: Axle) -> None:
+def _add_turn(variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: Axle) -> None:
     """Ackermann and turning circle, from the normals through the contact points and the line of the rear axle.
 
-    In a turn to the right the axle is looked at in a mirror, so that the inner wheel is always the left one of a turn
-    to the left: places from the middle of the rear axle, forward (m) and to the inner side (m), angles into the turn.
+    A turn to the right is viewed in a mirror, so that the inner wheel always is the left one of a left turn: places
+    from the middle of the rear axle, forward (m) and to the inner side (m); angles into the turn.
     """
     rear = axle.number("hardpoints.wheel_centre[0]") - vehicle.wheelbase
-    to_left = found.values["mean_steer"] > 0.0
-    turned = np.abs(found.values["mean_steer"]) > _STRAIGHT
+    to_left = variables.values["mean_steer"] > 0.0
+    is_turn = np.abs(variables.values["mean_steer"]) > _STRAIGHT
 
     def part(name: str, inner: bool, sign: float = 1.0) -> Array:
         return sign * np.where(to_left == inner, left.rows[name], right.rows[name])
 
-    steer, other = part("steer", True), part("steer", False, -1.0)
-    ahead, behind = (part("contact_point_x", inner) - rear for inner in (True, False))
+    inner_steer, outer_steer = part("steer", True), part("steer", False, -1.0)
+    inner_ahead, outer_ahead = (part("contact_point_x", inner) - rear for inner in (True, False))
     with np.errstate(divide="ignore", invalid="ignore"):
         centres = (
-            part("contact_point_y", True) + ahead / np.tan(steer),
-            part("contact_point_y", False, -1.0) + behind / np.tan(other),
+            part("contact_point_y", True) + inner_ahead / np.tan(inner_steer),
+            part("contact_point_y", False, -1.0) + outer_ahead / np.tan(outer_steer),
         )
-        ideal = np.arctan2(behind, centres[0] - part("contact_point_y", False, -1.0))
-        share = np.where(turned, (steer - other) / (steer - ideal), np.nan)
-        middle = np.where(turned, 0.5 * (centres[0] + centres[1]), np.inf)
-        kerb = 2.0 * np.hypot(middle - part("contact_point_y", False, -1.0), behind)
-    ideal, error = (np.where(turned, value, np.nan) for value in (ideal, other - ideal))
+        ideal = np.arctan2(outer_ahead, centres[0] - part("contact_point_y", False, -1.0))
+        share = np.where(is_turn, (inner_steer - outer_steer) / (inner_steer - ideal), np.nan)
+        middle = np.where(is_turn, 0.5 * (centres[0] + centres[1]), np.inf)
+        kerb = 2.0 * np.hypot(middle - part("contact_point_y", False, -1.0), outer_ahead)
+    ideal, error = (np.where(is_turn, value, np.nan) for value in (ideal, outer_steer - ideal))
     to_it = "positive: into the turn"
-    found.add("ackermann", share, "1", "steer difference over that of Ackermann geometry", _INNER_MORE)
-    found.add("ideal_outer_steer", ideal, "rad", "steer angle of the outer wheel by Ackermann geometry", to_it)
-    found.add("ackermann_error", error, "rad", "steer angle of the outer wheel minus the ideal one", _OUTER_MORE)
-    found.add(
+    variables.add("ackermann", share, "1", "steer difference over that of Ackermann geometry", _INNER_MORE)
+    variables.add("ideal_outer_steer", ideal, "rad", "steer angle of the outer wheel by Ackermann geometry", to_it)
+    variables.add("ackermann_error", error, "rad", "steer angle of the outer wheel minus the ideal one", _OUTER_MORE)
+    variables.add(
         "turning_radius",
         np.where(to_left, middle, -middle),
         "m",
@@ -673,11 +677,11 @@ def _add_turn(found: AxleVariables, left: WheelRows, right: WheelRows, vehicle: 
         "positive: left",
     )
     width = 0.0 if axle.rig.wheel.width is None else float(axle.rig.wheel.width)
-    what = "turn diameter between kerbs, of the outer wheel's contact point" + (" and half its width" if width else "")
-    found.add("turn_diameter_kerbs", kerb + width, "m", what, "never negative")
+    text = "turn diameter between kerbs, of the outer wheel's contact point" + (" and half its width" if width else "")
+    variables.add("turn_diameter_kerbs", kerb + width, "m", text, "never negative")
     if vehicle.front_overhang is not None and vehicle.body_width is not None:
         front = vehicle.wheelbase + vehicle.front_overhang
         walls = 2.0 * np.hypot(middle + 0.5 * vehicle.body_width, front)
-        found.add(
+        variables.add(
             "turn_diameter_walls", walls, "m", "turn diameter between walls, of the body's corner", "never negative"
         )

@@ -1,4 +1,4 @@
-"""An axle at any pair of wheel travels, or any attitude of the body over a plane road: left and right their own."""
+"""An axle at any pair of wheel travels, or any attitude of the body over a plane road, with independent sides."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ from jounce.parts import Corner, Rig
 if TYPE_CHECKING:
     import xarray as xr
 
-_ITERATIONS, _LEVEL = 60, 1e-12  # m
-_STEP = 0.03  # m of travel in one iteration
+_ITERATIONS, _LEVEL = 60, 1e-12  # m: rounding of a height
+_STEP = 0.03  # m of travel in one iteration: two of them span the usual travel, so none overshoots it
 
 
 def sweep_axle(
@@ -44,20 +44,20 @@ def sweep_axle(
     handwheel: Values | None = None,
     vehicle: AxleLayout | None = None,
 ) -> xr.Dataset:
-    """Give both wheels of an axle pose by pose, for pairs of their travels or for attitudes of the body.
+    """Both wheels of an axle pose by pose, for pairs of their travels or for attitudes of the body.
 
-    The road is a plane under both contact points; deflections of the tyres do not count. With travels the body lies
-    as the wheels say; with ``heave`` and ``roll`` each wheel travels until it stands on the road. All values are given
-    pose by pose; one value of any of them holds for all poses.
+    The road is a plane under both contact points; tyre deflections are neglected. Given travels determine the attitude
+    of the body; with ``heave`` and ``roll`` each wheel travels until it stands on the road. Values are given pose by
+    pose; a single value holds for all poses.
 
     Parameters
     ----------
     rig : Rig
         The left corner; a right one is mirrored.
     right : Rig, optional
-        The right corner, where it is not the mirror image of the left one.
+        The right corner, unless it is the mirror image of the left one.
     left_travel, right_travel : float, str or array_like, shape (n,), optional
-        Vertical travel of each wheel centre from design, m, bump positive; one that is not given is 0.
+        Vertical travel of each wheel centre from design, m, bump positive; 0 by default.
     heave : float, str or array_like, shape (n,), optional
         Rise of the body above the road in the middle of the axle, m, from design; instead of the travels.
     roll : float, str or array_like, shape (n,), optional
@@ -67,33 +67,33 @@ def sweep_axle(
     rack : float, str or array_like, shape (n,), optional
         Travel of the rack, m, positive to the left; 0 by default.
     handwheel : float, str or array_like, shape (n,), optional
-        Instead of it the angle of the handwheel, rad, positive to the left, over ``steering.column`` and
+        Angle of the handwheel, rad, positive to the left, in place of ``rack``; needs ``steering.column`` and
         ``steering.rack_ratio`` of the left corner.
     vehicle : AxleLayout, optional
-        Adds Ackermann and turn diameters, as :func:`sweep_steering` does.
+        Adds Ackermann and turn diameters as in :func:`sweep_steering`.
 
     Returns
     -------
     xarray.Dataset
         On ``pose``: ``left.<quantity>`` and ``right.<quantity>`` of the catalogue (against the body) with
         ``camber_to_ground`` and ``steer_to_ground`` (rad); ``heave`` (m), ``roll_angle``, ``pitch_angle`` (rad),
-        ``track``, ``roll_centre_height``, ``roll_centre_y`` (m), steer angles as :func:`sweep_steering`; of what
-        connects the wheels twist and torque of the anti-roll bar, length and force of the third spring, and
-        ``left.axle_force``, ``right.axle_force`` (N, of all springs at the wheel centre). Out of reach is NaN.
+        ``track``, ``roll_centre_height``, ``roll_centre_y`` (m), steer angles as in :func:`sweep_steering`; twist and
+        torque of the anti-roll bar, length and force of the third spring, and ``left.axle_force``,
+        ``right.axle_force`` (N, of all springs at the wheel centre). NaN out of reach.
 
     Raises
     ------
     DescriptionError
-        For rigs that do not go together, travels with an attitude, or values of different lengths.
+        If rigs do not form an axle, travels and an attitude are both given, or values have different lengths.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
     >>> import jounce as jn
     >>> rig = jn.load("formula-student-front")
-    >>> found = jn.sweep_axle(rig, heave="-10 mm", roll=["0 deg", "1 deg"], pitch="0.5 deg")
-    >>> [round(1e3 * float(travel), 1) for travel in found["left.wheel_travel"]]   # mm
+    >>> poses = jn.sweep_axle(rig, heave="-10 mm", roll=["0 deg", "1 deg"], pitch="0.5 deg")
+    >>> [round(1e3 * float(travel), 1) for travel in poses["left.wheel_travel"]]   # mm
     [10.0, -0.6]
     """
     corner, other = _pair(rig, right)
@@ -107,7 +107,7 @@ def sweep_axle(
         "handwheel": (handwheel, "rad"),
     }
     read = {name: path_values(value, name, unit) for name, (value, unit) in given.items() if value is not None}
-    travelled, placed = ({one for one in names if one in read} for names in (_TRAVELS, _PLACES))
+    travelled, placed = ({name for name in names if name in read} for names in (_TRAVELS, _PLACES))
     if travelled and placed:
         raise DescriptionError(
             "wheel travels and an attitude of the body at once",
@@ -121,8 +121,8 @@ def sweep_axle(
     check_roll(read.get("pitch", np.zeros(1)), "pitch")
     counts = {len(values) for values in read.values() if len(values) > 1}
     if len(counts) > 1:
-        found = ", ".join(f"{name}: {len(values)}" for name, values in read.items())
-        raise DescriptionError("not as many values of each", where="sweep of an axle", found=found)
+        counts_text = ", ".join(f"{name}: {len(values)}" for name, values in read.items())
+        raise DescriptionError("not as many values of each", where="sweep of an axle", found=counts_text)
     count = max(counts, default=1)
     at = {name: np.broadcast_to(read.get(name, np.zeros(1)), (count,)).copy() for name in given}
     if handwheel is not None:
@@ -139,7 +139,7 @@ _PLACES = ("heave", "roll")
 
 
 def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
-    """Left corner, and the right one where it is another."""
+    """Left corner, and the right one if it is another."""
     corner = check_corner(rig)
     corner = corner if corner.side == "left" else corner.mirrored()
     if right is None:
@@ -150,12 +150,12 @@ def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
 
 
 def check_pair_of_corners(left: Corner, right: Corner, where: str = "right") -> None:
-    """Refuse corners that are not both sides of an axle."""
+    """Refuse corners that are not the two sides of one axle."""
     if right.side != "right":
         raise DescriptionError("not a right corner", where=where, found=f'side = "{right.side}"', allowed='"right"')
     for name in ("anti_roll_bar", "third_spring"):
-        one, another = getattr(left, name), getattr(right, name)
-        if (one is None) != (another is None) or getattr(one, "kind", "") != getattr(another, "kind", ""):
+        left_end, right_end = getattr(left, name), getattr(right, name)
+        if (left_end is None) != (right_end is None) or getattr(left_end, "kind", "") != getattr(right_end, "kind", ""):
             raise DescriptionError(
                 "both corners of an axle need their end of it", where=name, allowed="a table in both files, or in none"
             )
@@ -169,7 +169,7 @@ class _Pose:
 
 
 class _Middle:
-    """Middle of the axle at design, from which heave counts: x of the wheel centres, y 0, z of the contact points."""
+    """Middle of the axle at design, the zero of heave: x of the wheel centres, y 0, z of the contact points."""
 
     def __init__(self, axle: Axle) -> None:
         at = [axle.wheel(side, np.zeros(1), 0.0) for side in (1.0, -1.0)]
@@ -184,24 +184,24 @@ class _Middle:
 
 
 def _on_road(axle: Axle, at: dict[str, Array]) -> _Pose:
-    """Let each wheel travel until it stands on the road that heave, roll and pitch of the body place."""
+    """Move each wheel until it stands on the road given by heave, roll and pitch of the body."""
     middle = _Middle(axle)
-    found = []
+    grounds = []
     for side in (1.0, -1.0):
-        away = abs(float(axle.of(side).hardpoints.wheel_centre[1]))
-        travel = -at["heave"] - side * away * np.tan(at["roll"])
+        half_track = abs(float(axle.of(side).hardpoints.wheel_centre[1]))
+        travel = -at["heave"] - side * half_track * np.tan(at["roll"])
         for _ in range(_ITERATIONS):
             ground = Ground(axle.wheel(side, travel, at["rack travel"]), at["roll"], side, at["pitch"])
-            off = ground.height - (middle.height(ground) - at["heave"])
-            if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
+            gap = ground.height - (middle.height(ground) - at["heave"])
+            if np.nanmax(np.abs(gap), initial=0.0) < _LEVEL:
                 break
-            travel = travel - np.clip(off / ground.height_by_travel, -_STEP, _STEP)
-        found.append(ground)
-    return _Pose(found[0], found[1], at["heave"])
+            travel = travel - np.clip(gap / ground.height_by_travel, -_STEP, _STEP)
+        grounds.append(ground)
+    return _Pose(grounds[0], grounds[1], at["heave"])
 
 
 def _on_wheels(axle: Axle, at: dict[str, Array]) -> _Pose:
-    """Lay the road under both wheels where they are."""
+    """Place the road under both wheels."""
     wheels = [
         axle.wheel(side, at[f"{name} travel"], at["rack travel"]) for side, name in ((1.0, "left"), (-1.0, "right"))
     ]
@@ -217,40 +217,40 @@ def _on_wheels(axle: Axle, at: dict[str, Array]) -> _Pose:
 
 def _dataset(axle: Axle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout | None) -> xr.Dataset:
     left, right = pose.left, pose.right
-    kept = np.isfinite(left.height + right.height)
-    if not kept.any():
+    reached = np.isfinite(left.height + right.height)
+    if not reached.any():
         raise no_pose(axle.ends)
-    count = len(kept)
-    found = AxleVariables("pose", np.arange(float(count)), "1", "pose", "in the order given")
+    count = len(reached)
+    variables = AxleVariables("pose", np.arange(float(count)), "1", "pose", "in the order given")
     for name, ground in (("left", left), ("right", right)):
-        found.add_wheel(axle, ground.wheel, name, ground.side)
+        variables.add_wheel(axle, ground.wheel, name, ground.side)
         lean, heading = ground.lean, ground.side * ground.toe_out
-        found.add(
+        variables.add(
             f"{name}.camber_to_ground", -np.arcsin(lean), "rad", "camber angle to the road", "positive: top outward"
         )
         text = "steer angle along the road, against the body's x axis seen from above it"
-        found.add(f"{name}.steer_to_ground", heading, "rad", text, "positive: about +z, a left turn")
+        variables.add(f"{name}.steer_to_ground", heading, "rad", text, "positive: about +z, a left turn")
     up, left_up = "positive: the body rises", "positive: about +x, left side up"
-    found.add(
-        "heave", np.where(kept, pose.heave, np.nan), "m", "rise of the body above the road, middle of the axle", up
+    variables.add(
+        "heave", np.where(reached, pose.heave, np.nan), "m", "rise of the body above the road, middle of the axle", up
     )
-    found.add("roll_angle", np.where(kept, left.roll, np.nan), "rad", "roll angle of the body", left_up)
-    found.add("pitch_angle", at["pitch"], "rad", "pitch angle of the body", "positive: about +y, nose down")
-    add_axle_rows(found, left, right)
-    add_steering(found, left.wheel, right.wheel, vehicle, axle)
-    handwheel_rows(found, axle, at["rack travel"], left.wheel, right.wheel)
-    _add_forces(found, axle, left.wheel, right.wheel)
-    return found.dataset(np.ones(count, dtype=bool), axle, axle.rig)
+    variables.add("roll_angle", np.where(reached, left.roll, np.nan), "rad", "roll angle of the body", left_up)
+    variables.add("pitch_angle", at["pitch"], "rad", "pitch angle of the body", "positive: about +y, nose down")
+    add_axle_rows(variables, left, right)
+    add_steering(variables, left.wheel, right.wheel, vehicle, axle)
+    handwheel_rows(variables, axle, at["rack travel"], left.wheel, right.wheel)
+    _add_forces(variables, axle, left.wheel, right.wheel)
+    return variables.dataset(np.ones(count, dtype=bool), axle, axle.rig)
 
 
-def _add_forces(found: AxleVariables, axle: Axle, left: WheelRows, right: WheelRows) -> None:
-    """Forces of all springs at both wheel centres, and what connects them."""
+def _add_forces(variables: AxleVariables, axle: Axle, left: WheelRows, right: WheelRows) -> None:
+    """Forces of all springs at both wheel centres, and the connections."""
     connection = axle.connection(left, right)
     for name, (value, unit, text, sign) in connection.rows.items():
-        found.add(name, value, unit, text, sign)
+        variables.add(name, value, unit, text, sign)
     for name, wheel, force in (("left", left, connection.forces[0]), ("right", right, connection.forces[1])):
         if "wheel_force" in wheel.rows:
             text = f"{name}: force of all springs at the wheel centre"
-            found.add(
+            variables.add(
                 f"{name}.axle_force", wheel.rows["wheel_force"] + force, "N", text, "positive: pushes the wheel down"
             )

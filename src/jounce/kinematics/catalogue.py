@@ -1,7 +1,7 @@
 """Every quantity of suspension kinematics: one frozen row with name, unit, sign, clause and formula.
 
-Formulas are for a left wheel, x forward, y left, z up. Derivatives are exact, taken along the vertical travel of the
-wheel centre unless a row says otherwise. The ground is the horizontal plane through the contact point.
+Formulas are for a left wheel, x forward, y left, z up. Derivatives are exact, by the vertical travel of the wheel
+centre unless a row says otherwise. The ground is the horizontal plane through the contact point.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ class Quantity:
     unit : str
         SI unit; "1" for ratios.
     long_name : str
-        What it is.
+        Label.
     formula : callable
         Expression for a view of the corner.
     sign : str
-        What a positive value means.
+        Meaning of a positive value.
     clause : str
-        Where a standard defines it; empty where none does.
+        Clause of the standard that defines it; empty without one.
     needs : str
         ``"axis"`` (a steering axis), ``"rack"``, ``"strut"`` (its ends), ``"rack strut"`` (both), ``"bar"`` (an
         anti-roll bar), ``"coil"``, ``"torsion"`` (bar), ``"third"`` (spring), ``"third damper"``, ``"damper"``,
         ``"tyre"`` (each described), ``"spring"`` (a coil or a torsion bar), ``"stiffness"`` (a spring, and a tyre whose
         deflection is known), ``"heave"`` (a third spring or a Z-bar), ``"rocker"``, ``"rocker strut"`` (a strut on it);
-        empty for what every corner has.
+        empty for every corner.
     """
 
     name: str
@@ -55,12 +55,12 @@ def _track_of(view: CornerView) -> ca.SX:
 
 
 def _ground_lead(view: CornerView) -> ca.SX:
-    """From the contact point to the steering axis at the ground: forward, and outward; vehicle's axes."""
+    """From the contact point to the steering axis at the ground: forward and outward, vehicle's axes."""
     return view.steering_axis.leads(view.contact)
 
 
 def _centre_lead(view: CornerView) -> ca.SX:
-    """From the wheel centre to the steering axis at its height: forward, and outward; vehicle's axes."""
+    """From the wheel centre to the steering axis at its height: forward and outward, vehicle's axes."""
     return view.steering_axis.leads(view.centre.value)
 
 
@@ -69,7 +69,7 @@ def _held_lead(view: CornerView) -> ca.SX:
 
 
 def _by_wheel(view: CornerView, lead: ca.SX) -> ca.SX:
-    """A horizontal vector in the wheel's axes, which are turned by the steer angle: along the wheel, and outward."""
+    """A horizontal vector in the wheel's axes, which are turned by the steer angle: along the wheel and outward."""
     c, s = ca.cos(view.toe_out), ca.sin(view.toe_out)
     return ca.vertcat(c * lead[0] + s * lead[1], c * lead[1] - s * lead[0])
 
@@ -80,9 +80,9 @@ def _inclination_of(axis: Axis) -> ca.SX:
 
 
 def _turning(view: CornerView, i: int) -> ca.SX:
-    """Turn of the upright about a horizontal axis, rad/m; none where it is rounding, so that the centre is at infinity.
+    """Rotation of the upright about a horizontal axis, rad/m; zero within rounding, so that its centre is at infinity.
 
-    The instant centre of parallel links is nowhere; what rounding leaves of the turn would put it 1e16 m away.
+    Parallel links have no instant centre; the rounding of the rotation would place it 1e16 m away.
     """
     return ca.if_else(ca.fabs(view.spin[i]) > _PARALLEL, view.spin[i], 0.0)
 
@@ -109,14 +109,14 @@ def _wheel_force(view: CornerView) -> ca.SX:
 
 
 def _still_damper_rate(view: CornerView, rise: ca.SX, *, preload: bool = True) -> ca.SX:
-    """Rate of the damper at rest where that rises by so much for one of the wheel centre."""
+    """Rate of the damper at rest, for a rise of ``rise`` per unit rise of the wheel centre."""
     still, ratio = view.still_damper, view.damper_ratio / rise
     rate = still.stiffness * ratio**2
     return rate + still.force * view.slope(ratio) / rise if preload else rate
 
 
 def _torsion_force(view: CornerView, rise: ca.SX) -> ca.SX:
-    """Force of the torsion bar where that rises by so much for one of the wheel centre."""
+    """Force of the torsion bar, for a rise of ``rise`` per unit rise of the wheel centre."""
     if view.linkage.rig.torsion_bar is None:
         return ca.SX(0.0)
     return view.torsion_torque * view.slope(view.torsion_angle) / rise
@@ -140,16 +140,16 @@ def _stiffness(view: CornerView) -> ca.SX:
 
 
 def _wheel_rate(view: CornerView) -> ca.SX:
-    """At the wheel centre."""
+    """Wheel rate at the wheel centre."""
     force = view.springs.force + view.stops.force
     coil = _stiffness(view) * view.motion_ratio**2 + force * view.slope(view.motion_ratio)
     return coil + _still_damper_rate(view, ca.SX(1.0)) + _torsion_rate(view, ca.SX(1.0))
 
 
 def _wheel_rate_spring(view: CornerView) -> ca.SX:
-    one = ca.SX(1.0)
-    elastic = _stiffness(view) * view.motion_ratio**2 + _still_damper_rate(view, one, preload=False)
-    return elastic + _torsion_rate(view, one, preload=False)
+    unit = ca.SX(1.0)
+    elastic = _stiffness(view) * view.motion_ratio**2 + _still_damper_rate(view, unit, preload=False)
+    return elastic + _torsion_rate(view, unit, preload=False)
 
 
 def _contact_rate_spring(view: CornerView) -> ca.SX:
@@ -159,7 +159,7 @@ def _contact_rate_spring(view: CornerView) -> ca.SX:
 
 
 def _contact_rate(view: CornerView) -> ca.SX:
-    """At the contact patch."""
+    """Wheel rate at the contact patch."""
     force = view.springs.force + view.stops.force
     coil = _stiffness(view) * view.contact_ratio**2 + force * _contact_ratio_rate(view)
     return coil + _still_damper_rate(view, view.patch[2]) + _torsion_rate(view, view.patch[2])
@@ -179,19 +179,19 @@ def _third_force(view: CornerView) -> ca.SX:
 
 
 def _third_rate(view: CornerView) -> ca.SX:
-    """At either wheel centre, while both move alike."""
+    """Rate of the third spring at either wheel centre when both move alike."""
     parts = view.third, view.still_third_damper
     force, stiffness = sum(part.force for part in parts), sum(part.stiffness for part in parts)
     return 0.5 * (stiffness * view.third_ratio**2 + force * view.slope(view.third_ratio))
 
 
 def _heave_bar_force(view: CornerView) -> ca.SX:
-    """Force of a Z-bar on either wheel while both are alike: its ends have turned by twice one of them."""
+    """Force of a Z-bar on either wheel when both move alike: its twist is twice the rotation of one end."""
     return view.bar_stiffness * view.bar_angle * view.bar_heave_ratio
 
 
 def _heave_force(view: CornerView) -> ca.SX:
-    """Force of all springs on either wheel centre while both wheels move alike."""
+    """Force of all springs on either wheel centre when both wheels move alike."""
     rig, force = view.linkage.rig, ca.SX(0.0)
     if "spring" not in rig.lacks:
         force += _wheel_force(view)
@@ -203,7 +203,7 @@ def _heave_force(view: CornerView) -> ca.SX:
 
 
 def _heave_rate(view: CornerView) -> ca.SX:
-    """Wheel rate with what works while both wheels move alike."""
+    """Wheel rate with everything that acts when both wheels move alike."""
     rig, rate = view.linkage.rig, ca.SX(0.0)
     if "spring" not in rig.lacks:
         rate += _wheel_rate(view)
@@ -222,7 +222,7 @@ def _camber_per_steer(view: CornerView) -> ca.SX:
     return view.by_rack(view.camber) / view.by_rack(view.toe_out)
 
 
-_PARALLEL = 1e-9  # rad/m: a swing arm of 1000 km
+_PARALLEL = 1e-9  # rad/m: a swing arm of 1000 km, beyond which links count as parallel
 _TOP_OUT, _LEFT_TURN = "positive: top outward", "positive: about +z, a left turn"
 _BUMP = "positive: bump, the wheel rises"
 _WINDS = "positive: bump winds it up"
@@ -431,17 +431,17 @@ _PARTS: dict[str, tuple[str, ...]] = {
     "coil": ("spring",),
     "stiffness": ("spring", "tyre"),
 }
-"""Parts of the description that ``needs`` stands for."""
+"""Parts of the description for each value of ``needs``."""
 
 
 def require_parts(rig: Corner, name: str) -> None:
-    """Refuse a quantity of the catalogue for which the description of a corner lacks parts, by what is missing."""
+    """Refuse a quantity if the description of a corner lacks its parts, and name these."""
     needs = next((row.needs for row in CATALOGUE if row.name == name), "")
     rig.require(*_PARTS.get(needs, ()), what=name)
 
 
 def quantities(view: CornerView) -> tuple[Quantity, ...]:
-    """Rows that a corner has."""
+    """Rows that apply to a corner."""
     rig = view.linkage.rig
     has = {
         "": True,

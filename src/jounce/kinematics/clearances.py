@@ -1,4 +1,4 @@
-"""Clearances: distance of any two links, points or the rim over travel and rack, and the lengths of links."""
+"""Clearances: distances of links, points and the rim over travel and rack; lengths of links."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 class Solid(Description):
     """A sphere at one hardpoint, or a round bar along several, of this ``radius`` (m); it moves with its hardpoints.
 
-    With ``places`` (m, ground axes) instead of ``points`` it stands on the body: a frame tube, an engine, a space that
-    is to stay free.
+    With ``places`` (m, ground axes) instead of ``points`` it is fixed to the body: a frame tube, an engine, or a space
+    to keep free.
 
     Examples
     --------
@@ -71,22 +71,22 @@ class Rim(Description):
 
 
 Shape: TypeAlias = Solid | Rim
-_SAMPLES, _ROUNDS = 33, 7  # to 1e-9 of a length: slopes need the place itself
+_SAMPLES, _ROUNDS = 33, 7  # each round narrows 16 times, to 1e-9 of a length: slopes need the exact place
 _ANGLES = ("camber", "steer")
-_POINT = 1e-12  # m: length below which a bar is a sphere
+_POINT = 1e-12  # m: a shorter bar is a sphere
 
 
 def clearances(
     rig: Rig, pairs: Mapping[str, Sequence[Shape]], travel: Values = 0.0, rack: Values | None = None
 ) -> xr.Dataset:
-    """Give the distance of bodies of a corner from each other over travel and rack.
+    """Distances between bodies of a corner over travel and rack.
 
     Parameters
     ----------
     rig : Rig
         A corner with hardpoints.
     pairs : mapping of str to sequence of Solid or Rim, shape (2,)
-        What is near what, by a name of one's own; at most one of two is a rim.
+        Two bodies by the name of their clearance; at most one of them is a rim.
     travel : float, str or array_like, shape (n,)
         Vertical travel of the wheel centre from design, m, bump positive, monotonic.
     rack : float, str or array_like, shape (m,), optional
@@ -95,23 +95,23 @@ def clearances(
     Returns
     -------
     xarray.Dataset
-        On ``wheel_travel`` and ``rack_travel`` (m): of each pair the shortest distance of their surfaces, m, negative
-        where they overlap (by their radii); NaN out of reach.
+        On ``wheel_travel`` and ``rack_travel`` (m): shortest distance of the surfaces of each pair, m, negative if
+        they overlap (by their radii); NaN out of reach.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, a hardpoint that it does not have, two rims, or values that go to and fro.
+        If a rig has no hardpoints or not the named one, a pair has two rims, or values are not monotonic.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
     >>> import jounce as jn
     >>> rods = {"pushrod": ("pushrod_outer", "pushrod_inner"), "arm": ("upper_arm_front", "upper_ball_joint")}
     >>> bars = [jn.Solid(points=points, radius="8 mm") for points in rods.values()]
-    >>> found = jn.clearances(jn.load("formula-student-front"), {"push rod to arm": tuple(bars)}, "-20 mm:20 mm:10 mm")
-    >>> found["push rod to arm"].dims
+    >>> gaps = jn.clearances(jn.load("formula-student-front"), {"push rod to arm": tuple(bars)}, "-20 mm:20 mm:10 mm")
+    >>> gaps["push rod to arm"].dims
     ('wheel_travel', 'rack_travel')
     """
     import xarray as xr
@@ -128,10 +128,10 @@ def clearances(
     places = _places(sweep, sweep.model.point_names)
     posed = PosedCorner(places, _axis(corner, rows))
     variables = {}
-    for name, (one, other) in pairs.items():
-        found = posed.apart(one, other)[0]
-        what = {"units": "m", "long_name": f"clearance: {name}", "sign": "positive: apart"}
-        variables[name] = (("wheel_travel", "rack_travel"), found.reshape(sweep.layout.shape), what)
+    for name, (first, second) in pairs.items():
+        gaps = posed.distance(first, second)[0]
+        attributes = {"units": "m", "long_name": f"clearance: {name}", "sign": "positive: apart"}
+        variables[name] = (("wheel_travel", "rack_travel"), gaps.reshape(sweep.layout.shape), attributes)
     at = [np.unique(sweep.layout.targets[:, i]) for i in (0, 1)]
     ends = sweep.ends() if not np.isfinite(rows["wheel_travel"]).all() else []
     facts = {"model": str(getattr(rig, "model", "")), "stopped": ends_text(ends)}
@@ -143,7 +143,7 @@ def clearances(
 
 
 def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
-    """Refuse what is no pair of bodies of this corner."""
+    """Refuse anything but a pair of bodies of this corner."""
     given = rig.hardpoints.given()
     if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
         raise DescriptionError("not a pair of bodies", where=where, allowed="two bars, or a bar and a rim")
@@ -155,10 +155,10 @@ def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
 
 @dataclass(frozen=True)
 class PosedCorner:
-    """Places of points (poses, 3) and of the wheel's axis along pairs of travel and rack; NaN out of reach, m.
+    """Places of points (poses, 3) and the wheel's axis at pairs of travel and rack; NaN out of reach, m.
 
     ``moved`` are the slopes of each place and ``turned`` that of the axis along some directions, (directions, poses,
-    3), where they are known.
+    3), if they were computed.
     """
 
     places: dict[str, Array]
@@ -175,48 +175,48 @@ class PosedCorner:
         numbers: Array,
         directions: Array | None = None,
     ) -> PosedCorner:
-        """Pose a corner at pairs of travel and rack with other numbers of its model.
+        """Pose a corner at pairs of travel and rack, with given numbers of its model.
 
-        ``names`` are the hardpoints that are needed; ``directions`` (tracks and parameters, n) those along which
-        slopes are (see ``tangents``).
+        ``names`` are the required hardpoints; ``directions`` (tracks and parameters, n) are those of the slopes (see
+        ``tangents``).
         """
         sweep, values = path_sweep(rig, *poses, numbers)
         rows = {row.name: value for row, value in zip(sweep.model.rows, values, strict=True) if row.name in _ANGLES}
-        known = {"wheel_centre", *names}
-        places, axis = _places(sweep, known), _axis(rig, rows)
+        required = {"wheel_centre", *names}
+        places, axis = _places(sweep, required), _axis(rig, rows)
         if directions is None:
             return cls(places, axis)
         slopes = Tangents(sweep, directions, places=True).run()
         reached = sweep.found.outcome == REACHED
         ordered = sweep.in_place(slopes.reshape(-1, slopes.shape[2]), reached).reshape(slopes.shape)
         at = {name: 3 * i for i, name in enumerate(sweep.model.point_names)}
-        moved = {name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in known}
+        moved = {name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in required}
         return cls(places, axis, moved, _axis_slope(rig, rows, ordered[-2], ordered[-1]))
 
-    def apart(self, one: Shape, other: Shape) -> tuple[Array, Array | None]:
-        """Shortest distance of two bodies at each pose, m, and its slopes (directions, poses), where they are known.
+    def distance(self, first: Shape, second: Shape) -> tuple[Array, Array | None]:
+        """Shortest distance of two bodies at each pose, m, and its slopes (directions, poses) if directions are set.
 
-        Where two places are equally near the slope is that of one of them.
+        If two places are equally near, the slope is that of one of them.
         """
-        if isinstance(other, Rim):
-            one, other = other, one
-        assert isinstance(other, Solid)
-        if isinstance(one, Rim):
-            gaps = [self._to_rim(one, bar) for bar in self._bars(other)]
-            gone = other.radius
+        if isinstance(second, Rim):
+            first, second = second, first
+        assert isinstance(second, Solid)
+        if isinstance(first, Rim):
+            gaps = [self._to_rim(first, bar) for bar in self._bars(second)]
+            radii = second.radius
         else:
-            gaps = [self._between(bar, rod) for bar in self._bars(one) for rod in self._bars(other)]
-            gone = one.radius + other.radius
+            gaps = [self._between(bar, rod) for bar in self._bars(first) for rod in self._bars(second)]
+            radii = first.radius + second.radius
         distances = np.array([distance for distance, _ in gaps])
         nearest = np.argmin(np.nan_to_num(distances, nan=np.inf), axis=0)
         poses = np.arange(distances.shape[1])
         if self.turned is None:
-            return np.asarray(distances[nearest, poses] - gone), None
+            return np.asarray(distances[nearest, poses] - radii), None
         slopes = np.array([slope() for _, slope in gaps])
-        return np.asarray(distances[nearest, poses] - gone), np.asarray(slopes[nearest, :, poses].T)
+        return np.asarray(distances[nearest, poses] - radii), np.asarray(slopes[nearest, :, poses].T)
 
     def _bars(self, solid: Solid) -> list[_Bar]:
-        """Straight pieces of a bar; of a sphere one that has no length."""
+        """Straight pieces of a bar; a single piece without length for a sphere."""
         if solid.places:
             like = next(iter(self.places.values()))
             ends = [(np.broadcast_to(np.array(place), like.shape), np.zeros((1, 1, 3))) for place in solid.places]
@@ -224,12 +224,12 @@ class PosedCorner:
             ends = [(self.places[name], self.moved.get(name, np.zeros((1, 1, 3)))) for name in solid.points]
         return [_Bar(a, b, u, v) for (a, u), (b, v) in pairwise(ends if len(ends) > 1 else ends * 2)]
 
-    def _between(self, one: _Bar, other: _Bar) -> _Gap:
-        """Distance of two pieces: at the feet of the common normal, or at ends."""
-        s, t = _feet(one, other)
-        away = one.at(s) - other.at(t)
-        distance = np.linalg.norm(away, axis=1)
-        return distance, lambda: _over(np.einsum("ni,kni->kn", away, one.moved(s) - other.moved(t)), distance)
+    def _between(self, first: _Bar, second: _Bar) -> _Gap:
+        """Distance of two pieces: between the feet of the common normal, or at ends."""
+        s, t = _feet(first, second)
+        gap = first.at(s) - second.at(t)
+        distance = np.linalg.norm(gap, axis=1)
+        return distance, lambda: _over(np.einsum("ni,kni->kn", gap, first.moved(s) - second.moved(t)), distance)
 
     def _to_rim(self, rim: Rim, bar: _Bar) -> _Gap:
         """Distance of a piece from the rim's cylinder."""
@@ -237,22 +237,22 @@ class PosedCorner:
         share = _nearest_to_rim(rim, bar, centre, axis)
         place = bar.at(share) - centre
         along = np.einsum("ni,ni->n", place, axis)
-        out = np.linalg.norm(place - along[:, None] * axis, axis=1)
+        radius = np.linalg.norm(place - along[:, None] * axis, axis=1)
         beyond = np.minimum(along - rim.inner, 0.0) + np.maximum(along - rim.outer, 0.0)
-        distance = np.hypot(out - rim.radius, beyond)
+        distance = np.hypot(radius - rim.radius, beyond)
 
         def slope() -> Array:
             assert self.turned is not None
             moved = bar.moved(share) - self.moved["wheel_centre"]
-            slid = np.einsum("ni,kni->kn", axis, moved) + np.einsum("ni,kni->kn", place, self.turned)
-            grown = _over(np.einsum("ni,kni->kn", place, moved) - along * slid, out)
-            return _over((out - rim.radius) * grown + beyond * slid, distance)
+            along_slope = np.einsum("ni,kni->kn", axis, moved) + np.einsum("ni,kni->kn", place, self.turned)
+            radius_slope = _over(np.einsum("ni,kni->kn", place, moved) - along * along_slope, radius)
+            return _over((radius - rim.radius) * radius_slope + beyond * along_slope, distance)
 
         return distance, slope
 
 
 _Gap: TypeAlias = "tuple[Array, Callable[[], Array]]"
-"""Distance of two pieces at each pose, m, and what gives its slopes (directions, poses)."""
+"""Distance of two pieces at each pose, m, and a function that returns its slopes (directions, poses)."""
 
 
 @dataclass(frozen=True)
@@ -269,17 +269,17 @@ class _Bar:
         return np.asarray(self.a + share[:, None] * (self.b - self.a))
 
     def moved(self, share: Array) -> Array:
-        """Slopes of what lies there."""
+        """Slopes of those places."""
         return np.asarray(self.a_moved + share[:, None] * (self.b_moved - self.a_moved))
 
 
 def _over(values: Array, size: Array) -> Array:
-    """Values (directions, poses) over a size (poses,); none where there is no size."""
+    """Values (directions, poses) over a size (poses,); zero for zero size."""
     return np.asarray(np.divide(values, size, out=np.zeros_like(values), where=size != 0.0))
 
 
 def link_lengths(rig: Rig) -> dict[str, float]:
-    """Give the lengths of the links of a corner at design.
+    """Lengths of the links of a corner at design.
 
     Parameters
     ----------
@@ -289,13 +289,13 @@ def link_lengths(rig: Rig) -> dict[str, float]:
     Returns
     -------
     dict of str to float
-        Hardpoints of both ends, such as ``"tie_rod_inner - tie_rod_outer"``, to their distance in m: legs of arms and
-        rods, push rod, strut, link of the anti-roll bar. A sweep keeps all of them but the strut's.
+        Distance in m by the hardpoints of both ends, such as ``"tie_rod_inner - tie_rod_outer"``: legs of arms and
+        rods, push rod, strut, link of the anti-roll bar. A sweep keeps all of them constant except the strut's.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints.
+        If a rig has no hardpoints.
 
     Examples
     --------
@@ -313,8 +313,8 @@ def link_lengths(rig: Rig) -> dict[str, float]:
 
 def _places(sweep: PreparedSweep, names: Collection[str]) -> dict[str, Array]:
     """Places of points, shape (poses, 3), m."""
-    found = sweep.points()
-    return {name: np.stack([found[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1) for name in names}
+    coordinates = sweep.points()
+    return {name: np.stack([coordinates[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1) for name in names}
 
 
 def _axis(rig: Corner, rows: dict[str, Array]) -> Array:
@@ -326,7 +326,7 @@ def _axis(rig: Corner, rows: dict[str, Array]) -> Array:
 
 
 def _axis_slope(rig: Corner, rows: dict[str, Array], camber_slope: Array, steer_slope: Array) -> Array:
-    """Slope of that axis along directions, (directions, poses, 3)."""
+    """Slope of the axis along directions, (directions, poses, 3)."""
     camber, steer = rows["camber"].ravel(), rows["steer"].ravel()
     side = rig.sign
     x = side * (np.sin(steer) * np.sin(camber) * camber_slope - np.cos(steer) * np.cos(camber) * steer_slope)
@@ -334,9 +334,9 @@ def _axis_slope(rig: Corner, rows: dict[str, Array], camber_slope: Array, steer_
     return np.stack([x, y, -np.cos(camber) * camber_slope], axis=-1)
 
 
-def _feet(one: _Bar, other: _Bar) -> tuple[Array, Array]:
-    """Shares of the lengths of two pieces at which they are nearest."""
-    u, v, w = one.b - one.a, other.b - other.a, one.a - other.a
+def _feet(first: _Bar, second: _Bar) -> tuple[Array, Array]:
+    """Positions on two pieces, as shares of their lengths, at which they are nearest."""
+    u, v, w = first.b - first.a, second.b - second.a, first.a - second.a
     uu, uv, vv, uw, vw = (np.sum(x * y, axis=1) for x, y in ((u, u), (u, v), (v, v), (u, w), (v, w)))
     skew = uu * vv - uv**2
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -350,7 +350,7 @@ def _feet(one: _Bar, other: _Bar) -> tuple[Array, Array]:
 
 
 def _nearest_to_rim(rim: Rim, bar: _Bar, centre: Array, axis: Array) -> Array:
-    """Share of a piece's length at which it is nearest to the rim's cylinder, by a grid that closes in on it."""
+    """Position on a piece, as a share of its length, nearest to the rim's cylinder, by successively finer grids."""
     share = np.linspace(0.0, 1.0, _SAMPLES)[None, :] * np.ones((len(bar.a), 1))
     step = 1.0 / (_SAMPLES - 1)
     for _ in range(_ROUNDS):

@@ -1,6 +1,6 @@
-"""Steering column: from the angle of the handwheel, over shafts with universal joints, to pinion and rack.
+"""Steering column: from the handwheel's angle, through shafts with universal joints, to pinion and rack.
 
-Angles of the handwheel and the pinion are positive to the left (as the driver sees them, against the clock).
+Angles of handwheel and pinion are positive to the left (counter-clockwise for the driver).
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from jounce.core.types import Array
 from jounce.parts import Corner
 from jounce.parts.elements import Steering, SteeringColumn
 
-_ITERATIONS, _CLOSED = 50, 1e-13  # rad
-_STRAIGHT = 1e-9  # sine of a bend below which shafts are in line
+_ITERATIONS, _CLOSED = 50, 1e-13  # rad: rounding
+_STRAIGHT = 1e-9  # sine of a bend below which shafts are collinear
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class _Joint:
     pin: float
 
     def turned(self, angle: Array) -> tuple[Array, Array]:
-        """Turn of the shaft behind for one of the shaft before it (rad), and its slope."""
+        """Rotation of the second shaft for one of the first (rad), and its slope."""
         start = _behind(np.asarray(self.pin), self.bend)
         at = angle + self.pin
         slope = np.cos(self.bend) / (np.cos(at) ** 2 + np.cos(self.bend) ** 2 * np.sin(at) ** 2)
@@ -35,37 +35,37 @@ class _Joint:
 
 
 def _behind(pin: Array, bend: float) -> Array:
-    """Angle behind a joint, tan(behind) = cos(bend) tan(pin), on the same turn as the pin."""
+    """Angle after a joint, tan(after) = cos(bend) tan(pin), on the same turn as the pin."""
     turns = np.round(pin / np.pi)
-    rest = pin - np.pi * turns
-    return np.asarray(np.pi * turns + np.arctan2(np.cos(bend) * np.sin(rest), np.cos(rest)))
+    remainder = pin - np.pi * turns
+    return np.asarray(np.pi * turns + np.arctan2(np.cos(bend) * np.sin(remainder), np.cos(remainder)))
 
 
 def _joints(column: SteeringColumn) -> list[_Joint]:
     points = (column.handwheel, column.upper_joint, column.lower_joint, column.pinion)
-    given = [np.array(point) for point in points if point is not None]
-    shafts = [(b - a) / np.linalg.norm(b - a) for a, b in pairwise(given)]
-    found: list[_Joint] = []
+    places = [np.array(point) for point in points if point is not None]
+    shafts = [(b - a) / np.linalg.norm(b - a) for a, b in pairwise(places)]
+    joints: list[_Joint] = []
     pin, across = float(column.yoke_angle), None
-    for one, other in pairwise(shafts):
-        normal = np.cross(one, other)
+    for first, second in pairwise(shafts):
+        normal = np.cross(first, second)
         size = float(np.linalg.norm(normal))
         if size > _STRAIGHT:
             normal = normal / size
-        else:  # no plane: any direction across will do, it does not matter
-            normal = np.cross(one, np.eye(3)[int(np.argmin(np.abs(one)))])
+        else:  # no plane: any direction across will do
+            normal = np.cross(first, np.eye(3)[int(np.argmin(np.abs(first)))])
             normal = normal / np.linalg.norm(normal)
-        if across is not None:  # behind a joint the pin is a quarter of a turn on; the next yoke is turned by the phase
-            between = float(np.arctan2(np.cross(across, normal) @ one, across @ normal))
-            before = found[-1]
+        if across is not None:  # after a joint the pin is a quarter turn ahead; the next yoke is turned by the phase
+            between = float(np.arctan2(np.cross(across, normal) @ first, across @ normal))
+            before = joints[-1]
             pin = float(_behind(np.asarray(before.pin), before.bend)) + 0.5 * np.pi + float(column.phase) - between
-        found.append(_Joint(float(np.arctan2(size, one @ other)), pin))
+        joints.append(_Joint(float(np.arctan2(size, first @ second)), pin))
         across = normal
-    return found
+    return joints
 
 
 def steering_of(rig: Corner) -> Steering:
-    """Steering of a corner whose handwheel moves the rack; a corner without is refused."""
+    """Steering of a corner whose handwheel moves the rack; refuse a corner without one."""
     steering = getattr(rig, "steering", None)
     if steering is None or steering.rack_ratio is None:
         raise DescriptionError(
@@ -77,7 +77,7 @@ def steering_of(rig: Corner) -> Steering:
 
 
 def pinion_angle(steering: Steering, handwheel: Array) -> tuple[Array, Array]:
-    """Angle of the pinion (rad) for one of the handwheel (rad), and its slope [1]; both positive to the left."""
+    """Angle of the pinion (rad) for an angle of the handwheel (rad), and its slope [1]; both positive to the left."""
     angle, slope = -np.asarray(handwheel, dtype=float), np.ones_like(handwheel, dtype=float)
     for joint in [] if steering.column is None else _joints(steering.column):
         angle, further = joint.turned(angle)
@@ -95,12 +95,13 @@ def rack_travel(steering: Steering, handwheel: Array) -> tuple[Array, Array]:
 def handwheel_angle(steering: Steering, rack: Array) -> Array:
     """Angle of the handwheel (rad, to the left) at a travel of the rack (m)."""
     assert steering.rack_ratio is not None
-    wanted = np.asarray(rack, dtype=float) / steering.rack_ratio
-    found = wanted.copy()
+    pinion = np.asarray(rack, dtype=float) / steering.rack_ratio
+    angle_of_wheel = pinion.copy()
     for _ in range(_ITERATIONS):
-        angle, slope = pinion_angle(steering, found)
-        step = (wanted - angle) / slope
-        found = found + np.clip(step, -0.3, 0.3)  # rad: within the waves of the joints
-        if np.nanmax(np.abs(step), initial=0.0) < _CLOSED * max(1.0, float(np.nanmax(np.abs(found), initial=0.0))):
-            return np.asarray(found)
+        angle, slope = pinion_angle(steering, angle_of_wheel)
+        step = (pinion - angle) / slope
+        angle_of_wheel = angle_of_wheel + np.clip(step, -0.3, 0.3)  # rad: within a period (pi) of the joints' waves
+        size = max(1.0, float(np.nanmax(np.abs(angle_of_wheel), initial=0.0)))
+        if np.nanmax(np.abs(step), initial=0.0) < _CLOSED * size:
+            return np.asarray(angle_of_wheel)
     raise SimulationError("the angle of the handwheel was not found", hint="Are the joints of the column too steep?")

@@ -1,8 +1,8 @@
-"""Compliance: what loads at the contact patch do to a wheel whose joints are bushings.
+"""Compliance: displacement of a wheel on bushings under loads at the contact patch.
 
-The body is held, the rack is locked, and the ground holds the wheel at the height of the contact point that ideal
-joints have at that travel, as a test rig with locked pads does. Spring and stops work by their laws. The equilibrium
-is found with all large motions; compliances are its exact derivatives.
+The body is fixed, the rack is locked, and the ground holds the wheel at the height of the contact point for ideal
+joints at that travel, as a test rig with locked pads does. Spring and stops follow their laws. Equilibrium includes all
+large motions; compliances are its exact derivatives.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ if TYPE_CHECKING:
 
 _ITERATIONS = 40
 _SETTLED = 1e-12  # m, rad
-_FREE = 1e-13  # smallest singular value of the scaled equations, relative to the largest
+_FREE = 1e-13  # smallest singular value of the scaled equations, relative to the largest: rounding
 LOADS = {
     "braking": ("N", "braking force at the contact patch, rearward, wheel locked"),
     "driving": ("N", "longitudinal force at the wheel centre, forward"),
     "lateral": ("N", "lateral force at the contact patch, to the left"),
     "aligning": ("N*m", "torque about +z"),
 }
-"""Loads of the road on the wheel: unit, and what they are."""
+"""Loads of the road on the wheel: unit and label."""
 QUANTITIES = {
     "toe": ("rad", "toe angle, toe-in positive"),
     "camber": ("rad", "camber angle, top outward positive"),
@@ -48,16 +48,17 @@ QUANTITIES = {
     "patch_x": ("m", "contact patch, fixed to the upright, forward"),
     "patch_y": ("m", "contact patch, fixed to the upright, to the left"),
 }
-"""What yields: unit, and what it is."""
+"""Displacements: unit and label."""
 
 
 @dataclass(frozen=True)
 class ElasticModel:
     """Equations of a corner on its bushings.
 
-    ``equations(q, multipliers, p, ground)`` gives (forces out of balance, loop equations), their Jacobian for a small
-    displacement and the multipliers, and their slope along the loads; ``moved(q, displacement, ...)`` the coordinates
-    after one; ``seen(q, p)`` toe, camber, steer, and the displacement of all ``QUANTITIES`` along one.
+    ``equations(q, multipliers, p, ground)`` returns the unbalanced forces and loop equations, their Jacobian for a
+    small displacement and the multipliers, and their slope by the loads; ``moved(q, displacement, ...)`` the
+    coordinates after a displacement; ``seen(q, p)`` toe, camber and steer, and the displacement of all ``QUANTITIES``
+    along one.
     """
 
     parameters: tuple[str, ...]
@@ -74,39 +75,39 @@ _models: Recent[ElasticModel] = Recent()
 def compliance(
     rig: Rig, travel: Values = 0.0, *, rack: float | None = None, load: ContactLoad | None = None
 ) -> xr.Dataset:
-    """Give what each unit of load at the contact patch does to toe, camber and place of a wheel on bushings.
+    """Change of toe, camber and place of a wheel on bushings per unit of each load at the contact patch.
 
-    The body and the rack are held, the ground holds the height of the contact point; spring and stops work by their
-    laws, a torsion bar and the gas of a damper, too; third spring and Z-bar as where the other wheel is loaded alike,
-    in mirror image. These are slopes at equilibrium, not differences; weights, tyre, U- and T-bar do not count.
+    The body and the rack are fixed, the ground holds the height of the contact point; spring and stops follow their
+    laws, and so do a torsion bar and the gas of a damper; third spring and Z-bar act as if the other wheel carries the
+    mirrored load. Results are slopes at equilibrium, not differences; weights, tyre, U- and T-bar are neglected.
 
     Parameters
     ----------
     rig : Rig
         A corner with hardpoints and bushings.
     travel : float, str or array_like, shape (n,)
-        Travel of the wheel centre (m, bump positive, monotonic) that the corner with ideal joints would have at the
-        height of the ground.
+        Travel of the wheel centre (m, bump positive, monotonic) of the corner with ideal joints at the height of the
+        ground.
     rack : float, optional
         Travel of the rack, m, positive to the left; the description's own by default.
     load : ContactLoad, optional
         Load about which the slopes are taken, N and N m; none by default. Its vertical force must be zero: the ground
-        gives it.
+        provides it.
 
     Returns
     -------
     xarray.Dataset
         On ``wheel_travel`` (m): ``<load>.<quantity>`` for the loads braking, driving, lateral (N) and aligning (N m)
         and the quantities toe, camber, steer (rad), wheel_centre_x, wheel_centre_y, patch_x, patch_y (m); and the
-        state itself: ``toe``, ``camber``, ``steer`` (rad). A newton of ``braking`` pushes the patch rearward, one of
+        state: ``toe``, ``camber``, ``steer`` (rad). A newton of ``braking`` pushes the patch rearward, one of
         ``driving`` the wheel centre forward; lateral forces (to the left), torques and places are in ground axes.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or without bushings, or values that go to and fro.
+        If a rig has no hardpoints or no bushings, or values are not monotonic.
     SimulationError
-        When no equilibrium is found, or when the bushings leave a motion free.
+        If no equilibrium is found, or the bushings leave a motion free.
 
     Examples
     --------
@@ -131,8 +132,8 @@ def compliance(
         raise DescriptionError("the ground gives the vertical force", where="vertical_force", found=load.vertical_force)
     travels = sweep_values(travel, "wheel travel")
     ground = _ground(corner, travels, rack)
-    found = [_yields(corner, float(height), float(at), load) for height, at in zip(*ground, strict=True)]
-    return _dataset(corner, travels, found)
+    states = [_yields(corner, float(height), float(at), load) for height, at in zip(*ground, strict=True)]
+    return _dataset(corner, travels, states)
 
 
 def _has_bushings(rig: Corner) -> bool:
@@ -141,7 +142,7 @@ def _has_bushings(rig: Corner) -> bool:
 
 
 def _ground(rig: Corner, travel: Array, rack: float | None) -> tuple[Array, Array]:
-    """Height of the contact point (m) and travel of the rack (m) at each travel, with ideal joints."""
+    """Height of the contact point (m) and rack travel (m) at each travel, with ideal joints."""
     sweep = prepare_sweep(rig, travel, rack)
     rows = {name: value[:, 0] for name, value in sweep.quantities().items()}
     if not np.all(np.isfinite(rows["wheel_travel"])):
@@ -211,7 +212,7 @@ def _yields(rig: Corner, ground: float, rack: float, load: ContactLoad) -> tuple
 
 
 def _equilibrium(model: ElasticModel, p: Array) -> tuple[Array, Array]:
-    """Coordinates and multipliers in balance, by Newton from the design pose."""
+    """Coordinates and multipliers in equilibrium, by Newton from the design pose."""
     q, multipliers = model.start, np.zeros(model.sizes[1])
     for _ in range(_ITERATIONS):
         residual, matrix, _ = (part.full() for part in model.equations(q, multipliers, p))
@@ -228,7 +229,7 @@ def _equilibrium(model: ElasticModel, p: Array) -> tuple[Array, Array]:
 
 
 def _solve(matrix: Array, right: Array) -> Array:
-    """Solve the equations of balance, scaled so that newtons and metres compare; refuse what is left free."""
+    """Solve the equilibrium equations, scaled so that newtons and metres compare; refuse free motions."""
     rows = 1.0 / np.maximum(np.max(np.abs(matrix), axis=1), 1e-300)
     scaled = matrix * rows[:, None]
     columns = 1.0 / np.maximum(np.max(np.abs(scaled), axis=0), 1e-300)
@@ -242,10 +243,10 @@ def _solve(matrix: Array, right: Array) -> Array:
     return np.asarray(columns[:, None] * np.linalg.solve(scaled * columns, right * rows[:, None]))
 
 
-def _dataset(rig: Corner, travel: Array, found: list[tuple[Array, Array]]) -> xr.Dataset:
+def _dataset(rig: Corner, travel: Array, states: list[tuple[Array, Array]]) -> xr.Dataset:
     import xarray as xr
 
-    angles, slopes = (np.array(part) for part in zip(*found, strict=True))
+    angles, slopes = (np.array(part) for part in zip(*states, strict=True))
     names = list(QUANTITIES)
     variables = {
         name: ("wheel_travel", angles[:, k], {"units": "rad", "long_name": QUANTITIES[name][1]})

@@ -1,4 +1,4 @@
-"""Steering effort: from the forces of the road on both wheels to the rack, the pinion and the handwheel."""
+"""Steering effort: from the road's forces on both wheels to rack, pinion and handwheel."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 def steering_effort(
     rig: Rig, left: ContactLoad, right: ContactLoad, rack: Values = 0.0, travel: float | str = 0.0
 ) -> xr.Dataset:
-    """Give the force on the rack and the torque at the handwheel for loads of the road on both wheels.
+    """Force on the rack and torque at the handwheel for loads of the road on both wheels.
 
-    Parts are rigid and without weight, joints, rack and column without friction; anti-roll bar and third spring do
-    not count. Springs have the force that the loads require.
+    Parts are rigid and massless; joints, rack and column have no friction; anti-roll bar and third spring are
+    neglected. Springs have the force that the loads require.
 
     Parameters
     ----------
@@ -43,14 +43,14 @@ def steering_effort(
     xarray.Dataset
         On ``rack_travel`` (m): ``rack_force`` (N, of both wheels on the rack, positive to the left),
         ``left.rack_force`` and ``right.rack_force``; with ``steering.rack_ratio`` also ``pinion_torque`` and
-        ``handwheel_torque`` (N m, that hold it, positive to the left) and the rows of the handwheel.
+        ``handwheel_torque`` (N m, holding torques, positive to the left) and the rows of the handwheel.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or rack, or values that go to and fro.
+        If a rig has no hardpoints or rack, or values are not monotonic.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -64,31 +64,32 @@ def steering_effort(
     corner, racks = check_corner(rig), sweep_values(rack, "rack travel")
     check_rack(corner)
     corner = corner if corner.side == "left" else corner.mirrored()
-    lifted = to_si(travel, "m", where="wheel travel")
-    found = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
+    height = to_si(travel, "m", where="wheel travel")
+    variables = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
     axle, to_left = Axle(corner), "positive: to the left"
-    forces = [_rack_force(axle, one, load, racks, lifted) for one, load in ((corner, left), (corner.mirrored(), right))]
+    sides = ((corner, left), (corner.mirrored(), right))
+    forces = [_rack_force(axle, side, load, racks, height) for side, load in sides]
     total = forces[0] + forces[1]
-    found.add("rack_force", total, "N", "force of both wheels on the rack", to_left)
+    variables.add("rack_force", total, "N", "force of both wheels on the rack", to_left)
     for name, force in zip(("left", "right"), forces, strict=True):
-        found.add(f"{name}.rack_force", force, "N", f"{name}: force of the wheel on the rack", to_left)
+        variables.add(f"{name}.rack_force", force, "N", f"{name}: force of the wheel on the rack", to_left)
     steering = getattr(corner, "steering", None)
     if steering is not None and steering.rack_ratio is not None:
         slope = rack_travel(steering, handwheel_angle(steering, racks))[1]
-        found.add("pinion_torque", -total * steering.rack_ratio, "N*m", "torque that holds the pinion", to_left)
-        found.add("handwheel_torque", -total * slope, "N*m", "torque that holds the handwheel", to_left)
-        handwheel_rows(found, axle, racks, *(axle.wheel(side, lifted, racks) for side in (1.0, -1.0)))
-    return found.dataset(np.isfinite(total), axle, corner)
+        variables.add("pinion_torque", -total * steering.rack_ratio, "N*m", "torque that holds the pinion", to_left)
+        variables.add("handwheel_torque", -total * slope, "N*m", "torque that holds the handwheel", to_left)
+        handwheel_rows(variables, axle, racks, *(axle.wheel(sign, height, racks) for sign in (1.0, -1.0)))
+    return variables.dataset(np.isfinite(total), axle, corner)
 
 
 def _rack_force(axle: Axle, rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
-    """Force of a wheel on the rack, N, to the left; NaN where it cannot be steered to, which the axle notes."""
+    """Force of a wheel on the rack, N, to the left; NaN at unreachable rack travels, which the axle records."""
     sweep = prepare_sweep(rig, travel, racks)
     rows, joints = balanced(sweep, load)
     axle.note(sweep)
     forces = vector_forces(joints, joints.balance.solve())
     inner = "tie_rod_inner" if "tie_rod_inner" in forces else "link_5_inner"
-    found = np.full(len(racks), np.nan)
+    force = np.full(len(racks), np.nan)
     reached = np.argmin(np.abs(racks - rows["rack_travel"][:, None]), axis=1)
-    found[reached] = forces[inner][:, 1]
-    return found
+    force[reached] = forces[inner][:, 1]
+    return force

@@ -1,4 +1,4 @@
-"""Load cases of an axle: accelerations of the car to forces in every link, joint and pickup point of both wheels."""
+"""Load cases of an axle: from the car's accelerations to forces in all links, joints and pickup points."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ if TYPE_CHECKING:
 
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 _Gs = Annotated[float, Unit("1")]
-_TRAVELS = np.linspace(-0.1, 0.1, 41)  # m: where the spring's equilibrium is looked for
+_TRAVELS = np.linspace(-0.1, 0.1, 41)  # m: range in which the spring's equilibrium is searched
 
 
 class LoadedAxle(Description):
-    """The car around an axle, for its wheel loads.
+    """The car around an axle, for the wheel loads.
 
     ``axle``; ``mass`` (kg) of the whole car, ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
     ``weight_share`` of this axle at rest, ``brake_share`` and ``drive_share`` of it in longitudinal forces, and
-    ``roll_share`` of it in the lateral load transfer, that of its weight where it is not given.
+    ``roll_share`` is its share of the lateral load transfer, by default that of its weight.
     """
 
     axle: Literal["front", "rear"]
@@ -68,21 +68,21 @@ LOAD_CASES: dict[str, LoadCase] = {
     "bump 3 g": LoadCase(vertical=3.0),
     "braking and cornering 0.7 g each": LoadCase(longitudinal=-0.7, lateral=0.7),
 }
-"""Usual load cases by name."""
+"""Common load cases by name."""
 
 
 def load_cases(
     rig: Rig, car: LoadedAxle, cases: Mapping[str, LoadCase | Mapping[str, float]] | None = None
 ) -> xr.Dataset:
-    """Give the forces in every link, joint and pickup point of both wheels of an axle for load cases of the car.
+    """Forces in every link, joint and pickup point of both wheels of an axle for load cases of the car.
 
     Wheel loads follow from weight and load transfer of a rigid car, between the axles over the wheelbase, between the
-    wheels over the track of the contact points at design; a wheel or an axle that would be pulled off the road carries
-    nothing, and the other one all. Longitudinal and lateral forces of the axle are shared by the wheels in proportion
-    to their loads; brakes are outboard, drive torque is reacted by the body. Each wheel stands where its spring, stops
-    and the gas of its damper carry its load, with the anti-roll bar and the third spring between both wheels (at design
-    where the rig has no spring). Parts have no weight. ``attrs["findings"]`` names cases that the springs cannot carry,
-    and those in which the car would tip over an axle.
+    wheels over the track of the contact points at design; a wheel or an axle that would lift off carries nothing, and
+    the other one everything. The wheels share longitudinal and lateral forces of the axle in proportion to their loads;
+    brakes are outboard, and the body reacts drive torque. Each wheel stands where its spring, stops and the gas of its
+    damper carry its load, with anti-roll bar and third spring between both wheels (at design if the rig has no spring).
+    Parts are massless. ``attrs["findings"]`` names cases that the springs cannot carry, and those in which the car
+    would tip over an axle.
 
     Parameters
     ----------
@@ -98,12 +98,12 @@ def load_cases(
     xarray.Dataset
         On ``case`` and ``wheel`` (left, right): ``longitudinal_force``, ``lateral_force``, ``vertical_force`` at the
         contact point (N), ``wheel_travel`` (m), what :func:`pickup_loads` gives at each hardpoint (N), and the
-        forces that anti-roll bar and third spring bring (``anti_roll_bar_link.axial_force``, ``third_spring.force``).
+        forces of anti-roll bar and third spring (``anti_roll_bar_link.axial_force``, ``third_spring.force``).
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, or no case.
+        If a rig has no hardpoints, or there is no case.
 
     Examples
     --------
@@ -112,8 +112,8 @@ def load_cases(
     ...     axle="front", mass="280 kg", wheelbase="1.55 m", centre_of_mass_height="0.3 m", weight_share=0.48,
     ...     brake_share=0.65,
     ... )
-    >>> found = jn.load_cases(jn.load("formula-student-front"), car)
-    >>> round(float(found["vertical_force"].sel(case="static", wheel="left")), 1)   # N
+    >>> cases = jn.load_cases(jn.load("formula-student-front"), car)
+    >>> round(float(cases["vertical_force"].sel(case="static", wheel="left")), 1)   # N
     659.2
     """
     return solved_cases(rig, car, cases)[0]
@@ -122,7 +122,7 @@ def load_cases(
 def solved_cases(
     rig: Rig, car: LoadedAxle, cases: Mapping[str, LoadCase | Mapping[str, float]] | None = None
 ) -> tuple[xr.Dataset, list[Finding]]:
-    """Give what :func:`load_cases` gives, and beside it what is to be said of it."""
+    """Like :func:`load_cases`, together with the findings."""
     import xarray as xr
 
     corner = check_corner(rig)
@@ -133,36 +133,36 @@ def solved_cases(
     left = corner if corner.side == "left" else corner.mirrored()
     right, rack = left.mirrored(), _rack_travel(left)
     sides = {"left": left, "right": right.with_changes({"steering.rack_travel": rack}) if rack else right}
-    together = left.anti_roll_bar is not None or left.third_spring is not None
-    found, told = [], []
+    is_connected = left.anti_roll_bar is not None or left.third_spring is not None
+    forces, notes = [], []
     for name, case in read.items():
         loads = wheel_loads(car, case, left)
-        told += _tips(car, case, name)
-        if together and not {"spring"} & set(left.lacks):
+        notes += _tips(car, case, name)
+        if is_connected and not {"spring"} & set(left.lacks):
             travels, findings = _together(left, loads, name)
         else:
             stands = [
                 _equilibrium(side, load, f"{name}, {wheel} wheel")
                 for (wheel, side), load in zip(sides.items(), loads, strict=True)
             ]
-            travels, findings = (stands[0][0], stands[1][0]), [one for _, more in stands for one in more]
-        told += findings
+            travels, findings = (stands[0][0], stands[1][0]), [note for _, more in stands for note in more]
+        notes += findings
         pairs = zip(
-            sides.values(), loads, travels, from_across(left, travels) if together else (None, None), strict=True
+            sides.values(), loads, travels, from_across(left, travels) if is_connected else (None, None), strict=True
         )
-        found.append([_of_wheel(*pair) for pair in pairs])
-    units = {name: unit for name, (_, unit, _) in found[0][0].items()}
-    texts = {name: text for name, (_, _, text) in found[0][0].items()}
+        forces.append([_of_wheel(*pair) for pair in pairs])
+    units = {name: unit for name, (_, unit, _) in forces[0][0].items()}
+    texts = {name: text for name, (_, _, text) in forces[0][0].items()}
     variables = {
         name: (
             ("case", "wheel"),
-            np.array([[wheel[name][0] for wheel in pair] for pair in found]),
+            np.array([[wheel[name][0] for wheel in pair] for pair in forces]),
             {"units": units[name], "long_name": texts[name]},
         )
         for name in units
     }
-    facts = {"model": str(getattr(rig, "model", "")), "findings": "; ".join(map(str, told))}
-    return xr.Dataset(variables, {"case": list(read), "wheel": list(sides)}, facts), told
+    facts = {"model": str(getattr(rig, "model", "")), "findings": "; ".join(map(str, notes))}
+    return xr.Dataset(variables, {"case": list(read), "wheel": list(sides)}, facts), notes
 
 
 def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLoad, ContactLoad]:
@@ -181,7 +181,7 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
     longitudinal = weight * case.longitudinal * (car.brake_share if braked else car.drive_share)
     lateral = weight * case.lateral * car.weight_share
     parts = (left / axle, 1.0 - left / axle) if axle > 0.0 else (0.0, 0.0)
-    one, other = (
+    left_load, right_load = (
         ContactLoad(
             longitudinal_force=longitudinal * part,
             lateral_force=lateral * part,
@@ -190,18 +190,18 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
         )
         for part in parts
     )
-    return one, other
+    return left_load, right_load
 
 
 def _axle_load(car: LoadedAxle, case: LoadCase) -> float:
-    """Load of the axle (N) by the balance of moments; below zero where it would be pulled off the road."""
+    """Load of the axle (N) from the balance of moments; negative if it would lift off."""
     weight = car.mass * GRAVITY
     ahead = weight * case.longitudinal * car.centre_of_mass_height / car.wheelbase
     return case.vertical * weight * car.weight_share + (-ahead if car.axle == "front" else ahead)
 
 
 def _tips(car: LoadedAxle, case: LoadCase, name: str) -> list[Finding]:
-    """Say that braking or driving would lift an axle off the road: nothing balances the car then."""
+    """Report braking or driving that would lift an axle off the road: the car cannot be balanced then."""
     axle, total = _axle_load(car, case), case.vertical * car.mass * GRAVITY
     if total <= 0.0 or 0.0 <= axle <= total:
         return []
@@ -215,9 +215,9 @@ def _tips(car: LoadedAxle, case: LoadCase, name: str) -> list[Finding]:
 
 @dataclass(frozen=True)
 class FromAcross:
-    """What comes to a wheel from the other one: tension of the bar's link (N), ends on a T-bar (m), third spring.
+    """Effects of the other wheel on one wheel: tension of the bar's link (N), ends on a T-bar (m), third spring.
 
-    ``turn`` is the torque (N m about the bar's axis to the left) of a U- or Z-bar's end; ``tension`` that of a T-bar's
+    ``turn`` is the torque (N m about the bar's axis to the left) on a U- or Z-bar's end; ``tension`` that of a T-bar's
     link; ``third`` the force of the third spring and its vector on the suspension (N).
     """
 
@@ -229,7 +229,7 @@ class FromAcross:
 
 
 def from_across(left: Corner, travels: tuple[float, float]) -> list[FromAcross]:
-    """What anti-roll bar and third spring do to each wheel of an axle."""
+    """Effects of anti-roll bar and third spring on each wheel of an axle."""
     axle, rack = Axle(left), np.full(1, _rack_travel(left))
     wheels = [axle.wheel(side, np.full(1, travel), rack) for side, travel in zip((1.0, -1.0), travels, strict=True)]
     connection = axle.connection(*wheels)
@@ -254,27 +254,27 @@ def _rack_travel(rig: Corner) -> float:
 def _of_wheel(
     rig: Corner, load: ContactLoad, travel: float, across: FromAcross | None
 ) -> dict[str, tuple[float, str, str]]:
-    """Every force of one wheel: value, unit and what it is."""
+    """Every force of one wheel: value, unit and label."""
     _, joints = balanced(prepare_sweep(rig, travel), load)
     if across is not None:
         _put_across(joints, across)
     unknowns = joints.balance.solve()
-    found = {
+    forces = {
         name: (float(getattr(load, name)), "N", f"{name.replace('_', ' ')} of the road on the wheel")
         for name in ("longitudinal_force", "lateral_force", "vertical_force")
     }
-    found["wheel_travel"] = travel, "m", "vertical travel of the wheel centre, bump positive"
+    forces["wheel_travel"] = travel, "m", "vertical travel of the wheel centre, bump positive"
     for name, force in vector_forces(joints, unknowns).items():
         for k, axis in enumerate("xyz"):
             text = f"{name.replace('_', ' ')}: force along {axis} on the part nearer to the body"
-            found[f"{name}.f{axis}"] = float(force[0, k]), "N", text
+            forces[f"{name}.f{axis}"] = float(force[0, k]), "N", text
     for name, value, text in single_forces(joints, unknowns):
-        found[name] = float(value[0]), "N*m" if name.endswith(".torque") else "N", text
-    return found
+        forces[name] = float(value[0]), "N*m" if name.endswith(".torque") else "N", text
+    return forces
 
 
 def _put_across(joints: Joints, across: FromAcross) -> None:
-    """Let link and third spring push the suspension."""
+    """Apply the forces of link and third spring to the suspension."""
     rig, points = joints.rig, joints.points
     if rig.anti_roll_bar is not None:
         end = points["arb_arm_end"][0] if across.arm_end is None else across.arm_end
@@ -302,14 +302,14 @@ def bar_axis(rig: Corner) -> Array:
     return np.asarray(along / np.linalg.norm(along) * (-1.0 if along[1] < 0.0 else 1.0))
 
 
-_NEWTON, _CLOSE, _FARTHEST, _STEP = 60, 1e-9, 0.1, 0.01  # N over N; m
-_DIFFERENCE = 1e-6  # m: of slopes that only find the way
+_NEWTON, _CLOSE, _FARTHEST, _STEP = 60, 1e-9, 0.1, 0.01  # iterations; N over N; m of travel; m in one step
+_DIFFERENCE = 1e-6  # m: of slopes that only set the direction of steps
 
 
 def _together(
     rig: Corner, loads: tuple[ContactLoad, ContactLoad], name: str
 ) -> tuple[tuple[float, float], list[Finding]]:
-    """Travels (m) of both wheels at which all springs carry both loads, or come nearest to it."""
+    """Travels (m) of both wheels at which all springs carry both loads, or come nearest."""
     axle, rack = Axle(rig), np.full(3, _rack_travel(rig))
     size = sum(abs(load.vertical_force) + abs(load.lateral_force) + abs(load.longitudinal_force) for load in loads)
     travel, step, share = np.zeros(2), np.zeros(2), 1.0
@@ -325,7 +325,7 @@ def _together(
             ]
         )
         worst = float(np.max(np.abs(off[:, 0])))
-        if not worst < least:  # out of reach, or not nearer: go half as far from the best pose
+        if not worst < least:  # out of reach, or no improvement: go half as far from the best pose
             share *= 0.5
             if share < _CLOSE:
                 break
@@ -346,7 +346,7 @@ def _together(
 
 
 def _pushed(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
-    """Force at the wheel centre (N, up) that does the work of a load (without aligning torque) along the travel."""
+    """Force at the wheel centre (N, up) with the same work along the travel as a load (without aligning torque)."""
     rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the contact patch
     ahead = rows["contact_patch_recession"] * rise
     if load.through == "wheel_centre":
@@ -356,24 +356,25 @@ def _pushed(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
 
 
 def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, list[Finding]]:
-    """Travel (m) at which spring and stops have the force that the load asks of them, or come nearest to it."""
+    """Travel (m) at which spring and stops have the force that the load requires, or come nearest."""
     if "spring" in rig.lacks:
         return 0.0, []
     sweep = prepare_sweep(rig, _TRAVELS)
     rows = {name: value[:, 0] for name, value in sweep.quantities().items()}
-    kept = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
-    low, high = float(_TRAVELS[kept[0]]), float(_TRAVELS[kept[-1]])
+    reached = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
+    low, high = float(_TRAVELS[reached[0]]), float(_TRAVELS[reached[-1]])
 
     def over(travel: Array) -> Array:
+        """Force (or torque) of the springs over the required one."""
         own = prepare_sweep(rig, travel).quantities()
-        asked = pickup_loads(rig, load, travel)
-        if "spring" in rig.without:  # a torsion bar carries it, beside which only stops push along the strut
+        required = pickup_loads(rig, load, travel)
+        if "spring" in rig.without:  # a torsion bar carries it; along the strut only stops push
             strut = own["stop_force"] * own["motion_ratio"] / own["torsion_bar_motion_ratio"]
-            return np.asarray((own["torsion_bar_torque"] + strut)[:, 0] - asked["torsion_bar.torque"])
-        has = (own["spring_force"] + own["stop_force"])[:, 0]
-        return np.asarray(has - asked["spring.force"].to_numpy())
+            return np.asarray((own["torsion_bar_torque"] + strut)[:, 0] - required["torsion_bar.torque"])
+        force = (own["spring_force"] + own["stop_force"])[:, 0]
+        return np.asarray(force - required["spring.force"].to_numpy())
 
-    for _ in range(4):
+    for _ in range(4):  # each round narrows the bracket 40 times: 0.2 m to 0.1 um
         travels = np.linspace(low, high, 41)
         excess = over(travels)
         crossed = np.flatnonzero((excess[:-1] <= 0.0) & (excess[1:] > 0.0))
@@ -390,14 +391,14 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
 
 
 def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) -> str:
-    """Give load cases as CSV, a row for each case and wheel, SI.
+    """Load cases as CSV, one row for each case and wheel, SI.
 
     Parameters
     ----------
     found : xarray.Dataset
         As :func:`load_cases` gives it.
     quantities : sequence of str, optional
-        Which columns; all by default.
+        Columns; all by default.
 
     Returns
     -------
@@ -422,7 +423,7 @@ def load_case_table(found: xr.Dataset, quantities: Sequence[str] | None = None) 
     rows = [",".join(["case", "wheel", *(f"{name} [{found[name].attrs['units']}]" for name in names)])]
     for case in found["case"].to_numpy():
         for wheel in found["wheel"].to_numpy():
-            one: Any = found.sel(case=case, wheel=wheel)
+            forces: Any = found.sel(case=case, wheel=wheel)
             label = guarded(str(case).replace('"', "'"))
-            rows.append(",".join([f'"{label}"', str(wheel), *(repr(float(one[name])) for name in names)]))
+            rows.append(",".join([f'"{label}"', str(wheel), *(repr(float(forces[name])) for name in names)]))
     return "\n".join([*rows, ""])

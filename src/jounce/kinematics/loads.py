@@ -1,7 +1,7 @@
 """Loads of pickup points and joints for a load at the contact patch: rigid parts and the spring in equilibrium.
 
-The spring's force is the one that the load requires, not what its law gives at that travel, so that forces and virtual
-work agree. Weights of the parts do not count; what comes from the other wheel only where it is known (load cases).
+The spring's force is the one that the load requires, not that of its law at the travel, so that forces and virtual
+work agree. Parts are massless; effects of the other wheel are included only in load cases.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 
 BODY = ""
-"""What carries everything: the car's body with the rack on it. It is not one of the parts in balance."""
+"""The reference of all parts: the car's body with the rack. It is not one of the parts in balance."""
 
 
 @dataclass
-class Balance:
-    """Parts in balance at n poses; unknowns: what the part nearer to the wheel does to the one nearer to the body."""
+class PartBalance:
+    """Parts in balance at n poses; unknowns: forces of the part nearer to the wheel on the one nearer to the body."""
 
     parts: tuple[str, ...]
     poses: int
@@ -51,7 +51,7 @@ class Balance:
         self._load += self._wrench(part, force, point) + self._turn(part, torque)
 
     def along(self, inner: str, outer: str, direction: Array, at: Array) -> int:
-        """Add an unknown force along a direction, shape (n, 3), at a point; give its place among the unknowns."""
+        """Add an unknown force along a direction, shape (n, 3), at a point; return its index among the unknowns."""
         self._columns.append(self._wrench(inner, direction, at) - self._wrench(outer, direction, at))
         return len(self._columns) - 1
 
@@ -60,9 +60,9 @@ class Balance:
         self._columns.append(self._turn(inner, direction) - self._turn(outer, direction))
         return len(self._columns) - 1
 
-    def share(self, axis: Array, one: list[int], other: list[int]) -> None:
-        """Let two joints share the force along an axis equally; without that a shaft in two bearings has no answer."""
-        self._shared.append((axis, one, other))
+    def share(self, axis: Array, first: list[int], second: list[int]) -> None:
+        """Let two joints share the force along an axis equally; otherwise a shaft in two bearings is indeterminate."""
+        self._shared.append((axis, first, second))
 
     def solve(self) -> Array:
         """Solve for all unknowns, shape (n, unknowns)."""
@@ -72,9 +72,9 @@ class Balance:
         rows = 6 * len(self.parts)
         matrix[:, :rows] = np.stack(self._columns, axis=2)
         right[:, :rows] = -self._load
-        for i, (axis, one, other) in enumerate(self._shared):
-            matrix[:, rows + i, one] += axis
-            matrix[:, rows + i, other] -= axis
+        for i, (axis, first, second) in enumerate(self._shared):
+            matrix[:, rows + i, first] += axis
+            matrix[:, rows + i, second] -= axis
         return np.asarray(np.linalg.solve(matrix, right[:, :, None])[:, :, 0])
 
     def _wrench(self, part: str, force: Array, point: Array) -> Array:
@@ -102,9 +102,9 @@ _Torque = Annotated[float, Unit("N*m")]
 class ContactLoad(Description):
     """Load of the road on a wheel, ground axes (x forward, y left, z up), forces in N.
 
-    ``longitudinal_force``, ``lateral_force``, ``vertical_force``; ``aligning_torque`` (N m) about +z. ``through`` says
-    where the longitudinal force reaches the upright: at the contact point (brake on the wheel) or at the wheel centre
-    (driven or braked through a shaft).
+    ``longitudinal_force``, ``lateral_force``, ``vertical_force``; ``aligning_torque`` (N m) about +z. ``through`` is
+    the point at which the longitudinal force reaches the upright: the contact point (brake on the wheel) or the wheel
+    centre (driven or braked through a shaft).
 
     Examples
     --------
@@ -121,16 +121,15 @@ class ContactLoad(Description):
 
 @dataclass
 class Joints:
-    """Unknowns of a corner with their names, collected while its parts are put into balance.
+    """Unknowns of a corner with their names, collected while its parts are balanced.
 
-    ``points`` holds the place of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
-    reported, each with (direction, unknown) terms, ``known`` vectors that are given; ``scalars`` single forces and
-    torques.
+    ``points`` has the place of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
+    reported, each with (direction, unknown) terms; ``known`` given vectors; ``scalars`` single forces and torques.
     """
 
     rig: Corner
     points: dict[str, Array]
-    balance: Balance
+    balance: PartBalance
     forces: dict[str, list[tuple[Array, int]]] = field(default_factory=dict)
     scalars: dict[str, tuple[int, str]] = field(default_factory=dict)
     known: dict[str, Array] = field(default_factory=dict)
@@ -139,21 +138,21 @@ class Joints:
     def ball(self, name: str, inner: str, outer: str) -> list[int]:
         """Ball joint at a hardpoint: three unknown forces along the ground's axes."""
         axes = [np.tile(axis, (self.balance.poses, 1)) for axis in np.eye(3)]
-        found = [self.balance.along(inner, outer, axis, self.points[name]) for axis in axes]
-        self.report(name, list(zip(axes, found, strict=True)))
-        return found
+        unknowns = [self.balance.along(inner, outer, axis, self.points[name]) for axis in axes]
+        self.report(name, list(zip(axes, unknowns, strict=True)))
+        return unknowns
 
     def report(self, name: str, terms: list[tuple[Array, int]]) -> None:
-        """Add to the force that is reported at a hardpoint."""
+        """Add terms to the force reported at a hardpoint."""
         self.forces.setdefault(name, []).extend(terms)
 
-    def axis(self, one: str, other: str, part: str) -> None:
-        """Hang a part on an axis through two hardpoints of the body; they share the force along it equally."""
-        along = _unit(self.points[one] - self.points[other])
-        self.balance.share(along, self.ball(one, BODY, part), self.ball(other, BODY, part))
+    def axis(self, first: str, second: str, part: str) -> None:
+        """Hinge a part on an axis through two hardpoints of the body; they share the force along it equally."""
+        along = _unit(self.points[first] - self.points[second])
+        self.balance.share(along, self.ball(first, BODY, part), self.ball(second, BODY, part))
 
     def rod(self, name: str, inner: str, outer: str, parts: tuple[str, str]) -> None:
-        """Rod that carries only tension and compression between two parts (the one nearer to the body first)."""
+        """Rod between two parts (the one nearer to the body first) that carries only tension and compression."""
         along = _unit(self.points[inner] - self.points[outer])
         unknown = self.balance.along(*parts, -along, self.points[inner])
         self.report(inner, [(-along, unknown)])
@@ -161,7 +160,7 @@ class Joints:
         self.scalars[f"{name}.axial_force"] = unknown, f"{name.replace('_', ' ')}: axial force, tension positive"
 
     def torsion_bar(self, torque: Array) -> None:
-        """Torsion bar on its axis: it carries the load where there is no coil spring, else what its law says (N m)."""
+        """Torsion bar on its axis: it carries the load without a coil spring, else it has its law's torque (N m)."""
         bar = self.rig.torsion_bar
         assert bar is not None
         along = np.tile(bump_axis(self.rig, bar.on), (self.balance.poses, 1))
@@ -176,7 +175,7 @@ class Joints:
         self.given["torsion_bar.torque"] = torque, f"{text}: of its law"
 
     def push(self, part: str, force: Array, points: Sequence[str]) -> None:
-        """Let a known force (N, (n, 3)) push a part at the first of some hardpoints, all of which it passes."""
+        """Apply a known force (N, (n, 3)) to a part at the first of some hardpoints; its line passes through all."""
         self.balance.load(part, force, self.points[points[0]], np.zeros_like(force))
         for name in points:
             self.known[name] = -force
@@ -187,14 +186,14 @@ class Joints:
         return [name if name in self.points else f"strut_{name.removeprefix(element + '_')}" for name in own]
 
     def still_damper(self, force: Array) -> None:
-        """Damper that pushes at rest (N), by its gas."""
+        """Damper with a force at rest (N), from its gas."""
         bottom, top = self.ends("damper")
         along = _unit(self.points[top] - self.points[bottom])
         self.push(self.rig.strut.on, -force[:, None] * along, (bottom, top))
         self.given["damper.force"] = force, "force of the damper at rest, compression positive: of its law"
 
     def spring(self) -> None:
-        """Spring between the body and what carries the strut."""
+        """Spring between the body and the part with the strut's lower end."""
         if "spring" in self.rig.without and self.rig.torsion_bar is not None:
             return
         names = self.ends("spring")
@@ -205,7 +204,7 @@ class Joints:
         self.scalars["spring.force"] = unknown, "spring force that the load requires, compression positive"
 
     def rocker(self) -> None:
-        """Rocker on its pivot, pushed by its rod; its bearing takes three forces and two torques."""
+        """Rocker on its pivot, pushed by its rod; its bearing carries three forces and two torques."""
         if getattr(self.rig.hardpoints, "rocker_pivot", None) is None:
             return
         pivot, end = self.points["rocker_pivot"], self.points["rocker_axis"]
@@ -218,10 +217,10 @@ class Joints:
 
 
 def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: float | None = None) -> xr.Dataset:
-    """Give the forces at all hardpoints of a corner for a load at its contact patch.
+    """Forces at all hardpoints of a corner for a load at its contact patch.
 
-    Parts are rigid and without weight, joints without friction. The force of the spring follows from the load. Where
-    two pickups lie on one axis, the force along it is stated as shared equally: rigid parts leave it open.
+    Parts are rigid and massless, joints frictionless. The force of the spring follows from the load. Two pickups on one
+    axis are reported as sharing the force along it equally: rigid parts do not determine it.
 
     Parameters
     ----------
@@ -237,18 +236,18 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
     Returns
     -------
     xarray.Dataset
-        On ``wheel_travel`` (m): ``<hardpoint>.fx``, ``.fy``, ``.fz`` (N, ground axes): what the part nearer to the
-        wheel does to the one nearer to the body. ``spring.force`` (N, compression positive), or ``torsion_bar.torque``
-        (N m, against bump) where it takes the spring's place, ``<rod>.axial_force`` (N, tension positive), and
-        ``damper.force`` (N, compression positive) of a damper whose law pushes at rest. What anti-roll bar and third
-        spring bring from the other wheel does not count (see :func:`load_cases`).
+        On ``wheel_travel`` (m): ``<hardpoint>.fx``, ``.fy``, ``.fz`` (N, ground axes): force of the part nearer to the
+        wheel on the one nearer to the body. ``spring.force`` (N, compression positive), or ``torsion_bar.torque``
+        (N m, against bump) in its place, ``<rod>.axial_force`` (N, tension positive), and ``damper.force`` (N,
+        compression positive) of a damper with a force at rest. Forces of anti-roll bar and third spring from the other
+        wheel are not included (see :func:`load_cases`).
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, or values that go to and fro.
+        If a rig has no hardpoints, or values are not monotonic.
     SimulationError
-        When no pose can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -266,27 +265,27 @@ def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: flo
 
 
 def balanced(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array], Joints]:
-    """Give the rows of all poses that are reached, and the parts in balance there; more may be put on them."""
+    """Rows of all reached poses, and the parts in balance there; more loads may be added."""
     rows = {name: value.ravel() for name, value in sweep.quantities().items()}
-    kept = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
-    if not len(kept):
+    reached = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
+    if not len(reached):
         raise no_pose(sweep.ends())
     places = sweep.points()
     names = sweep.model.point_names
-    points = {name: np.stack([places[f"{name}.{axis}"].ravel()[kept] for axis in "xyz"], axis=1) for name in names}
-    rows = {name: value[kept] for name, value in rows.items()}
+    points = {name: np.stack([places[f"{name}.{axis}"].ravel()[reached] for axis in "xyz"], axis=1) for name in names}
+    rows = {name: value[reached] for name, value in rows.items()}
     return rows, _balanced(sweep.rig, points, load, rows)
 
 
 def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]) -> Joints:
-    """Put the parts of a corner into balance."""
+    """Balance the parts of a corner."""
     rig.require("strut", what="what the joints carry")
     model = str(getattr(rig, "model", ""))
     parts, build = _TEMPLATES[model]
     extra = ("rocker",) if getattr(rig.hardpoints, "rocker_pivot", None) is not None else ()
     links = tuple(name for name in _LINKS if model == "five-link" and getattr(rig.bodies, name, None) is not None)
     poses = len(points["contact_point"])
-    joints = Joints(rig, points, Balance((*parts, *extra, *links), poses))
+    joints = Joints(rig, points, PartBalance((*parts, *extra, *links), poses))
     build(joints)
     joints.rocker()
     joints.spring()
@@ -305,13 +304,13 @@ def _balanced(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: di
 
 def bump_axis(rig: Corner, body: str) -> Array:
     """Unit vector about which bump turns an arm, or the rocker, at design, ground axes, shape (3,)."""
-    one, other, tip = (np.array(rig.hardpoints.at(name)) for name in AXES[body])
-    axis = (other - one) / np.linalg.norm(other - one)
-    way = np.cross(axis, tip - one)
+    first, second, tip = (np.array(rig.hardpoints.at(name)) for name in AXES[body])
+    axis = (second - first) / np.linalg.norm(second - first)
+    motion = np.cross(axis, tip - first)
     if body == "rocker":
         rod = np.array(rig.hardpoints.at("pushrod_inner")) - np.array(rig.hardpoints.at("pushrod_outer"))
-        return np.asarray(axis * np.where((rod @ way) * rod[2] < 0.0, -1.0, 1.0))
-    return np.asarray(axis * np.where(way[2] < 0.0, -1.0, 1.0))
+        return np.asarray(axis * np.where((rod @ motion) * rod[2] < 0.0, -1.0, 1.0))
+    return np.asarray(axis * np.where(motion[2] < 0.0, -1.0, 1.0))
 
 
 def _double_wishbone(joints: Joints) -> None:
@@ -342,7 +341,7 @@ def _five_link(joints: Joints) -> None:
 
 
 def _cross_torque(joints: Joints, inner: str, outer: str) -> Array:
-    """Direction of the torque that the universal joint of a link takes: across both of its axes."""
+    """Direction of the torque in the universal joint of a link: across both of its axes."""
     design = np.array(getattr(joints.rig.hardpoints, outer)) - getattr(joints.rig.hardpoints, inner)
     on_the_body = ca.evalf(normals(unit(ca.SX(design)))[0]).full()[:, 0]
     first = np.tile(on_the_body, (joints.balance.poses, 1))
@@ -360,7 +359,7 @@ _TEMPLATES: dict[str, tuple[tuple[str, ...], Callable[[Joints], None]]] = {
     "five-link": (("upright",), _five_link),
     "trailing-arm": (("arm",), _trailing_arm),
 }
-"""Parts in balance, the one with the wheel last, and how they hang together."""
+"""Parts in balance, the one with the wheel last, and a function that connects them."""
 
 
 def _unit(vectors: Array) -> Array:
@@ -397,19 +396,19 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
 def vector_forces(joints: Joints, unknowns: Array) -> dict[str, Array]:
     """Forces at hardpoints on the part nearer to the body, N, ground axes, shape (n, 3)."""
     poses = joints.balance.poses
-    found = {
+    forces = {
         name: sum((direction * unknowns[:, [i]] for direction, i in terms), np.zeros((poses, 3)))
         for name, terms in joints.forces.items()
     }
     for name, force in joints.known.items():
-        found[name] = found.get(name, np.zeros((poses, 3))) + force
-    return found
+        forces[name] = forces.get(name, np.zeros((poses, 3))) + force
+    return forces
 
 
 def single_forces(joints: Joints, unknowns: Array) -> list[tuple[str, Array, str]]:
     """Forces (N) and torques (N m) that are one number: name, value, text."""
-    found = [(name, unknowns[:, i], text) for name, (i, text) in joints.scalars.items()]
-    return [*found, *((name, value, text) for name, (value, text) in joints.given.items())]
+    unknown_forces = [(name, unknowns[:, i], text) for name, (i, text) in joints.scalars.items()]
+    return [*unknown_forces, *((name, value, text) for name, (value, text) in joints.given.items())]
 
 
 def _attributes(text: str, name: str) -> dict[str, str]:

@@ -1,8 +1,8 @@
 """Kinematic model of a corner: body fixed, wheel centre and rack driven, every quantity a function of the pose.
 
-With all motions driven, a Newton step on the loops is the pose, the speeds for a unit rate of travel or rack are exact
-slopes, and the accelerations for constant rates are exact curvatures. Nothing of it depends on masses or on gravity.
-Bushings are taken as ideal joints.
+With all motions driven, a Newton step on the loops gives the pose, the speeds for a unit rate of travel or rack exact
+slopes, and the accelerations for constant rates exact curvatures. Nothing depends on masses or gravity. Bushings are
+treated as ideal joints.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ _TRAVEL, _RACK = "travel", "rack"
 class KinematicModel:
     """Native functions of a corner's poses and quantities.
 
-    ``rows`` are the catalogue's rows that this corner has, in the order of the outputs; ``tracks`` what is driven:
-    ``"travel"``, and ``"rack"`` where the wheel steers. ``functions`` holds, as CasADi evaluates them, ``pose`` and
-    ``output`` (see ``kernel.poses``; ``native`` is their machine code), ``points`` (x, y, z of ``point_names``: all
-    hardpoints and the contact point) and ``gradient`` of the loop equations for the speeds; ``joints`` names the joint
-    of each equation; ``closure`` is the violation of the loops and ``yielding`` gives the slopes of the coordinates for
-    one of that violation (its last argument). ``across`` gives the ends of what reaches over to the other wheel, where
-    the corner has such a thing; ``third_force`` the law of the third spring. They take the numbers of the description
-    at ``parameters``; ``start`` is the design pose.
+    ``rows`` are the catalogue's rows for this corner, in the order of the outputs; ``tracks`` the driven motions,
+    ``"travel"``, and ``"rack"`` if the wheel steers. ``functions`` has, as CasADi functions, ``pose`` and ``output``
+    (see ``kernel.poses``; ``native`` is their machine code), ``points`` (x, y, z of ``point_names``: all hardpoints and
+    the contact point) and the ``gradient`` of the loop equations by the speeds; ``joints`` names the joint of each
+    equation; ``closure`` is the violation of the loops, and ``yielding`` the slopes of the coordinates by it (its last
+    argument). ``across`` returns the ends of connections to the other wheel, if the corner has some; ``third_force`` is
+    the law of the third spring. All take the numbers of the description at ``parameters``; ``start`` is the design
+    pose.
     """
 
     rows: tuple[Quantity, ...]
@@ -66,14 +66,14 @@ class KinematicModel:
     def tangents(self) -> Native:
         """Machine code of the slopes of all rows along a change of tracks and numbers, under the name ``output``.
 
-        Its first argument holds the coordinates of a pose, the change of the tracks, and that of ``parameters``. The
-        pose follows, so that the loops stay closed.
+        Its first argument has the coordinates of a pose, the change of the tracks, and that of ``parameters``. The pose
+        changes with them, so that the loops stay closed.
         """
         return self._moved(self.functions["output"])
 
     @once
     def place_tangents(self) -> Native:
-        """The same of ``points``, and of the rows camber and steer after them, which say how the wheel's axis turns."""
+        """The same for ``points``, followed by camber and steer, which give the rotation of the wheel's axis."""
         angles = [next(i for i, row in enumerate(self.rows) if row.name == name) for name in ("camber", "steer")]
         return self._moved(lambda *at: ca.vertcat(self.functions["points"](*at), self.functions["output"](*at)[angles]))
 
@@ -82,10 +82,10 @@ class KinematicModel:
         inputs = ca.vertcat(u, p)
         change = ca.SX.sym("change", inputs.shape[0])
         opened = ca.jtimes(self.functions["closure"](q, u, p, m), inputs, change)
-        moved = self.functions["yielding"](q, u, p, m, opened)
-        slopes = ca.jtimes(values(q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(moved, change))
-        made = ca.Function("output", [ca.vertcat(q, change), u, p, m], [ca.cse(ca.densify(slopes))])
-        return compile_functions({"output": made})
+        displacement = self.functions["yielding"](q, u, p, m, opened)
+        slopes = ca.jtimes(values(q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(displacement, change))
+        function = ca.Function("output", [ca.vertcat(q, change), u, p, m], [ca.cse(ca.densify(slopes))])
+        return compile_functions({"output": function})
 
     @property
     def _sizes(self) -> tuple[int, ...]:
@@ -102,7 +102,7 @@ def kinematic_model(rig: Rig) -> KinematicModel:
 
 
 def _rigid(rig: Corner) -> Corner:
-    """Give the corner with ideal joints in place of its bushings."""
+    """The corner with ideal joints in place of its bushings."""
     bushings = getattr(rig, "bushings", None)
     return rig if bushings is None else rig.model_copy(update={"bushings": type(bushings)()})
 
@@ -111,26 +111,26 @@ def check_corner(rig: Rig) -> Corner:
     """Refuse a rig that has no hardpoints."""
     if isinstance(rig, Corner):
         return rig
-    whole = isinstance(rig, FullCar3D)
+    is_car = isinstance(rig, FullCar3D)
     raise DescriptionError(
-        "one corner at a time is swept, no whole car" if whole else "a lumped rig has no kinematics",
+        "one corner at a time is swept, no whole car" if is_car else "a lumped rig has no kinematics",
         where=getattr(rig, "name", None) or "rig",
         found=f'model = "{getattr(rig, "model", type(rig).__name__)}"',
         allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
         hint="Give the rig of its front or rear corner."
-        if whole
+        if is_car
         else "Try reference-double-wishbone of `jounce library`.",
     )
 
 
 def has_rack(rig: Corner) -> bool:
-    """Tell whether a rack moves the wheel: whether there is a tie rod or a toe link."""
+    """Whether a rack moves the wheel: whether there is a tie rod or a toe link."""
     points = rig.hardpoints
     return hasattr(points, "tie_rod_inner") or hasattr(points, "link_5_inner")
 
 
 def check_rack(rig: Corner, allowed: str = "a corner with a tie rod") -> None:
-    """Refuse a corner whose wheel no rack moves."""
+    """Refuse a corner whose wheel is not moved by a rack."""
     if not has_rack(rig):
         found = f'model = "{getattr(rig, "model", "")}"'
         raise DescriptionError("no rack moves this wheel", where="rack travel", found=found, allowed=allowed)
@@ -147,30 +147,30 @@ def _build(rig: Corner) -> KinematicModel:
     view = CornerView(mechanism, linkage, tracks[0], rack, driven.along(1) if rack is not None else None)
     rows = quantities(view)
     places = _places(view)
-    made = {
+    expressions = {
         "pose": driven.pose(),
         "output": driven.accelerated(ca.vertcat(*(row.formula(view) for row in rows))),
         "points": ca.vertcat(*(place for _, place in places)),
         "gradient": driven.gradient,
         "closure": driven.statics.constraint,
     }
-    third = rig.third_spring is not None
-    if third or (rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"):
-        made["across"] = driven.accelerated(view.across)
+    has_third_spring = rig.third_spring is not None
+    if has_third_spring or (rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"):
+        expressions["across"] = driven.accelerated(view.across)
     length = ca.SX.sym("length")
-    if third:
-        made["third_force"] = ca.vertcat(third_law(linkage, length), still_third_law(linkage, length))
-    parameters = _that_matter(mechanism, made)
+    if has_third_spring:
+        expressions["third_force"] = ca.vertcat(third_law(linkage, length), still_third_law(linkage, length))
+    parameters = _occurring(mechanism, expressions)
     arguments = [
         driven.statics.q,
         ca.vertcat(*(track.value for track in tracks)),
         ca.vertcat(*parameters.values()),
         ca.SX.sym("m", 1),
     ]
-    law = (
-        {"third_force": ca.Function("third_force", [arguments[2], length], [made.pop("third_force")])} if third else {}
-    )
-    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()} | law
+    law = expressions.pop("third_force", None)
+    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in expressions.items()}
+    if law is not None:
+        functions["third_force"] = ca.Function("third_force", [arguments[2], length], [law])
     opened = ca.SX.sym("opened", driven.statics.constraint.shape[0])
     functions["yielding"] = ca.Function("yielding", [*arguments, opened], [driven.yielding(opened)])
     return KinematicModel(
@@ -185,8 +185,8 @@ def _build(rig: Corner) -> KinematicModel:
     )
 
 
-def _that_matter(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[str, ca.SX]:
-    """Numbers of the description that occur in the expressions: no masses."""
+def _occurring(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[str, ca.SX]:
+    """Parameters of the description that occur in the expressions, so no masses."""
     used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*(ca.vec(part) for part in expressions.values())))}
     return {path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used}
 

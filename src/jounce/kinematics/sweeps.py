@@ -1,4 +1,4 @@
-"""Sweeps of one corner over wheel travel, rack, or both: the values, the walk over them, where it ends, files."""
+"""Sweeps of one corner over wheel travel, rack, or both: values, walk, ends of travel, files."""
 
 from __future__ import annotations
 
@@ -34,17 +34,17 @@ if TYPE_CHECKING:
 
 Values = float | str | Sequence[float | str] | Array
 """Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
-_MOST_POSES = 1_000_000
+_MOST_POSES = 1_000_000  # with 70 quantities 0.6 GB
 _FARTHEST = 2.0  # m: no wheel or rack travels that far
-_WHOLE = 1e-9  # share of a step by which the end of a range may miss it
+_WHOLE = 1e-9  # share of a step by which the end of a range may miss it: rounding of decimal steps
 
 
 @dataclass(frozen=True)
 class Grid:
     """Pairs of travel and rack travel in the order of the walk, which starts at the one nearest to design.
 
-    ``targets`` holds the pairs (m), ``place`` where each belongs in the flattened grid of ``shape``, and ``before`` the
-    target that each continues from, -1 for the design pose.
+    ``targets`` has the pairs (m), ``place`` the index of each in the flattened grid of ``shape``, and ``before`` the
+    target from which each continues, -1 for the design pose.
     """
 
     shape: tuple[int, int]
@@ -54,7 +54,7 @@ class Grid:
 
 
 def text_range(text: str, unit: str, where: str) -> Array:
-    """Read ``"first:last:step"``, or one value, into SI; the last value is part of it when the steps meet it."""
+    """Read ``"first:last:step"``, or one value, into SI; the last value is included if the steps meet it."""
     parts = [part.strip() for part in text.split(":")]
     if len(parts) not in (1, 3) or not all(parts):
         raise DescriptionError("not a range", where=where, found=text, allowed='"first:last:step", or one value')
@@ -82,7 +82,7 @@ def text_range(text: str, unit: str, where: str) -> Array:
 
 
 def refuse_metres(values: Array, where: str, unit: str, text: object = None) -> None:
-    """Refuse travels (m) that no suspension makes: millimetres that were given as metres."""
+    """Refuse travels (m) beyond any suspension: millimetres given as metres."""
     far = float(np.max(np.abs(values), initial=0.0))
     if unit == "m" and far >= _FARTHEST:
         raise DescriptionError(
@@ -129,7 +129,7 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
 
 
 def grid(travel: Array, rack: Array) -> Grid:
-    """Lay out a walk: along the rack at the travel nearest to design, and from each of those along the travel."""
+    """Plan a walk: along the rack at the travel nearest to design, and from each of those along the travel."""
     if len(travel) * len(rack) > _MOST_POSES:
         raise DescriptionError(
             "too many poses", where="travel, rack", found=len(travel) * len(rack), allowed=f"at most {_MOST_POSES}"
@@ -148,7 +148,7 @@ def grid(travel: Array, rack: Array) -> Grid:
 
 
 def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
-    """Lay out a walk along pairs of travel and rack, each from the one before it, or all from the design pose."""
+    """Plan a walk along pairs of travel and rack, each from the previous one, or all from the design pose."""
     count = len(travel)
     before = np.arange(-1, count - 1, dtype=np.int64) if chained else np.full(count, -1, dtype=np.int64)
     pairs = np.ascontiguousarray(np.stack([travel, rack], axis=1))
@@ -156,7 +156,7 @@ def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
 
 
 def _middle(values: Array) -> int:
-    """Index of the value nearest to zero; of two the lower, so that a sweep and its reverse walk alike."""
+    """Index of the value nearest to zero; the lower of two, so that a sweep and its reverse walk alike."""
     return min(range(len(values)), key=lambda i: (abs(values[i]), values[i]))
 
 
@@ -167,7 +167,7 @@ def _chain(values: Array) -> list[int]:
 
 
 def _parents(values: Array) -> list[int]:
-    """Place in the chain that each place continues from."""
+    """Index in the chain from which each index continues."""
     middle = _middle(values)
     up, down = len(values) - 1 - middle, middle
     return [-1, *range(up), *([0, *range(up + 1, up + down)] if down else [])]
@@ -178,18 +178,18 @@ def _parents(values: Array) -> list[int]:
 
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 CarLength = Annotated[float, Unit("m", above=0.0, at_most=30.0)]
-"""A size of a car, m: none is longer, and millimetres taken for metres are."""
+"""A size of a car, m: none is longer; millimetres mistaken for metres are."""
 
 
 class AxleLayout(Description):
-    """The car around a corner, for shares of load transfer that the suspension's geometry carries.
+    """The car around a corner, for the shares of load transfer carried by the suspension's geometry.
 
-    ``axle`` says which one the corner belongs to; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
-    ``brake_share`` is this axle's share of the braking force, of ``brakes`` on the wheels (outboard) or at the body's
-    end of their shafts (inboard). ``drive_share`` is its share of the driving force (a rear axle's is 1 where it is not
-    given, a front axle's 0), over shafts from a motor on the body or, with ``drive = "hub"``, of motors on the wheels.
-    ``mass`` (kg, of the car) adds dive, lift and squat in m at 1 g. ``front_overhang`` (m, of the body
-    ahead of the front wheel centres) and ``body_width`` (m) are for the turn diameter between walls.
+    ``axle`` is the axle of the corner; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
+    ``brake_share`` is this axle's share of the braking force, with ``brakes`` on the wheels (outboard) or at the body's
+    end of their shafts (inboard). ``drive_share`` is its share of the driving force (default: 1 for a rear axle, 0 for
+    a front axle), through shafts from a motor on the body or, with ``drive = "hub"``, from motors on the wheels.
+    ``mass`` (kg, of the car) adds dive, lift and squat in m at 1 g. ``front_overhang`` (m, of the body ahead of the
+    front wheel centres) and ``body_width`` (m) add the turn diameter between walls.
 
     Examples
     --------
@@ -215,7 +215,7 @@ class AxleLayout(Description):
 
     @property
     def effects(self) -> tuple[str, ...]:
-        """Names of its shares: in braking, then in driving where it is driven."""
+        """Names of its shares: in braking, then in driving if it is driven."""
         names = ("anti_dive", "anti_lift") if self.axle == "front" else ("anti_lift", "anti_squat")
         return names if self.driven > 0.0 else names[:1]
 
@@ -232,27 +232,28 @@ _MOVES = {"dive": "sinking", "squat": "sinking", "lift": "rising"}
 
 
 def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Array]:
-    """Shares of load transfer that the geometry carries, 1 being all of it.
+    """Shares of load transfer carried by the geometry, 1 for all of it.
 
-    The transfer acts at the contact patch; ``contact`` and ``centre`` are dx [1] for its rise with the wheel locked: of
-    the patch itself, for torques that the wheel carrier takes (outboard brakes, hub motors), and of the wheel centre,
-    where the force of torques over a shaft reaches the carrier. By virtual work this is what the spring is spared.
+    The transfer acts at the contact patch; ``contact`` and ``centre`` are dx [1] per rise of the patch with the wheel
+    locked: of the patch itself, for torques reacted by the wheel carrier (outboard brakes, hub motors), and of the
+    wheel centre, where the force of torques through a shaft reaches the carrier. By virtual work this relieves the
+    spring.
     """
     lever = vehicle.wheelbase / vehicle.centre_of_mass_height
     way = 1.0 if vehicle.axle == "front" else -1.0
     braked = contact if vehicle.brakes == "outboard" else centre
     driven = contact if vehicle.drive == "hub" else centre
-    found = way * vehicle.brake_share * lever * braked, way * vehicle.driven * lever * driven
-    return dict(zip(vehicle.effects, found, strict=False))
+    values = way * vehicle.brake_share * lever * braked, way * vehicle.driven * lever * driven
+    return dict(zip(vehicle.effects, values, strict=False))
 
 
 def moves_per_g(vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[str, Array]) -> dict[str, Array]:
-    """How far the body goes (m) above this axle at 1 g of braking, and of driving, by springs and tyres."""
+    """Displacement of the body (m) above this axle at 1 g of braking, and of driving, by springs and tyres."""
     if vehicle.mass is None or "wheel_rate_contact" not in rows:
         return {}
     transfer = 0.5 * vehicle.mass * GRAVITY * vehicle.centre_of_mass_height / vehicle.wheelbase  # N, of a wheel
     rate = rows["wheel_rate_contact"]
-    if "heave_rate" in rows:  # what works while both wheels move alike is known where it acts on the wheel centre
+    if "heave_rate" in rows:  # springs that act when both wheels move alike are known at the wheel centre
         force, at_centre = (rows[f"heave_{name}"] - rows[f"wheel_{name}"] for name in ("force", "rate"))
         rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the patch for one of the wheel centre
         growth = rows["motion_ratio_gradient"] - rise**2 * rows["motion_ratio_contact_gradient"]
@@ -267,14 +268,14 @@ def moves_per_g(vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[s
 # ends of travel -------------------------------------------------------------------------------------------------------
 
 
-_MOST_ENDS = 4  # ends of travel that are listed one by one
-_JUST_BEFORE = 0.999  # share of the last step: where the forces of the joints are compared
+_MOST_ENDS = 4  # ends of travel that are listed one by one; more make no message readable
+_JUST_BEFORE = 0.999  # share of the last step at which the forces of the joints are compared
 _HOLDS = 0.25  # share of the largest constraint force from which a joint is named
 
 
 @dataclass(frozen=True)
 class End:
-    """An end of travel: the last pose that can be reached, the one asked for (m), and the joints stretched there."""
+    """An end of travel: the last reachable pose, the requested one (m), and the joints stretched there."""
 
     travel: float
     rack: float
@@ -295,7 +296,7 @@ class End:
 
 
 def ends_text(ends: Sequence[End]) -> str:
-    """Say where a sweep had to stop; of many ends the first."""
+    """Describe where a sweep had to stop; of many ends the first ones."""
     more = f"; and {len(ends) - _MOST_ENDS} more ends of travel" if len(ends) > _MOST_ENDS else ""
     return "; ".join(map(str, ends[:_MOST_ENDS])) + more
 
@@ -306,28 +307,28 @@ def no_pose(ends: Sequence[End]) -> SimulationError:
     return SimulationError(f"no pose of the sweep can be reached{why}", hint="Sweep a smaller range.")
 
 
-def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, found: Found) -> list[End]:
-    """Give the places where a walk had to stop, the first of them with the joints that hold it."""
+def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, poses: Found) -> list[End]:
+    """Places where a walk had to stop, the first of them with the joints that block it."""
     ends: list[End] = []
-    for i in np.flatnonzero(found.outcome == END_OF_TRAVEL):
+    for i in np.flatnonzero(poses.outcome == END_OF_TRAVEL):
         j = int(layout.before[i])
         start = layout.targets[j] if j >= 0 else np.zeros(2)
-        last = start + found.share[i] * (layout.targets[i] - start)
+        last = start + poses.share[i] * (layout.targets[i] - start)
         first = len(ends) < _MOST_ENDS
-        joints = _holding(model, walk, found, int(i), start + _JUST_BEFORE * (last - start)) if first else ()
+        joints = _holding(model, walk, poses, int(i), start + _JUST_BEFORE * (last - start)) if first else ()
         wanted = layout.targets[i]
         ends.append(End(float(last[0]), float(last[1]), float(wanted[0]), float(wanted[1]), joints))
     return ends
 
 
-def _holding(model: KinematicModel, walk: Walk, found: Found, i: int, last: Array) -> tuple[str, ...]:
-    """Joints that take the largest forces just before the end of travel."""
+def _holding(model: KinematicModel, walk: Walk, poses: Found, i: int, last: Array) -> tuple[str, ...]:
+    """Joints with the largest forces just before the end of travel."""
     j = int(walk.before[i])
     tracks = walk.targets.shape[1]
-    near = _to_target(walk, found, j, last[:tracks])
-    again, work = space_for(near, len(model.rows))
-    walk_poses(near, again, work)
-    pose, at = again.poses[:, 0], near.targets[0]
+    near = _to_target(walk, poses, j, last[:tracks])
+    last_poses, work = space_for(near, len(model.rows))
+    walk_poses(near, last_poses, work)
+    pose, at = last_poses.poses[:, 0], near.targets[0]
     if not np.all(np.isfinite(pose)):
         pose, at = near.start, near.origin
     matrix = model.functions["gradient"](pose, at, walk.p, 0.0).full()
@@ -340,9 +341,9 @@ def _holding(model: KinematicModel, walk: Walk, found: Found, i: int, last: Arra
     return tuple(name for name, share in names.items() if share >= _HOLDS * largest > 0.0)
 
 
-def _to_target(walk: Walk, found: Found, j: int, target: Array) -> Walk:
-    """Give the walk from target ``j`` of another one to a target of its own."""
-    start, origin = (found.poses[:, j], walk.targets[j]) if j >= 0 else (walk.start, walk.origin)
+def _to_target(walk: Walk, poses: Found, j: int, target: Array) -> Walk:
+    """The walk from target ``j`` of another walk to a given target."""
+    start, origin = (poses.poses[:, j], walk.targets[j]) if j >= 0 else (walk.start, walk.origin)
     return walk._replace(
         start=np.ascontiguousarray(start),
         origin=np.ascontiguousarray(origin),
@@ -353,34 +354,34 @@ def _to_target(walk: Walk, found: Found, j: int, target: Array) -> Walk:
 
 # toggles --------------------------------------------------------------------------------------------------------------
 
-_TOGGLE = 3.0  # times the speed at design from which a mechanism is said to be near a toggle
+_TOGGLE = 3.0  # times the speed at design beyond which a toggle is reported
 _TRACKS = ("wheel travel", "rack travel")
 
 
 def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
-    """Say where the last run of a sweep came near a toggle: the first pose of each side at which it runs away.
+    """Report where the last run of a sweep came near a toggle: the first pose of each side with runaway speed.
 
     Near a toggle the loops are ill conditioned: parts move many times as fast for the same travel (or rack) as at the
-    pose that the sweep started from, and beyond it the mechanism locks. The same holds for the spring.
+    start of the sweep, and beyond it the mechanism locks. The same holds for the spring.
     """
-    found, tracks = sweep.found, sweep.walk.targets.shape[1]
-    reached = found.outcome == REACHED
+    poses, tracks = sweep.found, sweep.walk.targets.shape[1]
+    reached = poses.outcome == REACHED
     if not reached[0]:
         return []
     size, names = len(sweep.walk.start), [row.name for row in sweep.model.rows]
     speeds = {
-        ("kinematics.parts_toggle", _TRACKS[t]): np.max(np.abs(found.slopes[t * size : (t + 1) * size]), axis=0)
+        ("kinematics.parts_toggle", _TRACKS[t]): np.max(np.abs(poses.slopes[t * size : (t + 1) * size]), axis=0)
         for t in range(tracks)
     }
     if "motion_ratio" in names:
-        speeds["kinematics.spring_toggles", ""] = np.abs(found.outputs[names.index("motion_ratio")])
+        speeds["kinematics.spring_toggles", ""] = np.abs(poses.outputs[names.index("motion_ratio")])
     findings = []
     for (code, track), speed in speeds.items():
         for side in (1.0, -1.0):
-            away = side * sweep.layout.targets.sum(axis=1)
-            near = reached & (away > 0.0) & (speed > _TOGGLE * speed[0]) & (speed[0] > 0.0)
+            distance = side * sweep.layout.targets.sum(axis=1)
+            near = reached & (distance > 0.0) & (speed > _TOGGLE * speed[0]) & (speed[0] > 0.0)
             if near.any():
-                i = int(np.flatnonzero(near)[np.argmin(away[near])])
+                i = int(np.flatnonzero(near)[np.argmin(distance[near])])
                 travel, rack = sweep.layout.targets[i]
                 at = f"wheel travel {1e3 * travel:.4g} mm" + (f", rack travel {1e3 * rack:.4g} mm" if rack else "")
                 share = float(speed[i] / speed[0])
@@ -393,7 +394,7 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
 
 @dataclass(frozen=True)
 class PreparedSweep:
-    """A sweep of a corner with everything laid out: ``run`` only computes, as often as wanted."""
+    """A prepared sweep of a corner: ``run`` only computes, any number of times."""
 
     rig: Corner
     model: KinematicModel
@@ -403,22 +404,22 @@ class PreparedSweep:
     work: Work
 
     def run(self) -> Array:
-        """Compute all poses; give the quantities, shape (rows, travels, racks), NaN where out of reach."""
+        """Compute all poses; return the quantities, shape (rows, travels, racks), NaN out of reach."""
         walk_poses(self.walk, self.found, self.work)
         return self.in_place(self.found.outputs, self.found.outcome == REACHED)
 
     def quantities(self) -> dict[str, Array]:
-        """Compute all poses; give each quantity by name, shape (travels, racks)."""
+        """Compute all poses; return each quantity by name, shape (travels, racks)."""
         return {row.name: value for row, value in zip(self.model.rows, self.run(), strict=True)}
 
     def in_place(self, values: Array, reached: NDArray[np.bool_]) -> Array:
-        """Bring values of the walk, shape (rows, targets), into the order of the grid."""
+        """Reorder values of the walk, shape (rows, targets), to the order of the grid."""
         ordered = np.full((len(values), len(self.layout.place)), np.nan)
         ordered[:, self.layout.place[reached]] = values[:, reached]
         return ordered.reshape(len(values), *self.layout.shape)
 
     def points(self) -> dict[str, Array]:
-        """Places of all points in the last run, ``<name>.x`` and so on, m, shape (travels, racks)."""
+        """Coordinates of all points in the last run, ``<name>.x`` and so on, m, shape (travels, racks)."""
         names, native = self.model.point_names, self.model.points
         reached = self.found.outcome == REACHED
         places = np.full((3 * len(names), len(reached)), np.nan)
@@ -429,14 +430,14 @@ class PreparedSweep:
         return dict(zip(keys, self.in_place(places, reached), strict=True))
 
     def ends(self) -> list[End]:
-        """Where the last run had to stop."""
+        """Ends of travel of the last run."""
         return ends_of_travel(self.model, self.walk, self.layout, self.found)
 
 
 def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> PreparedSweep:
-    """Lay out a sweep of a corner over travel (m, bump positive) and rack travel (m, positive to the left), in order.
+    """Prepare a sweep of a corner over travel (m, bump positive) and rack travel (m, positive to the left), in order.
 
-    The rack stands where the description says by default.
+    The rack is at the description's position by default.
 
     >>> import jounce as jn
     >>> sweep = prepare_sweep(jn.load("reference-double-wishbone"), [-0.04, 0.0, 0.04])
@@ -480,10 +481,10 @@ def sweep_travel(
     vehicle: AxleLayout | None = None,
     points: bool = False,
 ) -> xr.Dataset:
-    """Sweep the wheel of a corner up and down: the whole catalogue of kinematic quantities at each pose.
+    """Sweep the wheel of a corner up and down: all kinematic quantities of the catalogue at each pose.
 
-    Poses are exact to rounding and derivatives come from the joints' equations, not from differences. Masses, gravity
-    and tyres do not matter: travel is that of the wheel centre against the body, from the hardpoints as given.
+    Poses are exact to rounding, and derivatives come from the joints' equations, not from differences. Masses, gravity
+    and tyres have no effect: travel is that of the wheel centre against the body, from the hardpoints as given.
 
     Parameters
     ----------
@@ -503,18 +504,18 @@ def sweep_travel(
     Returns
     -------
     xarray.Dataset
-        One variable a quantity on ``wheel_travel`` (m), and ``rack_travel`` (m) where several were given; each with
-        ``units``, ``long_name``, ``sign`` and ``clause``. ``attrs["status"]`` is "completed", or "end_of_travel" when
-        the mechanism could not go on: poses beyond are left out (NaN where a pair is out of reach) and
-        ``attrs["stopped"]`` says where and why. ``attrs["findings"]`` says where a
-        toggle is near: where parts or spring move three times as fast as at the start of the sweep.
+        One variable for each quantity on ``wheel_travel`` (m), and ``rack_travel`` (m) if several were given; each with
+        ``units``, ``long_name``, ``sign`` and ``clause``. ``attrs["status"]`` is "completed", or "end_of_travel" if the
+        mechanism could not go on: poses beyond are left out (NaN for a pair out of reach), and ``attrs["stopped"]``
+        says where and why. ``attrs["findings"]`` reports toggles: parts or spring that move three times as fast as at
+        the start of the sweep.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, a rack that moves nothing, or values that go to and fro.
+        If a rig has no hardpoints or no rack to move, or values are not monotonic.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -554,14 +555,14 @@ def sweep_rack(
     Returns
     -------
     xarray.Dataset
-        As :func:`sweep_travel`, on ``rack_travel`` (m).
+        As from :func:`sweep_travel`, on ``rack_travel`` (m).
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints or rack, or values that go to and fro.
+        If a rig has no hardpoints or rack, or values are not monotonic.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -582,7 +583,7 @@ def sweep_path(
     vehicle: AxleLayout | None = None,
     points: bool = False,
 ) -> xr.Dataset:
-    """Sweep a corner along a path of pairs of wheel travel and rack travel, as a table or a measured log has them.
+    """Sweep a corner along a path of pairs of wheel travel and rack travel, as in a table or a measured log.
 
     Parameters
     ----------
@@ -590,7 +591,7 @@ def sweep_path(
         A corner with hardpoints.
     travel, rack : sequence of float or str, or array_like, shape (n,)
         Travel of the wheel centre from design (m, bump positive) and of the rack (m, positive to the left), pose by
-        pose, in any order; one value of them for all poses will do.
+        pose, in any order; one value for all poses is allowed.
     vehicle : AxleLayout, optional
         Adds anti-dive, or anti-lift and anti-squat.
     points : bool
@@ -599,15 +600,15 @@ def sweep_path(
     Returns
     -------
     xarray.Dataset
-        As :func:`sweep_travel`, on ``pose`` (numbers from 0) with ``wheel_travel`` and ``rack_travel`` (m) beside it;
-        NaN where a pair is out of reach.
+        As from :func:`sweep_travel`, on ``pose`` (numbers from 0) with ``wheel_travel`` and ``rack_travel`` (m) as
+        further coordinates; NaN for a pair out of reach.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, a rack that moves nothing, or values of different lengths.
+        If a rig has no hardpoints or no rack to move, or values have different lengths.
     SimulationError
-        When no pose at all can be reached.
+        If no pose can be reached.
 
     Examples
     --------
@@ -623,32 +624,33 @@ def sweep_path(
     if np.any(pair[1] != 0.0):
         check_rack(corner, "0, or a corner with a tie rod")
     if len({len(values) for values in pair if len(values) > 1}) > 1:
-        raise DescriptionError("not as many racks as travels", where="rack travel", found=[len(one) for one in pair])
+        counts = [len(values) for values in pair]
+        raise DescriptionError("not as many racks as travels", where="rack travel", found=counts)
     both = np.broadcast_arrays(*pair)
-    sweep, values = path_sweep(corner, *both)
+    sweep, quantities = path_sweep(corner, *both)
     ends = sweep.ends() if np.any(sweep.found.outcome != REACHED) else []
-    if not np.isfinite(values[0]).any():
+    if not np.isfinite(quantities[0]).any():
         raise no_pose(ends)
-    found = Variables()
-    for row, value in zip(sweep.model.rows, values, strict=True):
-        found.add(row.name, value, row.unit, row.long_name, row.sign, row.clause)
-    _add_further(found, sweep, vehicle, points=points, keep=...)
+    variables_by_name = SweepVariables()
+    for row, value in zip(sweep.model.rows, quantities, strict=True):
+        variables_by_name.add(row.name, value, row.unit, row.long_name, row.sign, row.clause)
+    _add_further(variables_by_name, sweep, vehicle, points=points, keep=...)
     variables = {
-        name: xr.Variable(("pose",), value[:, 0], found.attributes[name], fastpath=True)
-        for name, value in found.values.items()
+        name: xr.Variable(("pose",), value[:, 0], variables_by_name.attributes[name], fastpath=True)
+        for name, value in variables_by_name.values.items()
         if name not in ("wheel_travel", "rack_travel")
     }
     axes: list[_Axis] = [("pose", "pose", np.arange(len(both[0]), dtype=float).tobytes(), ())]
-    for name, one in zip(("wheel_travel", "rack_travel"), both, strict=True):
-        axes.append((name, "pose", one.tobytes(), (("units", "m"), ("long_name", name.replace("_", " ")))))
-    facts = facts_of(corner, corner.side, found.values["wheel_travel"], ends)
+    for name, values in zip(("wheel_travel", "rack_travel"), both, strict=True):
+        axes.append((name, "pose", values.tobytes(), (("units", "m"), ("long_name", name.replace("_", " ")))))
+    facts = facts_of(corner, corner.side, variables_by_name.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
     return dataset(variables, _axes(*axes), facts)
 
 
 def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None = None) -> tuple[PreparedSweep, Array]:
-    """Run a sweep along pairs (m), and give it with its quantities, shape (rows, n, 1); ``numbers`` as in the model."""
-    for chained in (True, False):  # what lies behind a pair out of reach is reached from design
+    """Run a sweep along pairs (m); return it with its quantities, shape (rows, n, 1); ``numbers`` as in the model."""
+    for chained in (True, False):  # pairs after one out of reach are reached from design
         sweep = _laid_out(corner, path_grid(travel, rack, chained=chained))
         if numbers is not None:
             sweep.walk.p[:] = numbers
@@ -672,29 +674,29 @@ def path_values(values: Values, name: str, unit: str = "m") -> Array:
 
 
 def _add_further(
-    found: Variables, sweep: PreparedSweep, vehicle: AxleLayout | None, *, points: bool, keep: Any
+    variables: SweepVariables, sweep: PreparedSweep, vehicle: AxleLayout | None, *, points: bool, keep: Any
 ) -> None:
-    """Add what only some sweeps have: shares of load transfer, places of points."""
+    """Add optional variables: shares of load transfer, coordinates of points."""
     if vehicle is not None:
-        slopes = (found.values["contact_patch_recession"], found.values["wheel_centre_recession"])
+        slopes = (variables.values["contact_patch_recession"], variables.values["wheel_centre_recession"])
         taken = shares(vehicle, *slopes)
         for name, share in taken.items():
-            found.add(name, share, "1", _ANTI_EFFECTS[vehicle.axle, name], _ANTI_SIGN)
+            variables.add(name, share, "1", _ANTI_EFFECTS[vehicle.axle, name], _ANTI_SIGN)
         for (name, move), when in zip(
-            moves_per_g(vehicle, found.values, taken).items(), ("braking", "driving"), strict=False
+            moves_per_g(vehicle, variables.values, taken).items(), ("braking", "driving"), strict=False
         ):
-            way = _MOVES[name.partition("_")[0]]
-            text = f"{way} of the body above this axle at 1 g of {when}, springs and tyres together"
-            found.add(name, move, "m", text, f"positive: {way}")
+            direction = _MOVES[name.partition("_")[0]]
+            text = f"{direction} of the body above this axle at 1 g of {when}, springs and tyres together"
+            variables.add(name, move, "m", text, f"positive: {direction}")
     if points:
         for name, value in sweep.points().items():
-            found.add(name, value[keep], "m", f"place of {name}", "ground axes")
+            variables.add(name, value[keep], "m", f"place of {name}", "ground axes")
 
 
 def _swept(
     sweep: PreparedSweep, along_rack: bool, along_travel: bool, vehicle: AxleLayout | None, points: bool
 ) -> xr.Dataset:
-    """Run a sweep and put its quantities on their grid; a dimension that was not swept is a scalar coordinate."""
+    """Run a sweep and put its quantities on their grid; a fixed dimension becomes a scalar coordinate."""
     import xarray as xr
 
     values = sweep.run()
@@ -704,24 +706,25 @@ def _swept(
         raise no_pose(ends)
     some = (np.flatnonzero(reached.any(axis=1)), np.flatnonzero(reached.any(axis=0)))
     keep = ... if reached.all() else np.ix_(*some)  # a view costs less than a copy
-    found = Variables()
+    variables_by_name = SweepVariables()
     for row, value in zip(sweep.model.rows, values, strict=True):
-        found.add(row.name, value[keep], row.unit, row.long_name, row.sign, row.clause)
-    _add_further(found, sweep, vehicle, points=points, keep=keep)
+        variables_by_name.add(row.name, value[keep], row.unit, row.long_name, row.sign, row.clause)
+    _add_further(variables_by_name, sweep, vehicle, points=points, keep=keep)
     along = {"wheel_travel": along_travel, "rack_travel": along_rack}
     dimensions = tuple(name for name, swept in along.items() if swept)
     at = tuple(slice(None) if swept else 0 for swept in along.values())
     coordinates = []
     for i, (name, swept) in enumerate(along.items()):
-        if name in found.values:
-            axis = np.nanmax(found.values[name], axis=1 - i)
-            coordinates.append((name, name if swept else "", axis.tobytes(), tuple(found.attributes[name].items())))
+        if name in variables_by_name.values:
+            axis = np.nanmax(variables_by_name.values[name], axis=1 - i)
+            attributes = tuple(variables_by_name.attributes[name].items())
+            coordinates.append((name, name if swept else "", axis.tobytes(), attributes))
     variables = {
-        name: xr.Variable(dimensions, value[at], found.attributes[name], fastpath=True)
-        for name, value in found.values.items()
+        name: xr.Variable(dimensions, value[at], variables_by_name.attributes[name], fastpath=True)
+        for name, value in variables_by_name.values.items()
         if name not in along
     }
-    facts = facts_of(sweep.rig, sweep.rig.side, found.values["wheel_travel"], ends)
+    facts = facts_of(sweep.rig, sweep.rig.side, variables_by_name.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
     return dataset(variables, _axes(*coordinates), facts)
 
@@ -731,18 +734,18 @@ _Axis = tuple[str, str, bytes, tuple[tuple[str, str], ...]]
 
 @lru_cache(32)
 def _axes(*coordinates: _Axis) -> xr.Dataset:
-    """Axes of a sweep: of each its name, the dimension it lies along (none: one value), its values and attributes."""
+    """Axes of a sweep: name, dimension (empty for a single value), values and attributes of each."""
     import xarray as xr
 
-    made: dict[str, Any] = {}
+    coordinates_of: dict[str, Any] = {}
     for name, along, content, attributes in coordinates:
         values = np.frombuffer(content).copy()
         values = values.astype(int) if name == "pose" else values
-        made[name] = xr.Variable(along or (), values if along else values[0], dict(attributes))
-    return xr.Dataset(coords=made)
+        coordinates_of[name] = xr.Variable(along or (), values if along else values[0], dict(attributes))
+    return xr.Dataset(coords=coordinates_of)
 
 
-class Variables:
+class SweepVariables:
     """Variables of a sweep by name, each with its attributes."""
 
     def __init__(self) -> None:
@@ -750,7 +753,7 @@ class Variables:
         self.attributes: dict[str, dict[str, str]] = {}
 
     def add(self, name: str, value: Array, unit: str, long_name: str, sign: str, clause: str = "") -> None:
-        """Add a variable; ``sign`` says what a positive value means."""
+        """Add a variable; ``sign`` is the meaning of a positive value."""
         self.values[name] = value
         self.attributes[name] = {"units": unit, "long_name": long_name, "sign": sign}
         if clause:
@@ -758,7 +761,7 @@ class Variables:
 
 
 def facts_of(rig: Corner, side: str, swept: Array, ends: Sequence[End]) -> dict[str, Any]:
-    """Attributes of a sweep: what was swept, how far it came, and where it had to stop."""
+    """Attributes of a sweep: its corner, its range, and where it had to stop."""
     return {
         "model": str(getattr(rig, "model", "")),
         "side": side,
@@ -777,9 +780,9 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     Parameters
     ----------
     sweep : xarray.Dataset
-        As :func:`sweep_travel` and its relatives give it.
+        As returned by :func:`sweep_travel` and related functions.
     path : Path or str
-        ``.nc`` for netCDF-4 with all attributes; ``.csv`` for one row a pose with ``name [unit]`` headers, SI.
+        ``.nc`` for netCDF-4 with all attributes; ``.csv`` for one row per pose with ``name [unit]`` headers, SI.
     force : bool
         Overwrite an existing file.
 
@@ -791,7 +794,7 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
+        If a file exists and ``force`` is not set, a folder is missing, or the suffix is another.
 
     Examples
     --------
@@ -812,7 +815,7 @@ def _write_netcdf(sweep: xr.Dataset, file: Path) -> None:
 
 
 def _write_csv(sweep: xr.Dataset, file: Path) -> None:
-    """One row a pose; values that do not exist (out of reach, at infinity) stay empty."""
+    """One row per pose; missing values (out of reach, at infinity) stay empty."""
     names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
     sizes = {str(name): size for name, size in sweep.sizes.items()}
     columns = [_on_grid(sweep[name].variable, sizes) for name in names]
@@ -826,4 +829,4 @@ def _on_grid(variable: Any, sizes: dict[str, int]) -> list[float]:
 
 
 SWEEP_FILES = Formats("sweeps", {".nc": _write_netcdf, ".csv": _write_csv})
-"""Formats that sweeps are written in."""
+"""Formats of sweep files."""

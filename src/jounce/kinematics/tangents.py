@@ -1,4 +1,4 @@
-"""Slopes of every row of the catalogue, or of places, along changes of the description: exact, at all poses at once."""
+"""Slopes of all rows of the catalogue, or of places, along changes of the description: exact, at all poses at once."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _MANY = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)
 
 
 class Tangents:
-    """Slopes at the poses of a sweep, whose last run they belong to.
+    """Slopes at the poses of the last run of a sweep.
 
-    ``directions`` (tracks and parameters, n) holds in each column how travel and rack (m) and the numbers of the
-    model's ``parameters`` change; the loops stay closed. ``places`` asks for those of the model's ``points`` (x, y, z
-    of each), camber and steer in place of the rows.
+    ``directions`` (tracks and parameters, n) has in each column the change of travel and rack (m) and of the model's
+    ``parameters``; the loops stay closed. With ``places`` the slopes are those of the model's ``points`` (x, y, z of
+    each), camber and steer, in place of the rows.
     """
 
     def __init__(self, sweep: PreparedSweep, directions: Array, *, places: bool = False) -> None:
@@ -33,15 +33,15 @@ class Tangents:
 
     @cached_property
     def _evaluate(self) -> ctypes._FuncPointer:
-        model = self.sweep.model  # which holds the code
+        model = self.sweep.model  # keeps the code alive
         return _MANY((model.place_tangents if self._places else model.tangents).address["output"])
 
     def run(self) -> Array:
-        """Compute the slopes, shape (rows, directions, targets of the walk), NaN where a pose is out of reach."""
-        found, walk = self.sweep.found, self.sweep.walk
+        """Compute the slopes, shape (rows, directions, targets of the walk), NaN for a pose out of reach."""
+        poses, walk = self.sweep.found, self.sweep.walk
         size, samples = len(walk.start), self.count * self.poses
-        self._states[:size] = found.poses[:, None, :]
-        inputs = np.ascontiguousarray(np.tile(found.inputs, (1, self.count)))
+        self._states[:size] = poses.poses[:, None, :]
+        inputs = np.ascontiguousarray(np.tile(poses.inputs, (1, self.count)))
         arrays = (self._states, inputs, walk.p, np.zeros(1), self._out)
         self._evaluate(*(array.__array_interface__["data"][0] for array in arrays), samples, 0, samples)
-        return np.where(found.outcome == REACHED, self._out, np.nan)
+        return np.where(poses.outcome == REACHED, self._out, np.nan)

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-_MOST_RESULTS = 200_000_000  # numbers in one result
+_MOST_RESULTS = 200_000_000  # numbers in one result, 1.6 GB
 Changes = Mapping[str, Sequence[float | str] | Sequence[Sequence[float | str]] | Array]
-"""Path of a number, or of a point, to its value in each variant."""
+"""Value of a parameter, or place of a point, in each variant, by path."""
 
 
 def sweep_variants(
@@ -50,34 +50,34 @@ def sweep_variants(
     rig : Rig
         The corner that all variants start from.
     changes : mapping of str to array_like, shape (k,) or (k, 3), or DataFrame
-        Path of a number of the description to its value in each variant, or of a point (``"hardpoints.tie_rod_inner"``)
-        to its places; SI or texts with units; all of one length.
+        Value of a parameter of the description in each variant by path, or of a point
+        (``"hardpoints.tie_rod_inner"``) its places; SI or texts with units; all of one length.
     travel : float, str or array_like, shape (n,), optional
-        Vertical travel of the wheel centre from design, m, bump positive, monotonic; 0 where it is not given.
+        Vertical travel of the wheel centre from design, m, bump positive, monotonic; 0 by default.
     rack : float, str or array_like, shape (m,), optional
         Travel of the rack, m, positive to the left; the description's own by default. Several values give every pair
         of travel and rack.
     roll : float, str or array_like, shape (r,), optional
-        Roll angle of the body, rad: the axle is swept as by :func:`sweep_roll`, and there is no travel.
+        Roll angle of the body, rad: the axle is swept as by :func:`sweep_roll`, without travel.
     axle : bool
         The axle is steered over ``rack`` as by :func:`sweep_steering`, at one travel.
     vehicle : AxleLayout, optional
         With ``axle`` adds Ackermann and turn diameters.
     quantities : sequence of str, optional
-        Which are kept, of the catalogue or of the axle (``"roll_centre_height"``, ``"left.camber"``); all by default.
+        Quantities to keep, of the catalogue or of the axle (``"roll_centre_height"``, ``"left.camber"``); default all.
 
     Returns
     -------
     xarray.Dataset
         Quantities on ``variant`` and ``wheel_travel`` (m), ``rack_travel`` (m) or ``roll_angle`` (rad), whichever is
-        swept; the changed numbers are coordinates along ``variant``. NaN where a variant cannot reach a pose;
-        ``reached`` tells how many poses each of them reached.
+        swept; the changed parameters are coordinates along ``variant``. NaN for poses that a variant cannot reach;
+        ``reached`` is the number of reached poses of each variant.
 
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, unknown paths or names, values that are not finite or of different lengths, or
-        sweeps that do not go together.
+        If a rig has no hardpoints, paths or names are unknown, values are not finite or of different lengths, or sweeps
+        exclude each other.
 
     Examples
     --------
@@ -124,8 +124,8 @@ def _of_wheel(
             variables[row.name] = xr.Variable(("variant", *along), value.reshape(shape), attributes)
     at = (np.unique(sweep.layout.targets[:, i]) for i in range(len(along)))
     coordinates = {
-        name: xr.Variable((name,), one, {"units": "m", "long_name": name.replace("_", " ")})
-        for name, one in zip(along, at, strict=True)
+        name: xr.Variable((name,), values, {"units": "m", "long_name": name.replace("_", " ")})
+        for name, values in zip(along, at, strict=True)
     }
     return _together(rig, variables, coordinates, columns, np.isfinite(out[0]).sum(axis=1))
 
@@ -151,12 +151,12 @@ def _of_axle(
     else:
         at = sweep_values(roll, "roll", "rad")
         check_roll(at, "roll")
-    turned = 0.0 if rack is None or roll is None else _one(rack, "rack travel")
+    rack_of_roll = 0.0 if rack is None or roll is None else _one(rack, "rack travel")
 
     def of(numbers: Array) -> AxleVariables:
         axle = Axle(rig, numbers)
         if roll is not None:
-            return rolled(axle, at, turned)
+            return rolled(axle, at, rack_of_roll)
         return steering_rows(axle, axle.wheel(1.0, lifted, at), axle.wheel(-1.0, lifted, at), at, vehicle)
 
     first = of(kinematic_model(rig).parameter_values(rig))
@@ -170,11 +170,11 @@ def _of_axle(
     reached = np.zeros(len(parameters), dtype=np.int64)
     for k, numbers in enumerate(parameters):
         try:
-            found = of(numbers)
-        except SimulationError:  # no pose of this one can be reached
+            axle_variables = of(numbers)
+        except SimulationError:  # this variant reaches no pose
             continue
-        out[:, k] = [found.values[name] for name in names]
-        both = found.values["left.wheel_travel"] + found.values["right.wheel_travel"]
+        out[:, k] = [axle_variables.values[name] for name in names]
+        both = axle_variables.values["left.wheel_travel"] + axle_variables.values["right.wheel_travel"]
         reached[k] = int(np.isfinite(both).sum())
     variables = {
         name: xr.Variable(("variant", first.along), value, first.attributes[name])
@@ -196,17 +196,17 @@ def _together(
 
     for path, column in columns.items():
         coordinates[path] = xr.Variable(("variant",), column, {"units": unit_of(rig, path), "long_name": path})
-    found = xr.Dataset(variables, coordinates, {"model": str(getattr(rig, "model", ""))})
-    return found.assign(reached=("variant", reached, {"units": "1", "long_name": "poses"}))
+    result = xr.Dataset(variables, coordinates, {"model": str(getattr(rig, "model", ""))})
+    return result.assign(reached=("variant", reached, {"units": "1", "long_name": "poses"}))
 
 
 def _one(values: Values, name: str) -> float:
-    """A value where only one can be had."""
+    """A single value where only one is allowed."""
     if isinstance(values, str) or np.ndim(np.asarray(values, dtype=object)):
-        found = sweep_values(values, name)
-        if len(found) > 1:
-            raise DescriptionError("only a single value can be used here", where=name, found=f"{len(found)} values")
-        return float(found[0])
+        read = sweep_values(values, name)
+        if len(read) > 1:
+            raise DescriptionError("only a single value can be used here", where=name, found=f"{len(read)} values")
+        return float(read[0])
     return to_si(values, "m", where=name)
 
 
@@ -216,7 +216,7 @@ def _refuse_many(count: int) -> None:
 
 
 def _parameters(sweep: PreparedSweep, rig: Corner, changes: Changes) -> tuple[Array, dict[str, Array]]:
-    """Numbers of all variants, shape (k, parameters), and the columns that were changed, by path."""
+    """Numbers of all variants, shape (k, parameters), and the changed columns by path."""
     columns = _changed(sweep.model, rig, changes)
     parameters = np.tile(sweep.walk.p, (len(next(iter(columns.values()))), 1))
     for path, column in columns.items():
@@ -229,8 +229,8 @@ def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, 
     if not changes:
         raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
     known = rig.parameters()
-    found: dict[str, Array] = {}
-    for path, given in changes.items():
+    columns: dict[str, Array] = {}
+    for path, values in changes.items():
         parts = [path] if path in known else [f"{path}[{i}]" for i in range(3)]
         if parts[-1] not in known:
             raise unknown_path(path, known)
@@ -240,12 +240,12 @@ def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, 
             )
         where = f"changes: {path}"
         if len(parts) == 1:
-            read = [as_values(given, unit_of(rig, path), where=where)]
+            read = [as_values(values, unit_of(rig, path), where=where)]
         else:
-            read = _places(given, where)
+            read = _places(values, where)
         for part, column in zip(parts, read, strict=True):
             if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
-                raise DescriptionError("not a list of finite numbers", where=where, found=str(given)[:60])
+                raise DescriptionError("not a list of finite numbers", where=where, found=str(values)[:60])
             far = float(np.max(np.abs(column)))
             if part.startswith("hardpoints.") and far > LARGE:
                 raise DescriptionError(
@@ -255,13 +255,13 @@ def _changed(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, 
                     allowed=f"up to {LARGE:g} m",
                     hint='Millimetres meant? Write "65 mm", or divide by 1000.',
                 )
-            if part in found:
+            if part in columns:
                 raise DescriptionError("given twice, as a point and as one of its numbers", where=f"changes: {part}")
-            found[part] = column
-    lengths = {len(column) for column in found.values()}
+            columns[part] = column
+    lengths = {len(column) for column in columns.values()}
     if len(lengths) > 1:
         raise DescriptionError("the changes have different lengths", where="changes", found=sorted(lengths))
-    return found
+    return columns
 
 
 def _places(given: object, where: str) -> list[Array]:

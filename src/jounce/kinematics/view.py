@@ -1,7 +1,7 @@
-"""A corner as its quantities see it: positions and velocities in the axes of a left wheel, derivatives along travel.
+"""A corner as its quantities need it: positions and velocities in the axes of a left wheel, derivatives by travel.
 
-Right-hand corners are mirrored in y first, so that every formula is written once, for a left wheel; ``side`` brings
-back what belongs to the ground's axes. All expressions are functions of the pose alone once the model is bound.
+Right-hand corners are mirrored in y first, so that every formula is written once, for a left wheel; ``side`` converts
+back to ground axes. All expressions are functions of the pose alone once the model is bound.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ from jounce.models.attachments import (
 from jounce.models.linkage import Line, Linkage
 
 _UP = ca.SX([0.0, 0.0, 1.0])
-_TINY = 1e-12  # m/s: on either side of rest
+_TINY = 1e-12  # m/s: on either side of rest, for one-sided slopes
 
 
 @dataclass(frozen=True)
 class Axis:
-    """A line: one point, and its direction (pointing up)."""
+    """A line: a point, and its direction (pointing up)."""
 
     point: ca.SX
     along: ca.SX
@@ -51,7 +51,7 @@ class Axis:
         return self.point + self.along * ((z - self.point[2]) / self.along[2])
 
     def leads(self, point: ca.SX) -> ca.SX:
-        """How far the line lies ahead of (x), and inboard of (-y), a point of its height; horizontal, shape (2,)."""
+        """Lead of the line ahead of (x), and inboard of (-y), a point at its height; horizontal, shape (2,)."""
         return (self.at_height(point[2]) - point)[:2]
 
 
@@ -63,7 +63,7 @@ class Screw:
     speed: ca.SX
 
     def with_share(self, share: ca.SX, other: Screw) -> Screw:
-        """Give the motion to which a share of another one is added."""
+        """The motion plus a share of another one."""
         return Screw(self.turn + share * other.turn, self.speed + share * other.speed)
 
     @property
@@ -72,7 +72,7 @@ class Screw:
         return ca.dot(self.turn, self.speed) / ca.dot(self.turn, self.turn)
 
     def axis(self, centre: ca.SX) -> Axis:
-        """Axis of the motion, of a wheel centre that is there."""
+        """Axis of the motion, for a given wheel centre."""
         point = centre + ca.cross(self.turn, self.speed) / ca.dot(self.turn, self.turn)
         return Axis(point, self.turn * ca.sign(self.turn[2]))
 
@@ -86,11 +86,11 @@ class Elastic:
 
 
 def steering_screw(rack: Screw, travel: Screw) -> Screw:
-    """Motion of rack and travel that is a pure turn, and of two the one with less travel; else that of least pitch.
+    """Combine rack and travel to a pure turn, of two the one with less travel; otherwise to a screw of least pitch.
 
-    With a share t of travel in it, the pitch has the numerator a t^2 + b t + c. Its root of the smaller size is the
-    turn about the ball joints, where there are some; where it has none, the pitch is least at one of its extremes,
-    which are the roots of (aB - bA) t^2 + 2 (aC - cA) t + (bC - cB), the denominator being A t^2 + B t + C.
+    With a share t of travel, the numerator of the pitch is a t^2 + b t + c. Its root of smaller size is the turn about
+    the ball joints, if there are some; without a root the pitch is least at one of its extremes, which are the roots of
+    (aB - bA) t^2 + 2 (aC - cA) t + (bC - cB), with the denominator A t^2 + B t + C.
     """
 
     def turn(screw: Screw) -> ca.SX:
@@ -110,8 +110,9 @@ def steering_screw(rack: Screw, travel: Screw) -> Screw:
     steep, level, flat = a * mixed - b * square, a * free - c * square, b * free - c * mixed
     first = _smaller_root(2.0 * level, flat, ca.fmax(4.0 * (level**2 - steep * flat), 0.0))
     second = -2.0 * level / steep - first
-    one, other = (rack.with_share(share, travel).pitch ** 2 for share in (first, second))
-    return rack.with_share(ca.if_else(under >= 0.0, pure, ca.if_else(other < one, second, first)), travel)
+    first_pitch, second_pitch = (rack.with_share(share, travel).pitch ** 2 for share in (first, second))
+    least = ca.if_else(second_pitch < first_pitch, second, first)
+    return rack.with_share(ca.if_else(under >= 0.0, pure, least), travel)
 
 
 def caster_of(axis: Axis) -> ca.SX:
@@ -120,19 +121,19 @@ def caster_of(axis: Axis) -> ca.SX:
 
 
 def _slope_at_rest(force: ca.SX, velocity: ca.SX) -> ca.SX:
-    """Slope of a damper's force at rest, in the mean of both directions."""
+    """Slope of a damper's force at rest, the mean of both directions."""
     slope = ca.jacobian(force, velocity)
     return 0.5 * (ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY)))
 
 
-def _angle(one: ca.SX, other: ca.SX) -> ca.SX:
+def _angle(first: ca.SX, second: ca.SX) -> ca.SX:
     """Angle between two directions, rad."""
-    across = ca.cross(one, other)
-    return ca.atan2(ca.sqrt(ca.dot(across, across)), ca.dot(one, other))
+    across = ca.cross(first, second)
+    return ca.atan2(ca.sqrt(ca.dot(across, across)), ca.dot(first, second))
 
 
 def _smaller_root(b: ca.SX, c: ca.SX, discriminant: ca.SX) -> ca.SX:
-    """Root of the smaller size of a quadratic, whose last two coefficients are b and c; free of cancellation."""
+    """Root of smaller size of a quadratic whose last two coefficients are b and c; free of cancellation."""
     half = b + ca.copysign(ca.sqrt(discriminant), b)
     return ca.if_else(c == 0.0, 0.0, -2.0 * c / half)
 
@@ -141,7 +142,7 @@ class CornerView:
     """Positions (m) and their rates for a unit rate of travel, in the axes of a left wheel.
 
     The suspension's body is fixed. ``steered`` replaces the speeds in an expression by those of a unit rate of the
-    rack; it and the rack are None where there is none.
+    rack; it and the rack are None without a rack.
     """
 
     def __init__(
@@ -160,11 +161,11 @@ class CornerView:
     # derivatives -----------------------------------------------------------------------------------------------
 
     def slope(self, expression: ca.SX) -> ca.SX:
-        """Derivative along travel, also of what is a derivative itself."""
+        """Derivative by travel, also of derivatives."""
         return self.mechanism.derivative(expression)
 
     def by_rack(self, expression: ca.SX) -> ca.SX:
-        """Derivative along the rack's travel, with the wheel centre at its height."""
+        """Derivative by rack travel, at constant height of the wheel centre."""
         assert self._steered is not None
         return self._steered(self.mechanism.rate_of(expression))
 
@@ -182,7 +183,7 @@ class CornerView:
 
     @cached_property
     def spin(self) -> ca.SX:
-        """Angular velocity of the upright; a mirror turns its components across y round."""
+        """Angular velocity of the upright; mirroring reverses its components across y."""
         return self._unturned(self.linkage.upright.spin)
 
     @cached_property
@@ -202,7 +203,7 @@ class CornerView:
 
     @cached_property
     def patch(self) -> ca.SX:
-        """Velocity of the contact patch, fixed to the upright as with a locked wheel."""
+        """Velocity of the contact patch, fixed to the upright (locked wheel)."""
         return self.centre.rate + ca.cross(self.spin, self.reach)
 
     @cached_property
@@ -226,12 +227,12 @@ class CornerView:
 
     @property
     def steers(self) -> bool:
-        """Tell whether the wheel has an axis that it steers about."""
+        """Whether the wheel has a steering axis."""
         return self._steered is not None
 
     @cached_property
     def steering_axis(self) -> Axis:
-        """Axis between ball joints; without them, of the turn that rack and travel together can make."""
+        """Axis between ball joints; without them, that of the turn that rack and travel combine to."""
         if hasattr(self.linkage, "steering_axis"):
             lower, upper = (self._mirror * point.value for point in self.linkage.steering_axis)
             return Axis(lower, upper - lower)
@@ -239,12 +240,12 @@ class CornerView:
 
     @property
     def steering_pitch(self) -> ca.SX:
-        """Motion along the steering axis over the turn about it, m/rad: 0 where the wheel purely turns."""
+        """Motion along the steering axis over the turn about it, m/rad: 0 for a pure turn."""
         return ca.SX(0.0) if hasattr(self.linkage, "steering_axis") else self._turning.pitch
 
     @cached_property
     def held_axis(self) -> Axis:
-        """Axis of the screw that a motion of the rack makes while the spring keeps its length."""
+        """Axis of the screw that a motion of the rack makes at constant spring length."""
         share = self.by_rack(self.spring.length) / self.motion_ratio
         return self._by_rack.with_share(share, self._by_travel).axis(self.centre.value)
 
@@ -285,18 +286,18 @@ class CornerView:
 
     @cached_property
     def stops(self) -> Elastic:
-        """Bump and rebound stops, which work along the spring."""
+        """Bump and rebound stops, which act along the spring."""
         return self._elastic(stop_law, self.spring)
 
     @cached_property
     def damping_coefficient(self) -> ca.SX:
-        """Slope of the damper's force at rest (N s/m), in the mean of both directions; without friction."""
+        """Slope of the damper's force at rest (N s/m), the mean of both directions; without friction."""
         velocity = ca.SX.sym("damper velocity")
         return _slope_at_rest(self._damper_force(self.damper, velocity), velocity)
 
     @cached_property
     def still_damper(self) -> Elastic:
-        """The damper at rest: its gas, and what its law has of the stroke."""
+        """The damper at rest: its gas, and the stroke-dependent part of its law."""
         return self._elastic(lambda _, line: self._damper_force(line, ca.SX(0.0)), self.damper)
 
     def _damper_force(self, line: Line, velocity: ca.SX) -> ca.SX:
@@ -325,7 +326,7 @@ class CornerView:
 
     @property
     def has_tyre_stiffness(self) -> bool:
-        """Tell whether the tyre has one stiffness, or a curve and a known deflection on it."""
+        """Whether the tyre has one stiffness, or a curve and a known deflection on it."""
         tyre = self.linkage.rig.tyre
         return tyre.curve is None or tyre.undeformed_radius is not None
 
@@ -346,21 +347,21 @@ class CornerView:
 
     @property
     def bar_points(self) -> dict[str, ca.SX]:
-        """Places of the anti-roll bar's moving points, ground axes."""
+        """Moving points of the anti-roll bar, ground axes."""
         hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, bar_axis(self.linkage)
         pivot = hardpoint("arb_pivot")
         arm = hardpoint("arb_arm_end") - pivot
-        moved = {"arb_arm_end": pivot + turned(arm, axis, angle), "arb_link_end": link_end(self.linkage).value}
+        points = {"arb_arm_end": pivot + turned(arm, axis, angle), "arb_link_end": link_end(self.linkage).value}
         if self._is_t_bar:
             stem = hardpoint("arb_axis") - pivot
-            moved["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
-        return moved
+            points["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
+        return points
 
     @cached_property
     def bar_twist_ratio(self) -> ca.SX:
-        """Twist of the bar while this wheel rises and the other one falls as much, rad/m, about where both are alike.
+        """Twist of the bar per rise of this wheel and equal fall of the other one, rad/m, where both are alike.
 
-        A U-bar twists by both ends; the stem of a T-bar lets both ends of its bar go against each other.
+        Both ends twist a U-bar; the stem of a T-bar lets the ends of its bar move against each other.
         """
         bar = self.linkage.rig.anti_roll_bar
         assert bar is not None
@@ -374,12 +375,12 @@ class CornerView:
 
     @cached_property
     def bar_heave_ratio(self) -> ca.SX:
-        """Twist of a Z-bar while both wheels rise alike, rad/m."""
+        """Twist of a Z-bar per equal rise of both wheels, rad/m."""
         return 2.0 * self.slope(self.bar_angle)
 
     @property
     def _stem(self) -> ca.SX:
-        """Direction of a T-bar's stem, hinged over with the bar."""
+        """Direction of a T-bar's stem, hinged with the bar."""
         design = unit(self.linkage.hardpoint("arb_axis") - self.linkage.hardpoint("arb_pivot"))
         return turned(design, bar_axis(self.linkage), self.bar_angle)
 
@@ -391,7 +392,7 @@ class CornerView:
 
     @cached_property
     def bar_arm_angle(self) -> ca.SX:
-        """Angle between the bar's arm and its link, rad: a right one moves it best."""
+        """Angle between the bar's arm and its link, rad: most effective at a right angle."""
         arm = self.bar_points["arb_arm_end"] - self.linkage.hardpoint("arb_pivot")
         axis = self._stem if self._is_t_bar else bar_axis(self.linkage)
         return _angle(arm - ca.dot(axis, arm) * axis, self._bar_link)
@@ -409,12 +410,12 @@ class CornerView:
     # torsion bar, third spring, rocker and arms ----------------------------------------------------------------
 
     def turn_of(self, body: str) -> ca.SX:
-        """Turn of an arm, or the rocker, about its axis since design, rad, positive in bump."""
+        """Rotation of an arm, or the rocker, about its axis from design, rad, positive in bump."""
         return winding(self.linkage, body)
 
     @cached_property
     def torsion_angle(self) -> ca.SX:
-        """Turn of the torsion bar since design, rad, positive in bump."""
+        """Rotation of the torsion bar from design, rad, positive in bump."""
         assert self.linkage.rig.torsion_bar is not None
         return self.turn_of(self.linkage.rig.torsion_bar.on)
 
@@ -425,7 +426,7 @@ class CornerView:
 
     @cached_property
     def third_length(self) -> ca.SX:
-        """Length of the third spring while both wheels move alike, m."""
+        """Length of the third spring when both wheels move alike, m."""
         return 2.0 * self.side * third_end(self.linkage).value[1]
 
     @cached_property
@@ -435,7 +436,7 @@ class CornerView:
 
     @property
     def across(self) -> ca.SX:
-        """Place and slope along travel of the end of a T-bar's link, and of the third spring, where there are some.
+        """Place, and slope by travel, of the end of a T-bar's link and of the third spring, if there are some.
 
         In the axes of a left wheel, shape (6,) or (12,).
         """
@@ -444,8 +445,8 @@ class CornerView:
             ends.append(link_end(self.linkage))
         if self.linkage.rig.third_spring is not None:
             ends.append(third_end(self.linkage))
-        seen = [self._mirrored(end) for end in ends]
-        return ca.vertcat(*(part for end in seen for part in (end.value, end.rate)))
+        mirrored = [self._mirrored(end) for end in ends]
+        return ca.vertcat(*(part for end in mirrored for part in (end.value, end.rate)))
 
     @cached_property
     def third(self) -> Elastic:
@@ -460,11 +461,12 @@ class CornerView:
     def _along_third(self, law: Callable[[ca.SX], ca.SX]) -> Elastic:
         length = ca.SX.sym("third length")
         force = ca.SX(law(length))
-        return Elastic(*(ca.substitute(one, length, self.third_length) for one in (force, -ca.jacobian(force, length))))
+        parts = (ca.substitute(part, length, self.third_length) for part in (force, -ca.jacobian(force, length)))
+        return Elastic(*parts)
 
     @cached_property
     def third_damping_coefficient(self) -> ca.SX:
-        """Slope of the third damper's force at rest (N s/m), in the mean of both directions."""
+        """Slope of the third damper's force at rest (N s/m), the mean of both directions."""
         velocity = ca.SX.sym("third velocity")
         design = 2.0 * self.side * self.linkage.hardpoint("third_spring_end")[1]
         return _slope_at_rest(third_damper_law(self.linkage, design - self.third_length, velocity), velocity)
