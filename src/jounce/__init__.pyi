@@ -146,6 +146,9 @@ from .recordings.carried import recording as recording
 from .report.animation import animate as animate
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper
+from .ride.drives import compare_controllers as compare_controllers
+from .ride.drives import ride_road as ride_road
+from .ride.measured import measured_ride as measured_ride
 from .ride.metrics import RideMetrics as RideMetrics
 from .ride.metrics import ride_metrics as ride_metrics
 from .ride.modal import modal_analysis as modal_analysis

@@ -68,7 +68,7 @@ def test_help_says_how_far_a_road_is_driven(command: str, cli) -> None:
 def test_several_controls_and_a_picture(cli, tmp_path: Path) -> None:
     outcome = cli("ride", CAR, *SHORT, "--control", "passive,skyhook", "--figure", "spectra.png")
     assert outcome.exit_code == 0, outcome.err
-    assert "skyhook, on iso:C" in outcome.out
+    assert "skyhook" in outcome.out
     assert (tmp_path / "spectra.png").stat().st_size > 10_000
     assert cli("ride", CAR, *SHORT, "--control", "skyhook", "--figure", "one.svg").exit_code == 0
     assert f"{CAR}, skyhook, on iso:C" in (tmp_path / "one.svg").read_text(encoding="utf-8")

@@ -17,6 +17,7 @@ from jounce.operations.index import Operation, Parameter, operations, resolve
 from jounce.operations.request import Request
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from rich.console import Console
 
     from jounce.report import Page
@@ -83,6 +84,8 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     asked = {offer: given[OUTPUTS[offer].option] for offer in operation.offers}
     files = Files(asked, force=given.get("force", False))
     files.check()
+    if operation.check:
+        resolve(operation.check)(**given)
     request = Request(operation, {p.option: given[_python_name(p)] for p in operation.parameters})
     values = request.read()
     typed = {p.option: p.default for p in operation.parameters} | {p.option: value for p, value in request.values()}
@@ -90,11 +93,11 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
         say("loading")
         resolve(operation.function)
         made = request.make(values)
-        for value in made.values():
+        for name, value in made.items():
             if hasattr(value, "parameters"):
-                warn_of(value, str(typed[operation.subject]))
+                warn_of(value, next(str(typed[p.option]) for p in operation.parameters if p.made == name))
         say(operation.doing)
-        result = request.call(values, made)
+        result = request.call(values, made, say)
     title = operation.title.format(**_stems(operation, typed), result=result)
 
     def page() -> Page:
@@ -102,7 +105,15 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
         return drawn
 
     plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
-    answered = Answered(result, plain, page, title, operation.comment.format(**typed, result=result))
+
+    def figure() -> Figure:
+        from jounce.plots import figure_of
+
+        drawn: Figure = resolve(operation.figure)(result, title=title) if operation.figure else figure_of(result)
+        return drawn
+
+    comment = operation.comment.format(**typed, result=result)
+    answered = Answered(result, plain, page, figure, title, comment)
     missing = files.write(answered)
     written = {name: plain[name] for name in ("out", "figure", "report") if name in plain}
     if not operation.names_files:

@@ -26,7 +26,6 @@ from jounce.cli import (
     kinematics,
     load_cases,
     pictures,
-    ride,
     serve,
     steering_effort,
     study,
@@ -82,9 +81,9 @@ def _panels() -> dict[str, dict[str, Any]]:
         "Simulation": {
             "simulate": derived("simulate"),
             "modes": derived("modes"),
-            "ride": ride.ride,
-            "ride-metrics": ride.ride_metrics,
-            "compare": ride.compare,
+            "ride": derived("ride"),
+            "ride-metrics": derived("ride-metrics"),
+            "compare": derived("compare"),
             "sweep": sweep.sweep,
             "iri": derived("iri"),
         },
@@ -109,9 +108,6 @@ def _panels() -> dict[str, dict[str, Any]]:
     }
 
 
-_CLASSES: dict[str, Any] = {"compare": ride.NamesControllers}
-
-
 def application() -> typer.Typer:
     """Put the commands together."""
     app = typer.Typer(
@@ -127,7 +123,7 @@ def application() -> typer.Typer:
             if isinstance(row, typer.Typer):
                 app.add_typer(row, name=name, rich_help_panel=panel)
             else:
-                app.command(name, rich_help_panel=panel, cls=_CLASSES.get(name))(row)
+                app.command(name, rich_help_panel=panel)(row)
 
     @app.callback()
     def above(  # the options before a command; its text is that of the application

@@ -24,6 +24,8 @@ from jounce.cli.options import (
 from jounce.core.findings import not_drawn
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from jounce.core.findings import Finding
     from jounce.report import Page
 
@@ -35,6 +37,7 @@ class Answered:
     result: Any
     plain: dict[str, Any]
     page: Callable[[], Page]
+    draw: Callable[[], Figure]
     title: str
     comment: str
 
@@ -101,7 +104,7 @@ def _table(answered: Answered, file: Path, force: bool) -> Missing:
 
 
 def _figure(answered: Answered, file: Path, force: bool) -> Missing:
-    return write_picture(answered.result, file, answered.title, force=force)[1]
+    return write_picture(answered.draw, file, answered.title, force=force)[1]
 
 
 def _figures(answered: Answered, folder: Path, force: bool) -> Missing:

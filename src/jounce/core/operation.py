@@ -216,8 +216,10 @@ class Registration:
     echo: Mapping[str, str | tuple[str, ...]] = field(default_factory=dict)
     offers: tuple[Offer, ...] = ()
     names_files: bool = True
+    check: str = ""
     python: str = ""
     page: str = ""
+    figure: str = ""
     title: str = ""
     comment: str = ""
     doing: str = "computing"
@@ -240,16 +242,18 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         the function. ``python_only``: parameters without an option. ``has_argument``: whether the command takes its
         first parameter without a name. ``echo``: keys of ``--json`` that repeat an option, or several by their names.
         ``offers``: what the result can be written as; ``names_files``: whether ``--json`` names these files.
+        ``check``: ``module:function`` that refuses options before the work; it takes all of them, by name, as given.
         ``python``: ``module:function`` that Python is offered instead, where it gives another form of the result.
-        ``page``: ``module:function`` that puts the result on a page. ``title``, ``comment``: head of the page and first
+        ``page``: ``module:function`` that puts the result on a page. ``figure``: ``module:function`` that draws it,
+        where this is not the figure of its type. ``title``, ``comment``: head of the page and first
         line of a rig file, with options and ``result`` in braces. ``doing``: what is shown while it runs.
         ``example``: a command line.
 
     Notes
     -----
-    The result has ``to_dict``. Where it is not whole, ``stopped`` says why (exit code 2); where it is not what was
-    wanted, ``is_met`` is false (exit code 1). What it can be written as asks for more: ``rig``, ``recording()``,
-    ``rows()``, ``data``, ``table()``, ``files()``.
+    A parameter ``progress`` is no option: faces pass a function that shows a text. The result has ``to_dict``. Where
+    it is not whole, ``stopped`` says why (exit code 2); where it is not what was wanted, ``is_met`` is false (exit
+    code 1). What it can be written as asks for more: ``rig``, ``recording()``, ``rows()``, ``data``, ``table()``.
     """
 
     def register(function: _F) -> _F:

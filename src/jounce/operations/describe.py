@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import inspect
 import re
 from collections.abc import Callable, Iterator
@@ -25,11 +26,15 @@ MODULES = (
     "jounce.bench.springs",
     "jounce.design.pareto",
     "jounce.design.springs",
+    "jounce.ride.drives",
+    "jounce.ride.measured",
     "jounce.ride.modal",
     "jounce.roughness.iri",
     "jounce.simulation.trial_run",
 )
 """Modules whose functions are operations, in the order of their commands in the help."""
+PROGRESS = "progress"
+"""Parameter that takes a function which shows a text."""
 
 
 def described() -> list[dict[str, Any]]:
@@ -50,17 +55,18 @@ def _operation(registration: Registration) -> Operation:
         (inspect.getdoc(function) or "").partition("\n")[0],
         (replace(first, is_positional=registration.has_argument), *others),
         makers,
-        **{field.name: getattr(registration, field.name) for field in fields(Operation)[5:]},
+        PROGRESS in inspect.signature(function).parameters,
+        **{field.name: getattr(registration, field.name) for field in fields(Operation)[6:]},
     )
 
 
 def _parameters(function: Callable[..., Any], registration: Registration, made: str = "") -> Iterator[Parameter]:
     """Read a function's parameters; a value made of options gives those of its maker."""
     marks, documented = _marks(function), parameter_texts(function)
-    hints = get_type_hints(function)
+    hints = _hints(function)
     for name, parameter in inspect.signature(function).parameters.items():
         mark = marks[name]
-        if name in registration.python_only:
+        if name in (PROGRESS, *registration.python_only):
             continue
         if isinstance(mark, MadeBy):
             maker = resolve(mark.maker)
@@ -106,13 +112,26 @@ def _default_of(field: FieldInfo, unit: str) -> str:
 
 def _marks(function: Callable[..., Any]) -> dict[str, Mark | MadeBy]:
     """Give the mark of each parameter; whole numbers and switches need none."""
-    hints = get_type_hints(function, include_extras=True)
+    hints = _hints(function, include_extras=True)
     found: dict[str, Mark | MadeBy] = {}
     for name in inspect.signature(function).parameters:
         marks = [mark for mark in getattr(hints[name], "__metadata__", ()) if isinstance(mark, Mark | MadeBy)]
         usual = {bool: Switch(), int: Count()}.get(hints[name], Mark())
         found[name] = marks[0] if marks else usual
     return found
+
+
+class _Names(dict[str, Any]):
+    """Names of a module, with those that it imports for type checkers only."""
+
+    def __missing__(self, name: str) -> Any:
+        return getattr(builtins, name, Any)
+
+
+def _hints(function: Callable[..., Any], **options: Any) -> dict[str, Any]:
+    """Evaluate the types of parameters."""
+    names = _Names({"xr": import_module("xarray"), **getattr(function, "__globals__", {})})
+    return get_type_hints(function, localns=names, **options)
 
 
 def _members(hint: Any) -> set[Any]:

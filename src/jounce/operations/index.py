@@ -75,7 +75,9 @@ class Operation:
         In the order of the command.
     makers : dict
         Parameter of the function to what makes it of options.
-    command, echo, offers, names_files, python, page, title, comment, doing, example
+    has_progress : bool
+        Whether the function takes ``progress``, which shows a text while it runs.
+    command, echo, offers, names_files, check, python, page, figure, title, comment, doing, example
         As :func:`jounce.core.operation.operation` takes them.
     """
 
@@ -84,11 +86,14 @@ class Operation:
     summary: str
     parameters: tuple[Parameter, ...]
     makers: Mapping[str, MadeBy]
+    has_progress: bool
     echo: Mapping[str, str | tuple[str, ...]]
     offers: tuple[str, ...]
     names_files: bool
+    check: str
     python: str
     page: str
+    figure: str
     title: str
     comment: str
     doing: str

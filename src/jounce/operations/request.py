@@ -53,9 +53,11 @@ class Request:
             for name, makes in self.operation.makers.items()
         }
 
-    def call(self, values: Values, made: Mapping[str, Any]) -> Any:
-        """Call the function with values that were read and made."""
-        return resolve(self.operation.function)(**made, **{p.name: value for p, value in values if not p.made})
+    def call(self, values: Values, made: Mapping[str, Any], say: Callable[[str], None] = lambda _: None) -> Any:
+        """Call the function with values that were read and made; ``say`` shows a text while it runs."""
+        arguments = {**made, **{parameter.name: value for parameter, value in values if not parameter.made}}
+        progress = {"progress": say} if self.operation.has_progress else {}
+        return resolve(self.operation.function)(**arguments, **progress)
 
     def words(self) -> list[str]:
         """Write the request as words of a command; an equals sign keeps each value with its option."""
@@ -71,6 +73,10 @@ class Request:
 
     def python(self) -> str:
         """Write the request as Python that prints its result."""
+        return f"import jounce as jn\n\nresult = {self.expression()}\nprint(result)\n"
+
+    def expression(self) -> str:
+        """Write the request as a call of the public function."""
         name = (self.operation.python or self.operation.function).partition(":")[2]
         arguments = []
         for made, makes in self.operation.makers.items():
@@ -84,7 +90,7 @@ class Request:
             written = value if is_text else parameter.mark.read(value, parameter.place)
             arguments.append(f"{parameter.name}={written!r}")
         lines = "".join(f"    {argument},\n" for argument in arguments)
-        return f"import jounce as jn\n\nresult = jn.{name}(\n{lines})\nprint(result)\n"
+        return f"jn.{name}(\n{lines})"
 
 
 def _in_python(maker: Callable[..., Any], options: Mapping[str, Any]) -> str:

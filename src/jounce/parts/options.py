@@ -14,6 +14,10 @@ AnyRig: TypeAlias = Annotated[
     Rig | str | Path, MadeBy("jounce.parts.options:chosen_rig", "jounce.parts.options:rig_in_python")
 ]
 """A rig, its file or its name in the library; faces ask for the file or name, and for changes."""
+MaybeRig: TypeAlias = Annotated[
+    Rig | str | Path | None, MadeBy("jounce.parts.options:chosen_vehicle", "jounce.parts.options:vehicle_in_python")
+]
+"""A rig that a command may do without, named by an option."""
 LONGEST_BARE = 10.0
 """Length (m) above which a bare number is taken for millimetres: no part of a suspension is longer."""
 
@@ -37,6 +41,21 @@ def chosen_rig(
     loaded, wanted = load(rig), dict(changes or {})
     refuse_implausible(loaded, wanted)
     return loaded.with_changes(wanted) if wanted else loaded
+
+
+def chosen_vehicle(
+    vehicle: Annotated[
+        str | None,
+        File("Rig or vehicle, for the gaps of its bump and rebound stops.", "VEHICLE", shipped=("parts",)),
+    ] = None,
+) -> Rig | None:
+    """Load a rig, if one is given."""
+    return None if vehicle is None else load(vehicle)
+
+
+def vehicle_in_python(vehicle: str | None = None) -> str:
+    """Write it as Python."""
+    return "None" if vehicle is None else rig_in_python(vehicle)
 
 
 def rig_in_python(rig: str, changes: Mapping[str, Any] | None = None) -> str:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
-from jounce.plots.design import ride_spectra, trade_off
 from jounce.plots.display import given, number, percent
-from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table
-from jounce.report.recordings import curve_blocks
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Paragraph, Picture, Section, Table, picture_of
 from jounce.ride.study import MERITS
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from jounce.core.findings import Finding
     from jounce.parts import Rig
+    from jounce.ride.measured import MeasuredRide
+    from jounce.ride.metrics import RideMetrics
     from jounce.ride.study import RideStudy
 
 _FIRST = (("road.z",), ("body.az", "sprung.az"), ("strut.deflection",), ("tyre.force",))
@@ -32,7 +35,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     title : str
         Vehicle, road and speed.
     rig : Rig, optional
-        A 3-D corner, which moves with the first ride.
+        A 3-D corner, which moves with the first ride; by default that of the study.
 
     Returns
     -------
@@ -45,7 +48,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     if several:
         answer.append(_merits(study))
     elif study.rides:
-        answer += [_facts(study), _metrics(study)]
+        answer += [_facts(study), _metrics(_named(study))]
     if study.failed:
         texts = (f"{name} was not run: {reason}." for name, reason in study.failed.items())
         answer += [Paragraph(text, "bad") for text in texts]
@@ -54,16 +57,27 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     found = _findings(study)
     if found:
         answer.append(Findings(tuple(found)))
-    sections = [Section("Answer", tuple(answer)), Section("Curves", _curves(study, title, rig)), _spectra(study, title)]
+    moving = study.rig if rig is None else rig
+    curves, spectra = (Section(name, partial(draw, study, title, moving)) for name, draw in _DRAWN.items())
+    sections = [Section("Answer", tuple(answer)), curves, spectra]
     if several:
         words = "Comfort against road holding of every controller; the area of a point shows the travel."
-        sections.insert(1, Section("Trade-off", (Picture(trade_off(study), "trade-off", words, words),)))
-        sections.append(Section("Every metric", (_metrics(study),)))
+        sections.insert(1, Section("Trade-off", (picture_of(study, "trade-off", words),)))
+        sections.append(Section("Every metric", lambda: (_metrics(_named(study)),)))
     against = _stationary(study)
     if against:
         sections.append(Section("Linear model", tuple(against)))
     counted = f"{given(lasting, 's')} counted, from {given(study.trial.settling, 's')} on"
     return Page(title, tuple(sections), f"Simulated ride; {counted}")
+
+
+def measured_ride_page(found: MeasuredRide, *, title: str) -> Page:
+    """Put the metrics of a recorded ride on a page."""
+    answer: list[Block] = [_metrics({"value": found.metrics})]
+    answer += [Paragraph(f"{place}: {words}") for place, words in found.metrics.comfort.items()]
+    if found.findings:
+        answer.append(Findings(found.findings))
+    return Page(title, (Section("Answer", tuple(answer)),), found.extent)
 
 
 def _merits(study: RideStudy) -> Table:
@@ -96,9 +110,9 @@ def _facts(study: RideStudy) -> Facts:
     return Facts(tuple(facts))
 
 
-def _metrics(study: RideStudy) -> Table:
-    """Every metric at every place, a column for each controller."""
-    values = {ride.control: {(one.metric, one.place): one for one in ride.metrics.values} for ride in study.rides}
+def _metrics(rides: Mapping[str, RideMetrics]) -> Table:
+    """Every metric at every place, a column for each ride."""
+    values = {name: {(one.metric, one.place): one for one in ride.values} for name, ride in rides.items()}
     every = dict.fromkeys(key for found in values.values() for key in found)
     rows, last = [], ""
     for key in every:
@@ -107,8 +121,13 @@ def _metrics(study: RideStudy) -> Table:
         cells = (number(found[key].value * unit.factor) if key in found else "–" for found in values.values())
         rows.append((one.label if one.label != last else "", one.place, unit.name or "–", *cells))
         last = one.label
-    header = ("metric", "place", "unit", *(values if len(values) > 1 else ("value",)))
-    return Table("Ride metrics", header, tuple(rows), "lll" + "r" * len(values))
+    return Table("Ride metrics", ("metric", "place", "unit", *values), tuple(rows), "lll" + "r" * len(values))
+
+
+def _named(study: RideStudy) -> dict[str, RideMetrics]:
+    """Metrics by controller; those of a single ride are the value."""
+    several = len(study.rides) > 1
+    return {ride.control if several else "value": ride.metrics for ride in study.rides}
 
 
 def _stationary(study: RideStudy) -> list[Block]:
@@ -153,6 +172,8 @@ def _findings(study: RideStudy) -> list[Finding]:
 
 def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
     runs = {ride.control: ride.run for ride in study.rides}
+    from jounce.report.recordings import curve_blocks
+
     held = _names(study)
     found = [[name for end in ends for name in held if name.endswith(end)] for ends in _FIRST]
     first = [names[0] for names in found if names]
@@ -167,6 +188,11 @@ def _names(study: RideStudy) -> list[str]:
     return [str(name) for name in study.rides[0].run.data_vars if all(name in others for others in held)]
 
 
-def _spectra(study: RideStudy, title: str) -> Section:
+def _spectra(study: RideStudy, title: str, _: Rig | None) -> tuple[Block, ...]:
+    from jounce.plots.design import ride_spectra
+
     words = "Power spectral densities of the body's acceleration and of every wheel load."
-    return Section("Spectra", (Picture(ride_spectra(study.rides, study.stationary, title), "spectra", words, words),))
+    return (Picture(lambda: ride_spectra(study.rides, study.stationary, title), "spectra", words, words),)
+
+
+_DRAWN = {"Curves": _curves, "Spectra": _spectra}

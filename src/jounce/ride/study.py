@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.control import CONTROLS, Controller, as_controller
+from jounce.core.display import size
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.findings import findings_of
 from jounce.core.serialise import Plain, plain_table
@@ -316,12 +317,15 @@ class RideStudy(Plain):
         Reason by controller, for those without a ride.
     stationary : StationaryResponse or None
         Response of the linear model, without simulation, for passive rides over ISO roads.
+    rig : Rig or None
+        What was driven.
     """
 
     trial: RideTrial
     rides: tuple[Ride, ...]
     failed: dict[str, str]
     stationary: StationaryResponse | None = None
+    rig: Rig | None = field(default=None, repr=False)
 
     @property
     def by_chance(self) -> dict[str, float | None]:
@@ -342,9 +346,27 @@ class RideStudy(Plain):
         allowed = ", ".join(ride.control for ride in self.rides)
         raise DescriptionError("no ride of that controller", where=control, allowed=allowed)
 
+    def recording(self) -> xr.Dataset:
+        """Return the signals of the only ride, SI."""
+        if len(self.rides) != 1:
+            raise DescriptionError("a recording holds one ride", found=", ".join(ride.control for ride in self.rides))
+        return self.rides[0].run
+
+    @property
+    def driven(self) -> str:
+        """The controller of a single ride, in commas; several have a legend."""
+        return f", {self.rides[0].control}," if len(self.rides) + len(self.failed) == 1 else ""
+
+    @property
+    def at_speed(self) -> str:
+        """Speed in words."""
+        return size(self.trial.trial.speed or 0.0, "m/s", "speed")
+
     def to_dict(self) -> dict[str, Any]:
         """Return plain values in SI."""
-        table: dict[str, Any] = {
+        road = self.trial.trial.road
+        table: dict[str, Any] = {"seed": road.seed} if isinstance(road, Iso8608) else {}
+        table |= {
             "speed": self.trial.trial.speed,
             "duration": self.trial.trial.duration,
             "settling": self.trial.settling,
@@ -453,7 +475,8 @@ def compare_rides(
             failed[name], first_error = str(error), first_error or error
     if first_error is not None and not rides:
         raise first_error
-    return RideStudy(trial, tuple(rides), failed, _stationary(rig, trial, [ride.control for ride in rides]))
+    response = _stationary(rig, trial, [ride.control for ride in rides])
+    return RideStudy(trial, tuple(rides), failed, response, rig)
 
 
 def all_controls() -> tuple[str, ...]:

@@ -15,7 +15,9 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError
-from jounce.web.answers import arguments, changed_by, rig_of, set_by
+from jounce.operations.index import operations
+from jounce.operations.request import Request
+from jounce.web.answers import arguments, rig_of
 from jounce.web.campaigns import title_of
 from jounce.web.project import Project
 
@@ -180,22 +182,10 @@ class _Drive(BaseModel):
 
         return self.duration or (ISO_DURATION if is_class(self.road) else "")
 
-    def _options(self) -> list[str]:
-        words = [f"--road={self.road}", f"--speed={self.speed}"]
-        words += [f"--duration={self._lasting}"] if self._lasting else []
-        return words + ([f"--seed={self.seed}"] if self.seed else [])
-
-    def _python(self, vehicle: str) -> tuple[str, str]:
-        """Give the rig and its trial in Python, and what is imported for it."""
-        from jounce.roads.loading import is_class
-
-        maker = "iso_trial" if is_class(self.road) else "road_trial"
-        lasting = f", duration={self._lasting!r}" if self._lasting else ""
-        name, _, seed = self.road[4:].partition(":")
-        road = repr(name.upper()) if maker == "iso_trial" else f"jn.load_road({self.road!r})"
-        which = f", seed={seed or self.seed}" if maker == "iso_trial" else ""
-        rig = f"rig = jn.load({vehicle!r}){changed_by(self.changes)}\n"
-        return f"{rig}trial = {maker}(rig, {road}, {self.speed!r}{which}{lasting})\n", maker
+    def _request(self, project: Project, command: str, control: list[str]) -> Request:
+        """Give the request of a ride, or of several."""
+        given = self.model_dump(include={"road", "speed", "seed"}) | {"control": control, "duration": self._lasting}
+        return _request(command, {**given, "vehicle": _rig(project, self.vehicle), "set": self.changes})
 
 
 class CompareTask(_Task, _Drive):
@@ -205,23 +195,9 @@ class CompareTask(_Task, _Drive):
     control: Annotated[list[Text], Field(max_length=40)] = Field(default_factory=lambda: ["passive"])
 
     def _doing(self, project: Project) -> Doing:
-        vehicle = _rig(project, self.vehicle)
-        words = ["compare", vehicle, *self._options(), *(f"--control={one}" for one in self.control)]
-        drive, maker = self._python(vehicle)
-        python = (
-            f"import jounce as jn\nfrom jounce.ride.study import {maker}\n\n{drive}"
-            f"study = jn.compare_rides(rig, trial, {self._named()!r})\nprint(study)\n"
-        )
-        title = f"{Path(vehicle).stem} on {self.road} at {self.speed}"
-        return Doing(title, words + set_by(self.changes), _REPORT, python)
-
-    def _named(self) -> list[str]:
-        """Controllers one by one, as the command reads them."""
-        from jounce.control import CONTROLS
-
-        every = ("passive", *(name for name in CONTROLS if name != "passive"))
-        texts = [part.strip() for text in self.control for part in text.split(",") if part.strip()]
-        return list(dict.fromkeys(name for text in texts for name in (every if text == "all" else (text,))))
+        request = self._request(project, "compare", self.control)
+        title = f"{Path(self.vehicle).stem} on {self.road} at {self.speed}"
+        return Doing(title, request.words(), _REPORT, request.python())
 
 
 class OneRide(_Drive):
@@ -240,15 +216,11 @@ class OverlayTask(_Task):
         from jounce.web.rides import labels
 
         names = labels([one.model_dump() for one in self.rides])
-        python, commands, makers = "rides = {}\n", [], set()
+        python, commands = "import jounce as jn\n\nrides = {}\n", []
         for k, (one, name) in enumerate(zip(self.rides, names, strict=True), 1):
-            vehicle = _rig(project, one.vehicle)
-            drive, maker = one._python(vehicle)
-            makers.add(maker)
-            python += f"{drive}rides[{name!r}] = jn.compare_rides(rig, trial, [{one.control!r}]).rides[0]\n"
-            words = ["jounce", "ride", vehicle, *one._options(), f"--control={one.control}", *set_by(one.changes)]
-            commands.append(command_line([*words, f"--out=ride-{k}.nc"]))
-        python = f"import jounce as jn\nfrom jounce.ride.study import {', '.join(sorted(makers))}\n\n{python}"
+            request = one._request(project, "ride", [one.control])
+            python += f"rides[{name!r}] = {request.expression()}.rides[0]\n"
+            commands.append(command_line(["jounce", *request.words(), f"--out=ride-{k}.nc"]))
         python += "runs = {name: ride.settled for name, ride in rides.items()}\n"
         python += "spectra = {name: ride.spectra() for name, ride in rides.items()}\n"
         if (
@@ -257,9 +229,7 @@ class OverlayTask(_Task):
             python += "figure = jn.plots.compare(runs)\n"
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
             commands.append(command_line(["jounce", "plot", *files, "--figure=rides.png"]))
-        return Doing(
-            "Overlay of rides", [], python=python, question=self.model_dump(), command="\n".join(commands)
-        )
+        return Doing("Overlay of rides", [], python=python, question=self.model_dump(), command="\n".join(commands))
 
 
 class ParetoTask(_Task):
@@ -277,11 +247,8 @@ class ParetoTask(_Task):
     points: Annotated[int, Field(ge=3, le=500)] | None = None
 
     def _doing(self, project: Project) -> Doing:
-        from jounce.operations.index import operations
-        from jounce.operations.request import Request
-
         vehicle = _rig(project, self.vehicle)
-        request = Request(operations()["design pareto"], {**self.model_dump(exclude={"kind"}), "vehicle": vehicle})
+        request = _request("design pareto", {**self.model_dump(exclude={"kind"}), "vehicle": vehicle})
         return Doing(f"Best designs of {Path(vehicle).stem}", request.words(), _REPORT, request.python())
 
 
@@ -552,6 +519,10 @@ def task_of(plain: Mapping[str, Any]) -> AnyTask:
 def doing_of(task: AnyTask, project: Project) -> Doing:
     """Give the command that a task means in a project."""
     return task._doing(project)
+
+
+def _request(command: str, given: Mapping[str, Any]) -> Request:
+    return Request(operations()[command], given)
 
 
 def _file(project: Project, path: str) -> str:

@@ -56,7 +56,7 @@ def test_the_hook_names_what_is_imported_by_name_only(hook: dict[str, object]) -
     assert hook["datas"] == [("jounce", True), ("jounce.dist-info", True)]  # stubs, tables, pages, sources; versions
     modules = hook["hiddenimports"]
     assert isinstance(modules, list)
-    wanted = {"jounce.cli.simulate", "jounce.web.worker", "jounce.recordings.readers", "jounce.kernel.loops"}
+    wanted = {"jounce.simulation.trial_run", "jounce.web.worker", "jounce.recordings.readers", "jounce.kernel.loops"}
     assert wanted <= {*modules}
     assert not [name for name in modules if name.startswith(("jounce.frozen", "jounce.kernel.loops."))]
     extras = {"fastapi", "uvicorn", "websockets", "openpyxl", "sqlalchemy", "typst", "distributed"}
