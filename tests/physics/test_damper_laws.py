@@ -15,7 +15,7 @@ from jounce.parts.dampers import (
     DamperLaw,
     LinearDamper,
     MapDamper,
-    Samples,
+    SampledPoint,
     TanhDamper,
     VelocityTable,
     as_damper,
@@ -77,7 +77,7 @@ def test_slopes_are_those_of_differences(name):
 @pytest.mark.parametrize("name", [name for name, law in EVERY.items() if law.weights])
 def test_a_force_is_the_sum_of_its_weighted_basis(name):
     law = EVERY[name]
-    at = Samples(lambda number: getattr(law, number), SPEEDS, 0.01)
+    at = SampledPoint(lambda number: getattr(law, number), SPEEDS, 0.01)
     summed = sum(getattr(law, weight) * column for weight, column in zip(law.weights, law.basis(at), strict=True))
     assert law.forces(SPEEDS, 0.01) == pytest.approx(summed, rel=1e-12)
 

@@ -7,6 +7,7 @@ import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.fit_problem import UpdateProblem, free_parameters
 from jounce.identify.search import minimise
+from jounce.identify.settings import UpdateSettings
 from jounce.recordings import Sensor, apply_sensors
 from jounce.roads import HalfSine
 
@@ -207,11 +208,7 @@ def test_rounding_in_the_scaled_start_does_not_stop_least_squares():
     problem = UpdateProblem(
         [made(START)],
         free_parameters(made(START).rig, FREE),
-        channels=None,
-        weights="printed",
-        align=False,
-        lag_bound=0.02,
-        tolerance=1e-8,
+        UpdateSettings(weights="printed"),
     )
     before, _ = problem.objective(np.zeros(problem.size))
     for start in (0.0, -1.6e-15):

@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 
 import jounce as jn
-from jounce.identify.discrepancy import _Calibration, _State
+from jounce.identify.discrepancy import CalibrationProblem, _State
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
+from jounce.identify.settings import UpdateSettings
 from jounce.papers.virtual_bench import wheel_path
 from jounce.recordings import recording
 
@@ -172,8 +173,11 @@ def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
         trial = jn.Trial(road=road, speed=speed, duration=DURATION)
         meant.append(jn.FitTrial(f"trial {number}", rig, trial, jn.simulate(rig, trial)[list(CHANNELS)], sensor))
     free = free_parameters(told, FREE, where="doubted bench")
-    one = _Calibration(
-        meant, free, jn.Doubt(), channels=None, weights="normalised", align=True, tolerance=1e-7, priors={}, start=true
+    one = CalibrationProblem(
+        meant,
+        free,
+        UpdateSettings(weights="normalised", align="lag", tolerance=1e-7, doubt=jn.Doubt()),
+        start=true,
     )
     state = _State(
         np.array([item.scaled(true[item.path]) for item in free]),

@@ -16,8 +16,10 @@ from jounce.campaign.run import Runner, prepared_campaign
 from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.units import positive_si, to_si
+from jounce.identify.fit_problem import FitTrial
 from jounce.identify.next_trial import Candidate, NextTrials, next_trials
-from jounce.identify.posterior import Posterior, posterior, rested
+from jounce.identify.posterior import Posterior, posterior_with, update_with_density
+from jounce.identify.settings import UpdateSettings
 from jounce.roads import Trial, read_roads
 
 _SPEEDS = 5
@@ -72,9 +74,9 @@ def campaign_posterior(
     ('noise only', ['trial 1', 'trial 2', 'trial 4'])
     """
     runner, _, start = prepared_campaign(path, progress)
-    knowledge, asked = _asked(runner, start, strategy, path, noise_only=noise_only)
+    knowledge, trials, free, settings = _prepared_update(runner, start, strategy, path, noise_only=noise_only)
     every = [runner.fit_trial(item, knowledge) for item in runner.loaded.values()]
-    return posterior(**asked, draws=draws, seed=seed, predict=every, progress=progress)
+    return posterior_with(trials, free, settings, draws=draws, seed=seed, predict=every, progress=progress)
 
 
 def campaign_next_trials(
@@ -130,18 +132,18 @@ def campaign_next_trials(
     (6, True)
     """
     runner, _, start = prepared_campaign(path, progress)
-    knowledge, asked = _asked(runner, start, strategy, path, noise_only=noise_only)
+    knowledge, trials, free, settings = _prepared_update(runner, start, strategy, path, noise_only=noise_only)
     candidates, lost = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
-    basis = rested(**asked, progress=progress).basis
-    progress(f"{asked['name']}: {len(candidates)} trials that could be run")
+    basis = update_with_density(trials, free, settings, progress).basis
+    progress(f"{settings.name}: {len(candidates)} trials that could be run")
     found = next_trials(basis, candidates, count=count)
     return replace(found, findings=(*found.findings, *lost))
 
 
-def _asked(
+def _prepared_update(
     runner: Runner, start: Knowledge, strategy: str, path: Path | str, *, noise_only: bool
-) -> tuple[Knowledge, dict[str, Any]]:
-    """What is known before the update that is meant, all before it run, and how :func:`rested` is asked for it."""
+) -> tuple[Knowledge, list[FitTrial], dict[str, Any], UpdateSettings]:
+    """Run what an update starts from; give what is then known, its trials, free parameters and settings."""
     entries = {entry.name: entry for entry in runner.campaign.update}
     if not entries:
         raise FitError("the campaign has no update", where=str(path), hint="Write an [[update]] with free parameters.")
@@ -156,8 +158,8 @@ def _asked(
     problems = [one for one in runner.findings if one.severity == "problem"]
     if len(done) < len(before) and problems:
         raise FitError("an update it starts from failed", where=entry.name, found=str(problems[-1]))
-    knowledge, _, trials, asked = runner.set_up(entry, start, done)
-    if asked.pop("nuisances"):
+    knowledge, _, trials, settings = runner.set_up(entry, start, done)
+    if settings.nuisances:
         hint = (
             "State what the update finds as speed of the trials and low_pass of the sensors, and leave nuisances out."
         )
@@ -166,9 +168,9 @@ def _asked(
         raise FitError("no trial to fit", where=entry.name, hint='Mark trials with use = "fit" or name their numbers.')
     free: dict[str, Any] = dict(entry.free)
     if noise_only:  # a prior counts beside doubts only
-        asked["doubt"] = None
+        settings = replace(settings, doubt=None)
         free = {path: given["bounds"] if isinstance(given, Mapping) else given for path, given in free.items()}
-    return knowledge, {"trials": trials, "free": free, **asked}
+    return knowledge, trials, free, settings
 
 
 def _candidates(

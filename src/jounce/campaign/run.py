@@ -38,10 +38,11 @@ from jounce.core.findings import Finding, at_place, finding
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
+from jounce.identify.extended_rig import own_doubt
 from jounce.identify.fit_problem import FitTrial, check_free
-from jounce.identify.richer import own_doubt
+from jounce.identify.settings import UpdateSettings
 from jounce.identify.signs import compression_positive, sign_of
-from jounce.identify.update import bounds_and_priors, update_model
+from jounce.identify.update import bounds_and_priors, run_update
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner, Rig, load, rig_findings
 from jounce.parts.files import rig_named_in
@@ -344,8 +345,8 @@ class Runner:
 
     def set_up(
         self, entry: UpdateEntry, start: Knowledge, done: Mapping[str, StrategyResult]
-    ) -> tuple[Knowledge, list[_Loaded], list[FitTrial], dict[str, Any]]:
-        """What is known before an update, the trials it is fitted on, and how :func:`jounce.update_model` is asked."""
+    ) -> tuple[Knowledge, list[_Loaded], list[FitTrial], UpdateSettings]:
+        """What is known before an update, the trials it is fitted on, and its settings."""
         knowledge = start
         if entry.start_from is not None:
             if entry.start_from not in done:
@@ -355,22 +356,22 @@ class Runner:
             knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)
         chosen = self._chosen(entry)
         trials = [self.fit_trial(item, knowledge) for item in chosen]
-        asked: dict[str, Any] = {
-            "name": entry.name,
-            "method": entry.method,
-            "weights": entry.weights,
-            "channels": entry.channels,
-            "align": entry.align,
-            "nuisances": entry.nuisances,
-            "starts": entry.starts,
-            "doubt": self.campaign.doubt,
-            "bench": bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},
-        }
-        return knowledge, chosen, trials, asked
+        settings = UpdateSettings(
+            name=entry.name,
+            method=entry.method,
+            weights=entry.weights,
+            channels=entry.channels,
+            align=entry.align,
+            nuisances=entry.nuisances,
+            starts=entry.starts,
+            doubt=self.campaign.doubt,
+            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},
+        )
+        return knowledge, chosen, trials, settings
 
     def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
-        knowledge, chosen, trials, asked = self.set_up(entry, start, done)
-        result = update_model(trials, entry.free, **asked)
+        knowledge, chosen, trials, settings = self.set_up(entry, start, done)
+        result, _ = run_update(trials, entry.free, settings)
         self.findings += [
             item if item.place == entry.name else at_place(f"{entry.name}: {item.place}", item)
             for item in result.findings

@@ -14,6 +14,7 @@ from jounce.core.samples import as_values
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.fit_problem import FitTrial, Free, UpdateProblem
+from jounce.identify.settings import UpdateSettings
 from jounce.parts import Rig
 from jounce.parts.rig import unknown_path
 from jounce.recordings.schema import recording_of
@@ -155,9 +156,8 @@ def _one(rig: Rig, trial: Trial, free: tuple[Free, ...], output_step: float) -> 
     times = RunSettings(output_step).times(trial.duration)
     zeros = recording_of(times, {name: (np.zeros(len(times)), unit, "") for name, unit in _WATCHED.items()})
     problem = UpdateProblem(
-        [FitTrial(f"speed {trial.speed:g} m/s", rig, trial, zeros)], free,
-        channels=None, weights="printed", align=False, lag_bound=1.0, tolerance=1e-6,
-    )  # fmt: skip
+        [FitTrial(f"speed {trial.speed:g} m/s", rig, trial, zeros)], free, UpdateSettings(tolerance=1e-6)
+    )
     names = [channel.name for channel in problem.trials[0].channels]
     if set(names) != set(_WATCHED):
         raise SimulationError("the rig lacks a signal", where="speed sweep", allowed=", ".join(_WATCHED))

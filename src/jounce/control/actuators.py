@@ -15,7 +15,7 @@ from jounce.control.design import CornerModel
 from jounce.core.description import Description
 from jounce.core.types import Array
 from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
-from jounce.parts.dampers import BoucWenDamper, Samples, TanhDamper
+from jounce.parts.dampers import BoucWenDamper, SampledPoint, TanhDamper
 from jounce.parts.rig import parameters_of
 
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
@@ -399,7 +399,7 @@ class MagnetorheologicalDamper(_Actuator):
         return law.evaluate(_Seen(lambda name: now.number(f"{end}.{name}"), now.seen("strut.velocity"), deflection))
 
 
-class _Seen(Samples):
+class _Seen(SampledPoint):
     """Operating point of a damper law as a controller sees it, which knows the side of the hysteresis only."""
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002

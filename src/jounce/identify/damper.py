@@ -47,7 +47,7 @@ class DamperResult(Shown):
     cycles : float
         Cycles fitted [1].
     samples : int
-        Samples fitted [1].
+        SampledPoint fitted [1].
     displacement_centre : float
         Middle of the stroke in the record, compression positive [m]: displacement in the law is counted from there.
     stroke_positive : {"compression", "extension"}

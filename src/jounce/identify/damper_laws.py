@@ -22,7 +22,7 @@ from jounce.parts.dampers import (
     BoucWenDamper,
     DamperLaw,
     LinearDamper,
-    Samples,
+    SampledPoint,
     TanhDamper,
     as_damper,
     damper_kind,
@@ -41,7 +41,7 @@ _DESCRIBED: dict[str, type[DamperLaw]] = {
 
 
 @dataclass(frozen=True)
-class AlongPath(Samples):
+class AlongPath(SampledPoint):
     """Operating points in the order in which a damper passes them; ``start`` is its state at the first."""
 
     start: float = 0.0

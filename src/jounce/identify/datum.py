@@ -16,6 +16,7 @@ from jounce.core.catalogue import Severity
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.identify.fit_problem import Channel, FitTrial, UpdateProblem
+from jounce.identify.settings import UpdateSettings
 from jounce.identify.signals import noise_of
 from jounce.identify.signs import likeness, turned_channel
 from jounce.recordings.sensors import Datum, Sensor, filter_signals
@@ -153,9 +154,7 @@ def _listed(trials: Sequence[str]) -> str:
 
 def quiet_starts(trial: FitTrial, channels: Sequence[str] | None = None) -> dict[str, QuietStart]:
     """Starts of all compared channels, with the model's own values."""
-    problem = UpdateProblem(
-        [trial], (), channels=channels, weights="printed", align=False, lag_bound=1.0, tolerance=1e-5
-    )
+    problem = UpdateProblem([trial], (), UpdateSettings(channels=channels, tolerance=1e-5))
     prepared = problem.trials[0]
     solution = prepared.solve(np.zeros(0), problem.tolerance)
     time, found = trial.measured["time"].to_numpy(), {}

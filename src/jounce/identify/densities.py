@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -10,9 +10,10 @@ import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.types import Array
-from jounce.identify.discrepancy import Calibrated
+from jounce.identify.discrepancy import Calibration
 from jounce.identify.fit_problem import FitTrial, Free, Residuals
 from jounce.identify.log_density import Region
+from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import robust_covariance
 
 _SETTLING, _CLIMBS = 16, 3  # climbs of the doubts: at the best parameters, and from there at others
@@ -36,11 +37,10 @@ class Basis:
 
     trials: tuple[FitTrial, ...]
     free: tuple[Free, ...]
-    calibration: Calibrated | None
+    calibration: Calibration | None
     covariance: Array
     values: Mapping[str, float] = field(default_factory=dict)
-    channels: Sequence[str] | None = None
-    align: bool = False
+    settings: UpdateSettings = field(default_factory=UpdateSettings)
     noise: Mapping[str, float] = field(default_factory=dict)
     residual: Mapping[str, float] = field(default_factory=dict)
 
@@ -100,7 +100,7 @@ class _Climbed:
 class DoubtDensity:
     """Log density of scaled parameters with all doubts integrated out around their best values."""
 
-    def __init__(self, calibration: Calibrated) -> None:
+    def __init__(self, calibration: Calibration) -> None:
         self.found = calibration
         one, state = calibration.one, calibration.state
         self.size = len(one.free)

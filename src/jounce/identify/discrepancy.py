@@ -1,10 +1,10 @@
 """Intervals that count what the model lacks.
 
-What may be wrong is written as further unknowns inside the model, with priors (:mod:`jounce.identify.richer`), and
-found together with the parameters. What even this leaves unexplained is no noise: it repeats in every sample, so it
-counts as three observations for each channel of each trial, however many samples these have. Scatter of the residuals,
-between trials or inside them, cannot tell how wrong a model is: least squares has taken that part of its error into the
-parameters already.
+What may be wrong is written as further unknowns inside the model, with priors
+(:mod:`jounce.identify.extended_rig`), and found together with the parameters. What even this leaves unexplained is no
+noise: it repeats in every sample, so it counts as three observations for each channel of each trial, however many
+samples these have. Scatter of the residuals, between trials or inside them, cannot tell how wrong a model is: least
+squares has taken that part of its error into the parameters already.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +24,11 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, estimate
+from jounce.identify.extended_rig import ExtendedRig, Nuisance, RideExtent
 from jounce.identify.fit_problem import Channel, FitTrial, Free, Prepared, prepare_trial, project_out
 from jounce.identify.laws import Laws, States
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED
-from jounce.identify.richer import Nuisance, Richer, Ridden
+from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import off_together, scale_of_masses, static_load
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
@@ -192,7 +192,7 @@ class _State:
 class _Run:
     """One trial with its richer model, ready to be simulated for any state."""
 
-    def __init__(self, prepared: Prepared, calibration: _Calibration) -> None:
+    def __init__(self, prepared: Prepared, calibration: CalibrationProblem) -> None:
         self.prepared, self.all = prepared, calibration
         self.values = prepared.source.rig.parameters()
         richer = calibration.richer.of(prepared.source.rig)
@@ -303,18 +303,18 @@ _SHORTEST_PATCH = 5e-4  # m
 _FINEST, _COARSEST = 5e-4, 3e-3  # m
 
 
-class _Calibration:
+class CalibrationProblem:
     """The search: linearise, weigh, step."""
 
-    def __init__(  # noqa: PLR0913 - each is a choice of its own
-        self, trials: Sequence[FitTrial], free: Sequence[Free], doubt: Doubt, *, channels: Sequence[str] | None,
-        weights: str | Mapping[str, float], align: bool, tolerance: float, priors: Mapping[str, tuple[float, float]],
-        richer: Richer | None = None, start: Mapping[str, float] | None = None,
-        found_beside: Mapping[str, float] | None = None,
+    def __init__(
+        self, trials: Sequence[FitTrial], free: Sequence[Free], settings: UpdateSettings, *,
+        priors: Mapping[str, tuple[float, float]] | None = None, start: Mapping[str, float] | None = None,
+        found_beside: Mapping[str, float] | None = None, richer: ExtendedRig | None = None,
     ) -> None:  # fmt: skip
-        self.beside = found_beside or {}
-        self.free, self.align, self.tolerance, self.doubt = tuple(free), align, tolerance, doubt
-        prepared = [prepare_trial(trial, self.free, channels, weights) for trial in trials]
+        self.free, self.settings, self.beside = tuple(free), settings, found_beside or {}
+        self.doubt = doubt = settings.doubts or Doubt()
+        self.align, self.tolerance = settings.fits_lags, settings.tolerance
+        prepared = [prepare_trial(trial, self.free, settings) for trial in trials]
         prepared = [
             replace(one, channels=tuple(channel for channel in one.channels if channel.weight > 0.0))
             for one in prepared
@@ -322,7 +322,7 @@ class _Calibration:
         rig = trials[0].rig
         used = compile_rig(rig).facts.parameters
         paths, start = [item.path for item in free], start or {}
-        self.richer = richer or Richer(rig, paths, doubt, _ridden(prepared[0], start), used, start)
+        self.richer = richer or ExtendedRig(rig, paths, doubt, _ridden(prepared[0], start), used, start)
         self.lanes = len(self.richer.nuisances)
         self.columns = self.richer.columns()
         self.runs = [_Run(one, self) for one in prepared]
@@ -335,13 +335,18 @@ class _Calibration:
             for name, deviation in (("speed", doubt.speed), ("slowing", doubt.slowing))
             if deviation > 0.0 and any(run.road for run in self.runs)
         ]
-        self.priors = np.zeros((len(free), 2))
+        self.priors, known = np.zeros((len(free), 2)), priors or {}
         for i, item in enumerate(free):
-            if item.path in priors:
-                mean, deviation = priors[item.path]
+            if item.path in known:
+                mean, deviation = known[item.path]
                 self.priors[i] = item.scaled(mean), item.half_range / deviation
 
+    def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> CalibrationProblem:
+        """The same doubts over one trial."""
+        return CalibrationProblem([trial], self.free, settings, found_beside=self.beside, richer=self.richer)
+
     def compile(self, rig: Rig, trial: Trial) -> Compiled:
+        """Compile a rig with the slopes of all doubts, and with an actuator for forces that are no law's."""
         actuator = known_actuator(trial)
         if actuator is None and self.richer.has_laws and max(self.doubt.presliding, self.doubt.arms) > 0.0:
             from jounce.control.actuators import ActiveActuator
@@ -355,7 +360,7 @@ class _Calibration:
             found.append(Nuisance("speeds", "speed", "1", 0.0, self.beside[SPEED]))
         if doubt.height > 0.0:
             found.append(Nuisance("height", "height", "1", 0.0, doubt.height))
-        patch = doubt.contact_patch * self.richer.ridden.tyre
+        patch = doubt.contact_patch * self.richer.extent.tyre
         if patch > 0.0 and any(run.patched for run in self.runs):
             found.append(Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2))
         if self.richer.has_laws and doubt.presliding > 0.0:
@@ -387,6 +392,7 @@ class _Calibration:
         return self.nuisances[i].mean + self.nuisances[i].deviation * float(xi[i])
 
     def inputs(self, state: _State, trial: int) -> dict[str, float]:
+        """Doubts of a trial's inputs by name, SI."""
         found = {name: self.value(name, state.xi) for name in _INPUTS}
         return found | {name: d * float(state.own[trial, j]) for j, (name, d) in enumerate(self.own)}
 
@@ -407,6 +413,7 @@ class _Calibration:
         return found
 
     def blocks(self, state: _State) -> tuple[list[_Block], list[States]]:
+        """Simulate all trials; give residuals with their slopes, and the states of each run."""
         found, states = [], []
         for i, run in enumerate(self.runs):
             numbers, inputs = run.numbers(state), self.inputs(state, i)
@@ -677,13 +684,13 @@ def noise_variance(residual: Array) -> float:
 
 
 @dataclass(frozen=True)
-class Calibrated:
+class Calibration:
     """Where the richer model ended: its unknowns, all blocks there, and the linear equations with their solution.
 
     ``first`` are the mean squares of the residuals of each channel at the start, SI.
     """
 
-    one: _Calibration
+    one: CalibrationProblem
     state: _State
     blocks: list[_Block]
     states: list[States]
@@ -707,20 +714,16 @@ class Calibrated:
         return {name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
 
 
-def calibrated(  # noqa: PLR0913 - each is a choice of its own
+def calibrate(
     trials: Sequence[FitTrial],
     free: Sequence[Free],
     start: Mapping[str, float],
+    settings: UpdateSettings,
     *,
-    doubt: Doubt,
     lags: Mapping[str, float],
-    align: bool,
-    channels: Sequence[str] | None = None,
-    weights: str | Mapping[str, float] = "normalised",
-    tolerance: float = 1e-8,
     priors: Mapping[str, tuple[float, float]] | None = None,
     found_beside: Mapping[str, float] | None = None,
-) -> Calibrated:
+) -> Calibration:
     """Find the parameters again with all doubts as further unknowns, from where an update ended.
 
     ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``priors`` are mean and standard deviation of
@@ -728,10 +731,7 @@ def calibrated(  # noqa: PLR0913 - each is a choice of its own
     found beside the rig's values and the trials have: ``speed``, ``<channel>.low_pass``, each with how far it may still
     be off (1, of the speed or the logarithm of the corner): it is found again with all else.
     """
-    one = _Calibration(
-        trials, free, doubt, channels=channels, weights=weights, align=align, tolerance=tolerance, priors=priors or {},
-        start=start, found_beside=found_beside,
-    )  # fmt: skip
+    one = CalibrationProblem(trials, free, settings, priors=priors, start=start, found_beside=found_beside)
     state = _State(
         np.array([item.scaled(start[item.path]) for item in free]),
         np.zeros(len(one.nuisances)),
@@ -747,7 +747,7 @@ def calibrated(  # noqa: PLR0913 - each is a choice of its own
                 best = min(best, _settled(one, best.after(step)), key=lambda place: place.cost)
         for run, states in zip(one.runs, best.states, strict=True):
             run.beside = run.forces(states)
-    return Calibrated(one, best.state, best.blocks, best.states, best.system, best.step, first)
+    return Calibration(one, best.state, best.blocks, best.states, best.system, best.step, first)
 
 
 _POOR = 0.2
@@ -768,13 +768,13 @@ def _share_left(found: _Step, first: Mapping[str, float], without: float = 0.0) 
 class _Place:
     """A state of the search with what is left there."""
 
-    one: _Calibration
+    one: CalibrationProblem
     state: _State
     blocks: list[_Block]
     states: list[States]
 
     @classmethod
-    def of(cls, one: _Calibration, state: _State) -> _Place:
+    def of(cls, one: CalibrationProblem, state: _State) -> _Place:
         """Simulate all trials."""
         return cls(one, state, *one.blocks(state))
 
@@ -816,7 +816,7 @@ _LONGEST = 3.0  # prior standard deviations that a step may go
 _SHORTER = 5  # times that a step is halved where it cannot be simulated
 
 
-def _settled(one: _Calibration, place: _Place) -> _Place:
+def _settled(one: CalibrationProblem, place: _Place) -> _Place:
     """Step until the parameters stay where they are; the best place on the way where the search ran away from it."""
     p, best = len(one.free), place
     for _ in range(_ROUNDS):
@@ -834,7 +834,7 @@ def _settled(one: _Calibration, place: _Place) -> _Place:
 _RAN_AWAY = 1.0  # twice the logarithm of a probability: by less, costs differ where nothing does
 
 
-def _elsewhere(one: _Calibration, place: _Place) -> list[Array]:
+def _elsewhere(one: CalibrationProblem, place: _Place) -> list[Array]:
     """Steps to where a search may end better: all doubts set free, and the group that would explain most if it were.
 
     What nothing explains weakens the data, so that doubts stay with their priors and go on explaining nothing.
@@ -871,7 +871,7 @@ class Readings:
     freedom: Array
 
 
-def readings_of(calibration: Calibrated) -> Readings:
+def readings_of(calibration: Calibration) -> Readings:
     """Read the parts off a richer model where it ended."""
     one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
     p, q, count = len(one.free), len(one.nuisances), len(one.runs)
@@ -894,7 +894,7 @@ def readings_of(calibration: Calibrated) -> Readings:
     return Readings(values, slopes, errors, freedom)
 
 
-def reported(calibration: Calibrated, bench: Mapping[str, Estimate]) -> Discrepancy:
+def reported(calibration: Calibration, bench: Mapping[str, Estimate]) -> Discrepancy:
     """Tell what a calibration found; ``bench`` are values of component tests (SI) to hold it against."""
     one, state, system, found = calibration.one, calibration.state, calibration.system, calibration.step
     p, q, count, first = len(one.free), len(one.nuisances), len(one.runs), calibration.first
@@ -965,7 +965,7 @@ def _length(system: _System, name: str) -> float:
     return float(np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name]))
 
 
-def _nuisances(one: _Calibration, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
+def _nuisances(one: CalibrationProblem, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
     found = {}
     xi, error = _unwhitened(one, state.xi), after
     for i, nuisance in enumerate(one.nuisances):
@@ -976,7 +976,7 @@ def _nuisances(one: _Calibration, state: _State, after: Array) -> dict[str, Nuis
     return found
 
 
-def _unwhitened(one: _Calibration, xi: Array) -> Array:
+def _unwhitened(one: CalibrationProblem, xi: Array) -> Array:
     """Doubts in their own prior standard deviations: the damper's forces are correlated."""
     knotted, found = one.richer.whitened(), xi.copy()
     if knotted is not None:
@@ -985,7 +985,7 @@ def _unwhitened(one: _Calibration, xi: Array) -> Array:
     return found
 
 
-def _groups(one: _Calibration, size: int) -> dict[str, Mask]:
+def _groups(one: CalibrationProblem, size: int) -> dict[str, Mask]:
     """Mask of the unknowns of each group of doubts."""
     p, q = len(one.free), len(one.nuisances)
     own = (size - p - q) // max(len(one.runs), 1)
@@ -999,7 +999,7 @@ def _groups(one: _Calibration, size: int) -> dict[str, Mask]:
 
 
 def _shares(
-    one: _Calibration, system: _System, found: _Step, slopes: Array, errors: Array
+    one: CalibrationProblem, system: _System, found: _Step, slopes: Array, errors: Array
 ) -> dict[str, dict[str, float]]:
     """Share of each value's variance that would be gone if a group were known, or the model explained the rest."""
     p, q = len(one.free), len(one.nuisances)
@@ -1038,7 +1038,7 @@ class _Stray:
 
 
 def _freed(
-    one: _Calibration, state: _State, system: _System, found: _Step, slopes: Array, errors: Array
+    one: CalibrationProblem, state: _State, system: _System, found: _Step, slopes: Array, errors: Array
 ) -> tuple[str, float, dict[str, _Stray]]:
     """Set each group of doubts free in turn: which would explain most of the rest, and which doubts leave their priors.
 
@@ -1136,7 +1136,7 @@ def _law_estimate(
     return LawEstimate(value, (low, high), component, effective, not why, why, shares)
 
 
-def _one_sided(calibration: Calibrated) -> list[Finding]:
+def _one_sided(calibration: Calibration) -> list[Finding]:
     """Say where a line cannot be the damper's law: the forces found beside it have one sign in bump and rebound.
 
     Half the sum of the forces at both signs of a velocity is zero for every law that is the same on both sides,
@@ -1171,7 +1171,7 @@ _LINE = "strut.damper.coefficient"
 _UNLIKE = 0.1  # of the coefficient: sides that differ from it by less are as alike as dampers are
 
 
-def _undoubted(richer: Richer) -> list[Finding]:
+def _undoubted(richer: ExtendedRig) -> list[Finding]:
     """Say which laws the interval takes for right."""
     laws = richer.undoubted()
     if not laws:
@@ -1184,7 +1184,7 @@ def _undoubted(richer: Richer) -> list[Finding]:
 
 
 def _findings(
-    one: _Calibration, strays: Mapping[str, _Stray], nuisances: Mapping[str, NuisanceEstimate],
+    one: CalibrationProblem, strays: Mapping[str, _Stray], nuisances: Mapping[str, NuisanceEstimate],
     contradicted: Mapping[str, str], unexplained: Mapping[str, float], reducer: str, reduced: float,
 ) -> list[Finding]:  # fmt: skip
     found = []
@@ -1222,7 +1222,7 @@ def _findings(
 _INPUTS = ("speeds", "height", "contact_patch", "presliding", "arms")
 
 
-def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> Ridden:
+def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
     """Static deflections and the largest strut velocity of a trial, by the rig with its fitted values."""
     plain = prepared.compiled.plain
     start = plain.parameter_values({**prepared.source.rig.parameters(), **fitted})
@@ -1233,7 +1233,7 @@ def _ridden(prepared: Prepared, fitted: Mapping[str, float]) -> Ridden:
         return solution.outputs[names.index(name)] if name in names else np.zeros(1)
 
     velocity = float(np.max(np.abs(seen("strut.velocity"))))
-    return Ridden(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
+    return RideExtent(float(seen("strut.deflection")[0]), float(seen("tyre.deflection")[0]), max(velocity, 1e-3))
 
 
 def _moved(track: Segments, edges: Array) -> Segments:
@@ -1253,7 +1253,7 @@ def _moved(track: Segments, edges: Array) -> Segments:
 class DrawnRun:
     """A trial, fitted or not, that is simulated with the richer model for draws of its unknowns."""
 
-    def __init__(self, found: Calibrated, one: _Calibration, place: int, fitted: int | None) -> None:
+    def __init__(self, found: Calibration, one: CalibrationProblem, place: int, fitted: int | None) -> None:
         self.found, self.one, self.run, self.fitted = found, one, one.runs[place], fitted
         self.channels, self.rate = self.run.channels, self.run.prepared.rate
         self.units = {output.name: output.unit for output in self.run.compiled.facts.outputs}
@@ -1302,35 +1302,27 @@ class DrawnRun:
         return readings
 
 
-def richer_runs(found: Calibrated, trials: Sequence[FitTrial], settings: Mapping[str, Any]) -> Iterator[DrawnRun]:
+def extended_runs(found: Calibration, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
     """Trials ready to be simulated with the richer model, fitted ones with what is known of each."""
     places = {run.prepared.source.name: i for i, run in enumerate(found.one.runs)}
     for trial in trials:
-        one = _Calibration(
-            [trial], found.one.free, found.one.doubt, channels=settings["channels"], weights=settings["weights"],
-            align=found.one.align, tolerance=1e-6, priors={}, richer=found.one.richer,
-            found_beside=found.one.beside,
-        )  # fmt: skip
+        one = found.one.with_trial(trial, replace(found.one.settings, tolerance=1e-6))
         yield DrawnRun(found, one, 0, places.get(trial.name))
 
 
 def candidate_information(
-    found: Calibrated,
+    found: Calibration,
     trial: FitTrial,
     noise: Mapping[str, float],
     rest: Mapping[str, float],
-    channels: Sequence[str] | None,
 ) -> Array:
     """Information that one more trial adds about scaled parameters and common doubts.
 
     ``noise`` is the variance of each channel's noise (SI), ``rest`` what nothing explains, over the energy of the
     signal (1). What is in doubt of this trial alone is integrated out.
     """
-    one = _Calibration(
-        [trial], found.one.free, found.one.doubt, channels=channels, weights="printed", align=found.one.align,
-        tolerance=found.one.tolerance, priors={}, richer=found.one.richer,
-        found_beside=found.one.beside,
-    )  # fmt: skip
+    settings = replace(found.one.settings, weights="printed", tolerance=found.one.tolerance)
+    one = found.one.with_trial(trial, settings)
     p, q = len(one.free), len(found.one.nuisances)
     xi = np.zeros(len(one.nuisances))
     places = {i: found.one.place[n.name] for i, n in enumerate(one.nuisances) if n.name in found.one.place}

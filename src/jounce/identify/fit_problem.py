@@ -23,6 +23,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.waiting import reached
 from jounce.identify.lags import Shifted, best_lag
+from jounce.identify.settings import UpdateSettings
 from jounce.kernel.engine import Status
 from jounce.mechanics.facts import is_road
 from jounce.parts import Rig
@@ -281,20 +282,15 @@ class UpdateProblem:
         self,
         trials: Sequence[FitTrial],
         free: Sequence[Free],
-        *,
-        channels: Sequence[str] | None,
-        weights: str | Mapping[str, float],
-        align: bool,
-        lag_bound: float,
-        tolerance: float,
+        settings: UpdateSettings,
         nuisances: Sequence[Unknown] = (),
     ) -> None:
-        self.nuisances = tuple(nuisances)
-        self.free, self.align, self.lag_bound, self.tolerance = tuple(free), align, lag_bound, tolerance
-        self.trials = tuple(prepare_trial(trial, self.free, channels, weights) for trial in trials)
+        self.free, self.settings, self.nuisances = tuple(free), settings, tuple(nuisances)
+        self.tolerance, self.align, self.lag_bound = settings.tolerance, settings.fits_lags, settings.lag_bound
+        self.trials = tuple(prepare_trial(trial, self.free, settings) for trial in trials)
         self.evaluations = 0
         count = sum(len(c.measured) for trial in self.trials for c in trial.channels)
-        unknowns = self.size + (len(self.trials) if align else 0)
+        unknowns = self.size + (len(self.trials) if self.align else 0)
         if count < unknowns:
             raise FitError(
                 "fewer data than parameters",
@@ -447,7 +443,7 @@ class Simulated:
 
     def __init__(self, trial: FitTrial, tolerance: float = 1e-6) -> None:
         self.trial = trial
-        self.prepared = prepare_trial(trial, (), None, "printed")
+        self.prepared = prepare_trial(trial, (), UpdateSettings())
         self.solution = self.prepared.solve(np.zeros(0), tolerance)
 
     def readings(self, lag: float = 0.0) -> dict[str, tuple[Array, Array, Array]]:
@@ -472,12 +468,11 @@ class Simulated:
         return {name: np.interp(at, times, one) for name, one in zip(names, self.solution.outputs, strict=True)}
 
 
-def prepare_trial(
-    trial: FitTrial, free: tuple[Free, ...], names: Sequence[str] | None, weights: str | Mapping[str, float]
-) -> Prepared:
+def prepare_trial(trial: FitTrial, free: Sequence[Free], settings: UpdateSettings) -> Prepared:
     """Compile a trial's model with the free parameters and get its channels ready; refuse what cannot be compared."""
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=known_actuator(trial.trial))
+    names, weights = settings.channels, settings.weights
     _check_channels(compiled.output_names, names, weights)
     given = ("command", "actuator.force") if trial.trial.actuator_force is not None else ()  # inputs, not answers
     common = [

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.identify.richer import ONSET_VELOCITY, SLIDING_OVER, Richer
+from jounce.identify.extended_rig import ONSET_VELOCITY, SLIDING_OVER, ExtendedRig
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.result import Solution
 
@@ -68,7 +68,7 @@ class States:
 class Laws:
     """Readings of the fitted parameters from the richer rig's numbers over the states ridden."""
 
-    def __init__(self, richer: Richer, states: Sequence[States], every: int = 3) -> None:
+    def __init__(self, richer: ExtendedRig, states: Sequence[States], every: int = 3) -> None:
         self.richer = richer
         self.seen = States.joined(states, every)
         self.sliding = np.concatenate([one.sliding(one.velocity)[::every] for one in states])

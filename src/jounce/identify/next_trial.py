@@ -7,7 +7,7 @@ whatever the trial will measure; the expected information gain is the log of the
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -220,7 +220,7 @@ class _NoiseOnly:
     def _plain(self, trial: FitTrial) -> Array:
         """Information of a trial if its residuals were white, with a free lag where lags were fitted."""
         basis = self.basis
-        prepared = prepare_trial(trial, basis.free, basis.channels, "printed")
+        prepared = prepare_trial(trial, basis.free, replace(basis.settings, weights="printed"))
         values = np.array([basis.values[item.path] for item in basis.free])
         solution = prepared.solve(values, _TOLERANCE)
         scales = self.scale * prepared.factors
@@ -235,7 +235,7 @@ class _NoiseOnly:
         if not rows:
             raise FitError("none of the fitted channels", where=trial.name, allowed=", ".join(basis.residual))
         jacobian = np.vstack(rows)
-        if basis.align:
+        if basis.settings.fits_lags:
             project_out(jacobian, np.concatenate(slopes))
         return np.asarray(jacobian.T @ jacobian)
 
@@ -260,6 +260,4 @@ class _WithDoubt:
 
     def information(self, candidate: Candidate) -> Array:
         """What a trial adds; what nothing explains grows with the signal, as in the fitted trials."""
-        return candidate_information(
-            self.found, _recorded(candidate, self.basis), self.noise, self.rest, self.basis.channels
-        )
+        return candidate_information(self.found, _recorded(candidate, self.basis), self.noise, self.rest)

@@ -23,7 +23,7 @@ FASTEST = 0.45
 
 
 @dataclass(frozen=True)
-class Nuisance:
+class SearchedNuisance:
     """One unknown of trials or sensors.
 
     Attributes
@@ -68,7 +68,7 @@ def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
     return Sensor.model_validate({**given, "low_pass": corner})
 
 
-def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: str) -> tuple[Nuisance, ...]:
+def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: str) -> tuple[SearchedNuisance, ...]:
     """Read the nuisances and their bounds: a share of the stated speed, or two corners in Hz.
 
     Corners start in the middle of their bounds until a better start is known.
@@ -83,7 +83,7 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
             if not speeds:
                 raise FitError("no trial has a speed", where=place, hint="Leave it out.")
             lower, upper = _speeds(bounds, speeds[0], place)
-            found.append(Nuisance(name, Free(name, speeds[0], lower, upper)))
+            found.append(SearchedNuisance(name, Free(name, speeds[0], lower, upper)))
             continue
         channel = name.removesuffix(LOW_PASS)
         if not name.endswith(LOW_PASS) or channel not in channels:
@@ -95,7 +95,7 @@ def nuisances_of(given: Mapping[str, Any], trials: Sequence[FitTrial], where: st
         if not 0.0 < low < high:
             allowed = f"two corners, the lower above 0 and below {FASTEST * rate:g} Hz, {FASTEST:g} of the sample rate"
             raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
-        found.append(Nuisance(name, Free(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
+        found.append(SearchedNuisance(name, Free(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)))
     return tuple(found)
 
 

@@ -30,7 +30,8 @@ from jounce.identify.estimate import Estimate, correlation_of
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.log_density import Convergence, LogDensity, by_ensemble, convergence, fitted, profile, sample
 from jounce.identify.prediction import RICHER, Band, bands_of
-from jounce.identify.update import UpdateResult, bounds_and_priors, updated
+from jounce.identify.settings import UpdateSettings
+from jounce.identify.update import UpdateResult, bounds_and_priors, run_update
 from jounce.parts.rig import shown_unit_of
 
 if TYPE_CHECKING:
@@ -186,7 +187,7 @@ class Posterior(Plain, Shown):
 
 
 @dataclass(frozen=True)
-class Rested:
+class UpdatedDensity:
     """An update with the density around it."""
 
     update: UpdateResult
@@ -195,20 +196,16 @@ class Rested:
     findings: tuple[Finding, ...]
 
 
-def rested(  # noqa: PLR0913 - as for the posterior
-    trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str, weights: str | Mapping[str, float],
-    channels: Sequence[str] | None, align: str | None, starts: int | None, doubt: Doubt | Mapping[str, Any] | None,
-    bench: Mapping[str, Estimate] | None, progress: Progress,
-) -> Rested:  # fmt: skip
-    """Update a model, and give the density of its parameters with what it rests on; arguments as in `posterior`."""
+def update_with_density(
+    trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings, progress: Progress
+) -> UpdatedDensity:
+    """Update a model, and give the density of its parameters with what it rests on."""
+    name, doubt = settings.name, settings.doubts
     progress(f"{name}: update")
     bounds_ = bounds_and_priors(trials[0].rig_without, free, name)[0] if trials else {}
-    update, calibration = updated(
-        trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
-        doubt=doubt, bench=bench,
-    )  # fmt: skip
+    update, calibration = run_update(trials, free, settings)
     limits = free_parameters(trials[0].rig_without, bounds_, where=name)
-    trials = with_datums(trials, channels)[0]
+    trials = with_datums(trials, settings.channels)[0]
     findings = [one for one in update.findings if one.severity != "note"]
     values = update.values()
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
@@ -217,23 +214,21 @@ def rested(  # noqa: PLR0913 - as for the posterior
             raise FitError("model error cannot be counted", where=name, found=why, hint="Leave out doubt.")
         calibration.one.tolerance = _TOLERANCE
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
-        basis = Basis(tuple(trials), limits, calibration, density.covariance, values, channels, align == "lag")
+        basis = Basis(tuple(trials), limits, calibration, density.covariance, values, settings)
     else:
         if doubt is not None:
             text = f"noise only: what the model lacks is counted from {FEWEST_TRIALS} trials on, fitted: {len(trials)}"
             findings.append(Finding("posterior", "warning", text, float(len(trials))))
-        problem = UpdateProblem(
-            trials, limits, channels=channels, weights=weights, align=align == "lag", lag_bound=0.02, tolerance=1e-8
-        )
+        problem = UpdateProblem(trials, limits, settings)
         best = np.array([item.scaled(values[item.path]) for item in limits])
         lowest = np.array([item.scaled(0.0) if item.lower >= 0.0 else -np.inf for item in limits])
         size = len(limits)
         density = NoiseDensity(problem, best, -np.ones(size), np.ones(size), lowest)
         basis = Basis(
-            tuple(trials), limits, None, density.covariance, values, channels, align == "lag",
+            tuple(trials), limits, None, density.covariance, values, settings,
             _levels_of(problem, best, noise_variance), _levels_of(problem, best, lambda one: float(np.mean(one**2))),
         )  # fmt: skip
-    return Rested(update, density, basis, tuple(findings))
+    return UpdatedDensity(update, density, basis, tuple(findings))
 
 
 def posterior(  # noqa: PLR0913 - each is a choice of its own
@@ -317,15 +312,24 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     """
     trials = [trials] if isinstance(trials, FitTrial) else trials
     predict = [predict] if isinstance(predict, FitTrial) else predict
+    settings = UpdateSettings(name, method, weights, channels, align, starts=starts, doubt=doubt, bench=bench)
+    return posterior_with(
+        trials, free, settings, draws=draws, seed=seed, predict=predict, predicted_with=predicted_with,
+        progress=progress,
+    )  # fmt: skip
+
+
+def posterior_with(
+    trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings, *, draws: int, seed: int,
+    predict: Sequence[FitTrial] | None, progress: Progress, predicted_with: int = 50,
+) -> Posterior:  # fmt: skip
+    """Give the posterior of an update with these settings, as :func:`posterior` does."""
     _check_counts(draws, predicted_with, seed)
     _check_names(trials, "trials")
     _check_names(predict or (), "predict")
-    at = rested(
-        trials, free, name=name, method=method, weights=weights, channels=channels, align=align, starts=starts,
-        doubt=doubt, bench=bench, progress=progress,
-    )  # fmt: skip
+    name, at = settings.name, update_with_density(trials, free, settings, progress)
     density, basis, update = at.density, at.basis, at.update
-    chosen = basis.trials if predict is None else with_datums(predict, channels)[0]
+    chosen = basis.trials if predict is None else with_datums(predict, settings.channels)[0]
     limits = basis.free
     progress(f"{name}: the density around the estimate")
     table = fitted(density, density.region, seed)
@@ -336,8 +340,7 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     if not chosen:
         return result
     progress(f"{name}: what it predicts for {len(chosen)} trials")
-    settings: dict[str, Any] = {"channels": channels, "weights": weights, "align": basis.align}
-    predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed, settings)
+    predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed)
     return replace(result, predictions=predictions, findings=(*result.findings, *_missed(result, predictions)))
 
 

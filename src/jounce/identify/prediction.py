@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
-from jounce.identify.discrepancy import richer_runs
+from jounce.identify.discrepancy import extended_runs
 from jounce.identify.fit_problem import Channel, FitTrial, Free, prepare_trial
 from jounce.identify.lags import Shifted, best_lag
+from jounce.identify.settings import UpdateSettings
 from jounce.recordings import estimate_lag
 from jounce.recordings.signals import shift_signals
 
@@ -67,7 +68,7 @@ class Band(Shown):
 
 def bands_of(
     density: NoiseDensity | DoubtDensity, basis: Basis, samples: xr.Dataset, trials: Sequence[FitTrial],
-    count: int, seed: int, settings: Mapping[str, Any],
+    count: int, seed: int,
 ) -> dict[str, dict[str, Band]]:  # fmt: skip
     """Predict every channel of some trials, with ``count`` draws each."""
     free = basis.free
@@ -78,9 +79,9 @@ def bands_of(
     fitted = {trial.name for trial in basis.trials}
     if isinstance(density, DoubtDensity):
         scaled = np.array([[item.scaled(v) for item, v in zip(free, row, strict=True)] for row in law])
-        curves = _richer(density, trials, scaled, seed, settings)
+        curves = _richer(density, trials, scaled, seed, basis.settings)
     else:
-        curves = [_plain(trial, free, law, settings) for trial in trials]
+        curves = [_plain(trial, free, law, basis.settings) for trial in trials]
     noise, rest = _levels(basis, density)
     bands: dict[str, dict[str, Band]] = {}
     for trial, channels in zip(trials, curves, strict=True):
@@ -100,9 +101,9 @@ _Curves = list[tuple[Channel, Array, str]]
 """Channels, what was simulated of each for every draw (draws, samples), and units."""
 
 
-def _plain(trial: FitTrial, free: Sequence[Free], law: Array, settings: Mapping[str, Any]) -> _Curves:
+def _plain(trial: FitTrial, free: Sequence[Free], law: Array, settings: UpdateSettings) -> _Curves:
     """Simulate a trial for each draw."""
-    prepared = prepare_trial(trial, tuple(free), settings["channels"], settings["weights"])
+    prepared = prepare_trial(trial, free, settings)
     names = prepared.compiled.facts.parameters
     places = [names.index(path) for path in prepared.compiled.free]
     plain = replace(prepared, compiled=prepared.compiled.plain)
@@ -116,22 +117,22 @@ def _plain(trial: FitTrial, free: Sequence[Free], law: Array, settings: Mapping[
             table = one.table(channel, solution)
             tables[channel.name].append(channel.offset(table, np.zeros(len(table)))[0][:, 0])
     units = {output.name: output.unit for output in prepared.compiled.facts.outputs}
-    return _laid(prepared.channels, tables, units, prepared.rate, align=settings["align"])
+    return _laid(prepared.channels, tables, units, prepared.rate, align=settings.fits_lags)
 
 
 def _richer(
-    density: DoubtDensity, trials: Sequence[FitTrial], scaled: Array, seed: int, settings: Mapping[str, Any]
+    density: DoubtDensity, trials: Sequence[FitTrial], scaled: Array, seed: int, settings: UpdateSettings
 ) -> list[_Curves]:
     """The same with what may be wrong of model and measurement drawn, too."""
     doubts = density.doubts(scaled, seed)
     found: list[_Curves] = []
-    for run in richer_runs(density.found, trials, settings):
+    for run in extended_runs(density.found, trials):
         tables: dict[str, list[Array]] = {}
         rng = np.random.default_rng([seed, 10, len(found)])
         for x, step in zip(scaled, doubts, strict=True):
             for name, table in run.drawn(x, step, rng).items():
                 tables.setdefault(name, []).append(table)
-        found.append(_laid(run.channels, tables, run.units, run.rate, align=settings["align"]))
+        found.append(_laid(run.channels, tables, run.units, run.rate, align=settings.fits_lags))
     return found
 
 

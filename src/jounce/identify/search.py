@@ -7,21 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from jounce.core.errors import FitError, SimulationError
+from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.identify.fit_problem import UpdateProblem
 
-METHODS = ("bfgs", "least-squares")
 SAME_PLACE = 0.1
 """Share of half the range: searches that end closer together have found the same place."""
 _BOUND = 1.0 - 1e-6
 _SMALL_GAIN, _PERFECT = 1e-6, 1e-12
-
-
-def check_method(method: str) -> None:
-    """Refuse an unknown method."""
-    if method not in METHODS:
-        raise FitError("unknown method", found=method, allowed=", ".join(METHODS))
 
 
 @dataclass(frozen=True)

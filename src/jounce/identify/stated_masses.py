@@ -71,11 +71,11 @@ def loads_held_against_masses(trials: Sequence[FitTrial]) -> list[Finding]:
 _WEIGHED = 0.02  # of a load: as far as masses of lumped rigs are doubted
 
 
-def preferred_masses(problem: UpdateProblem, scaled: Array, **settings: object) -> list[Finding]:
+def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
     """Say that other masses would leave half as much, and which ratio of them the data prefer.
 
-    ``scaled`` is the optimum of ``problem`` with the masses as stated, ``settings`` what else it was made with. Their
-    common scale is nothing that the data know: the sum is told as stated.
+    ``scaled`` is the optimum of ``problem`` with the masses as stated. Their common scale is nothing that the data
+    know: the sum stays as stated.
     """
     rig = problem.trials[0].source.rig
     masses = stated_masses(rig, [one.path for one in problem.free])
@@ -86,11 +86,8 @@ def preferred_masses(problem: UpdateProblem, scaled: Array, **settings: object) 
     wider = UpdateProblem(
         [one.source for one in problem.trials],
         [*problem.free, *more],
-        align=problem.align,
-        lag_bound=problem.lag_bound,
-        tolerance=problem.tolerance,
-        nuisances=problem.nuisances,
-        **settings,  # type: ignore[arg-type]
+        problem.settings,
+        problem.nuisances,
     )
     x = np.concatenate([scaled[:count], np.zeros(len(more)), scaled[count:]])
     before, _ = wider.objective(x)

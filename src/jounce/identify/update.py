@@ -15,19 +15,19 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
-from jounce.identify.discrepancy import FEWEST_TRIALS, Calibrated, Discrepancy, calibrated, reported
-from jounce.identify.doubt import Doubt, doubts_of
+from jounce.identify.discrepancy import FEWEST_TRIALS, Calibration, Discrepancy, calibrate, reported
+from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
 from jounce.identify.fit_problem import FitTrial, Free, Residuals, UpdateProblem, free_parameters
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
-from jounce.identify.nuisances import SPEED, Nuisance, nuisances_of
-from jounce.identify.search import SAME_PLACE, Optimum, Search, check_method, searched
+from jounce.identify.nuisances import SPEED, SearchedNuisance, nuisances_of
+from jounce.identify.search import SAME_PLACE, Optimum, Search, searched
+from jounce.identify.settings import UpdateSettings
 from jounce.identify.stated_masses import loads_held_against_masses, preferred_masses
 from jounce.identify.suspects import CLEARLY, suspects
 from jounce.identify.trials_compared import disagreeing, exchanged, unlike
 from jounce.parts import Rig
 from jounce.parts.rig import shown_unit_of, unit_of
-from jounce.simulation.settings import RunSettings
 
 # what the data can tell -----------------------------------------------------------------------------------------------
 
@@ -319,28 +319,19 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     24000.0
     """
     trials = [trials] if isinstance(trials, FitTrial) else trials
-    return updated(
-        trials, free, name=name, method=method, weights=weights, channels=channels, align=align, lag_bound=lag_bound,
-        starts=starts, seed=seed, tolerance=tolerance, doubt=doubt, bench=bench, nuisances=nuisances,
-    )[0]  # fmt: skip
+    settings = UpdateSettings(
+        name, method, weights, channels, align, lag_bound, starts, seed, tolerance, doubt, nuisances, bench
+    )
+    return run_update(trials, free, settings)[0]
 
 
-def updated(  # noqa: PLR0913 - as update_model
-    trials: Sequence[FitTrial], free: Mapping[str, Any], *, name: str, method: str,
-    weights: str | Mapping[str, float], channels: Sequence[str] | None, align: str | None, starts: int | None,
-    doubt: Doubt | Mapping[str, Any] | None, bench: Mapping[str, Estimate] | None, lag_bound: float = 0.02,
-    seed: int = 1, tolerance: float = 1e-8, nuisances: Mapping[str, Any] | None = None,
-) -> tuple[UpdateResult, Calibrated | None]:  # fmt: skip
-    """Update as :func:`update_model` does; gives also where the richer model ended, where model error is counted."""
-    check_method(method)
+def run_update(
+    trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings
+) -> tuple[UpdateResult, Calibration | None]:
+    """Update as :func:`update_model` does; gives also where the extended model ended, where model error is counted."""
+    name, doubt, align = settings.name, settings.doubts, settings.fits_lags
     if not trials:
         raise FitError("no trial to fit", where=name, hint='Mark trials with use = "fit" or name their numbers.')
-    if align not in (None, "lag"):
-        raise FitError("unknown alignment", where=name, found=align, allowed='none, or "lag"')
-    if starts is not None and starts < 1:
-        raise FitError("not a number of starts", where=name, found=starts, allowed="1 or more")
-    if not (np.isfinite(lag_bound) and lag_bound > 0.0):
-        raise FitError("not a largest lag", where=name, found=f"{lag_bound} s", allowed="above 0 s")
     ranges, priors = bounds_and_priors(trials[0].rig_without, free, name)
     if priors and doubt is None:
         raise FitError(
@@ -349,19 +340,10 @@ def updated(  # noqa: PLR0913 - as update_model
             hint="Give doubt, e.g. doubt = jn.Doubt(), or leave out the prior.",
         )
     bounds = free_parameters(trials[0].rig_without, ranges, where=name)
-    trials, datums = with_datums(trials, channels)
+    trials, datums = with_datums(trials, settings.channels)
     datums += loads_held_against_masses(trials)
-    unknowns = nuisances_of(nuisances or {}, trials, f"{name}: nuisances")
-    problem = UpdateProblem(
-        trials,
-        bounds,
-        channels=channels,
-        weights=weights,
-        align=align == "lag",
-        lag_bound=lag_bound,
-        tolerance=RunSettings(tolerance=tolerance).tolerance,
-        nuisances=unknowns,
-    )
+    unknowns = nuisances_of(settings.nuisances or {}, trials, f"{name}: nuisances")
+    problem = UpdateProblem(trials, bounds, settings, unknowns)
     start = np.array([item.scaled(item.initial) for item in (*bounds, *(one.free for one in unknowns))])
     names = (
         *(item.path for item in bounds),
@@ -371,7 +353,8 @@ def updated(  # noqa: PLR0913 - as update_model
     known = identifiability(_whole(problem, start), names)
     before, _ = problem.objective(start)
     swapped = exchanged(_left_over(problem, problem.residuals(start)))
-    search = searched(problem, start, method, seed, starts=1 if starts is None and doubt is None else starts)
+    starts = 1 if settings.starts is None and doubt is None else settings.starts
+    search = searched(problem, start, settings.method, settings.seed, starts=starts)
     best = search.best
     findings = [*datums, *known.findings, *_stall(name, best, before), *_other_minima(name, problem, search)]
     findings += _common_factors(problem)
@@ -386,10 +369,10 @@ def updated(  # noqa: PLR0913 - as update_model
     suspected = suspects(problem, residuals, best.scaled, whole[:, inside], loud)
     findings += [finding for _, finding in suspected]
     if loud:
-        findings += preferred_masses(problem, best.scaled, channels=channels, weights=weights)
+        findings += preferred_masses(problem, best.scaled)
     for channel, parts in left.items():
         if not any(finding.place in (channel, SPEED) or share > CLEARLY for share, finding in suspected):
-            findings += faults(channel, parts, lag_bound, is_aligned=problem.align)
+            findings += faults(channel, parts, settings.lag_bound, is_aligned=align)
     inner = np.atleast_1d(whole.any(axis=0))
     inner[: len(at_bound)] &= ~at_bound
     covariance = np.zeros((len(inner), len(inner)))
@@ -434,31 +417,20 @@ def updated(  # noqa: PLR0913 - as update_model
     findings = [*alike, *_far_masses(trials[0].rig, parameters), *(one for one in findings if one not in at_start)]
     discrepancy = calibration = None
     if doubt is not None:
-        counted = doubts_of(doubt)
         values = {path: parameter.value for path, parameter in parameters.items()}
-        settings = {"channels": channels, "weights": weights, "tolerance": problem.tolerance}
         for one, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
             trials = [one.applied(trial, one.free.value(scaled)) for trial in trials]
-        calibration, more = _with_doubt(
-            trials,
-            bounds,
-            values,
-            counted,
-            priors,
-            lags=lags,
-            align=align == "lag",
-            found_beside={one.name: one.width for one in unknowns},
-            **settings,
-        )
+        found_beside_of = {one.name: one.width for one in unknowns}
+        calibration, more = _with_doubt(trials, bounds, values, settings, lags, priors, found_beside_of)
         if calibration is not None:
-            discrepancy = reported(calibration, bench or {})
+            discrepancy = reported(calibration, settings.bench or {})
             more = list(discrepancy.findings)
         findings = [*more, *findings]
     if discrepancy is None:
         findings += _beyond_noise(left)
     result = UpdateResult(
         name,
-        method,
+        settings.method,
         before,
         best.objective,
         100.0 * (before - best.objective) / before if before > 0.0 else 0.0,
@@ -475,7 +447,7 @@ def updated(  # noqa: PLR0913 - as update_model
     return result, calibration
 
 
-def _beside(one: Nuisance, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
+def _beside(one: SearchedNuisance, scaled: float, variance: float, is_bound: bool) -> UpdatedParameter:
     """A nuisance as it is told: its value, and the interval of what was searched in its unit."""
     free, found = one.free, float(one.free.value(scaled))
     error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
@@ -567,11 +539,12 @@ def _with_doubt(
     trials: Sequence[FitTrial],
     free: Sequence[Free],
     values: Mapping[str, float],
-    doubt: Doubt,
+    settings: UpdateSettings,
+    lags: Mapping[str, float],
     priors: Mapping[str, tuple[float, float]],
-    **settings: Any,
-) -> tuple[Calibrated | None, list[Finding]]:
-    """The richer model where it ended, or why there is no such thing."""
+    found_beside: Mapping[str, float],
+) -> tuple[Calibration | None, list[Finding]]:
+    """Where the extended model ended, or why there is no such thing."""
     if len(trials) < FEWEST_TRIALS:
         text = (
             f"no interval that counts what the model lacks: that takes {FEWEST_TRIALS} trials, fitted: {len(trials)}; "
@@ -579,7 +552,7 @@ def _with_doubt(
         )
         return None, [Finding("intervals", "warning" if priors else "note", text, float(len(trials)))]
     try:
-        return calibrated(trials, free, values, doubt=doubt, priors=priors, **settings), []
+        return calibrate(trials, free, values, settings, lags=lags, priors=priors, found_beside=found_beside), []
     except SimulationError as error:
         text = f"no interval that counts what the model lacks: {error} Intervals are those of the noise only."
         return None, [Finding("intervals", "warning", text)]

@@ -65,7 +65,7 @@ class OperatingPoint(Protocol):
 
 
 @dataclass(frozen=True)
-class Samples:
+class SampledPoint:
     """Operating points as numbers or arrays; a state rests at zero, as a damper does that has not moved yet."""
 
     number: Callable[[str], Any]
@@ -125,7 +125,7 @@ class DamperLaw(Description):
         >>> BilinearDamper(bump_coefficient=300.0, rebound_coefficient=900.0).forces(np.array([-1.0, 1.0])).tolist()
         [-900.0, 300.0]
         """
-        return np.asarray(self.evaluate(Samples(lambda name: getattr(self, name), velocity, deflection)))
+        return np.asarray(self.evaluate(SampledPoint(lambda name: getattr(self, name), velocity, deflection)))
 
     def slopes(self, velocity: Any, deflection: Any = 0.0) -> Array:
         """Give the slope of the force over velocity there, N s/m."""

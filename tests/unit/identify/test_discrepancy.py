@@ -11,20 +11,21 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.identify.densities import DoubtDensity
 from jounce.identify.discrepancy import (
+    CalibrationProblem,
     DrawnRun,
-    _Calibration,
     _drawn_by,
     _one_sided,
     _State,
     _Stray,
-    calibrated,
+    calibrate,
     noise_variance,
     reported,
 )
 from jounce.identify.estimate import Estimate, student_factor
+from jounce.identify.extended_rig import ExtendedRig, RideExtent
 from jounce.identify.fit_problem import free_parameters
 from jounce.identify.laws import Laws, States
-from jounce.identify.richer import Richer, Ridden
+from jounce.identify.settings import UpdateSettings
 from jounce.simulation.compiled import compile_rig
 
 RIG = jn.load("kart-quarter-car").with_changes({
@@ -32,6 +33,7 @@ RIG = jn.load("kart-quarter-car").with_changes({
     "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005},
     "tyre.damping_coefficient": 15.0,
 })  # fmt: skip
+DOUBTED = UpdateSettings(weights="normalised", doubt=jn.Doubt())
 FREE = {
     "strut.spring.rate": "15 %",
     "strut.damper.coefficient": "50 %",
@@ -74,7 +76,7 @@ def test_the_richer_rig_moves_as_the_rig_does(name):
         path for path in ("strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness") if path in rig.parameters()
     ]
     doubt = jn.Doubt(tyre_curvature=0.0)
-    richer = Richer(rig, free, doubt, Ridden(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters)
+    richer = ExtendedRig(rig, free, doubt, RideExtent(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters)
     numbers = richer.numbers(rig.parameters(), {}, np.zeros(len(richer.nuisances)))
     course = jn.Trial(road=jn.HalfSine(**BUMP), speed=1.95, duration=0.5)
     plain = jn.simulate(rig, course, tolerance=1e-7)
@@ -87,15 +89,8 @@ def test_the_richer_rig_moves_as_the_rig_does(name):
 
 def test_slopes_of_all_doubts_are_those_of_differences():
     free = free_parameters(RIG, FREE)
-    one = _Calibration(
-        trials({}, count=1),
-        free,
-        jn.Doubt(),
-        channels=None,
-        weights="normalised",
-        align=True,
-        tolerance=1e-8,
-        priors={},
+    one = CalibrationProblem(
+        trials({}, count=1), free, UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt())
     )
     here = _State(np.zeros(len(free)), np.zeros(len(one.nuisances)), np.zeros((1, 2)), np.zeros(1))
     blocks, _ = one.blocks(here)
@@ -117,15 +112,8 @@ def test_slopes_of_all_doubts_are_those_of_differences():
 def test_slopes_do_not_depend_on_where_the_search_comes_from():
     """What a presliding force did in the last motion is no part of what an input changes in this one."""
     free = free_parameters(RIG, FREE)
-    one = _Calibration(
-        trials({}, count=1),
-        free,
-        jn.Doubt(),
-        channels=None,
-        weights="normalised",
-        align=True,
-        tolerance=1e-8,
-        priors={},
+    one = CalibrationProblem(
+        trials({}, count=1), free, UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt())
     )
     xi = np.zeros(len(one.nuisances))
     xi[one.place["presliding"]] = 1.0
@@ -143,9 +131,9 @@ def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
     """Force between the masses and what is added to them: M = [[sprung, c], [c, unsprung]], whatever the angle."""
     free, course = free_parameters(RIG, FREE), jn.Trial(road=jn.Flat(), speed=1.0, duration=0.2)
     made = jn.simulate(RIG, course)[["sprung.az", "unsprung.az"]]
-    one = _Calibration(
-        [jn.FitTrial("level", RIG, course, made)], free, jn.Doubt(), channels=None, weights="printed", align=False,
-        tolerance=1e-8, priors={"strut.spring.rate": (23e3, 300.0)},
+    one = CalibrationProblem(
+        [jn.FitTrial("level", RIG, course, made)], free, UpdateSettings(weights="printed", doubt=jn.Doubt()),
+        priors={"strut.spring.rate": (23e3, 300.0)},
     )  # fmt: skip
     assert one.own == [("speed", 0.003), ("slowing", 0.02)]  # of each trial
     half = 0.15 * 22730.0  # a scaled unit, in which a prior has its mean and the root of its precision
@@ -194,7 +182,7 @@ def test_a_bend_of_the_damper_is_friction_to_a_model_with_a_line():
     still = np.zeros_like(v)
     seen = States(np.linspace(0.0, 1.0, 2000), np.cos(np.linspace(0.0, 20.0, 2000)), v, still, still, still)
     free = ["strut.damper.coefficient", "strut.friction.force"]
-    richer = Richer(RIG, free, jn.Doubt(), Ridden(0.007, 0.0015, 0.5), compile_rig(RIG).facts.parameters)
+    richer = ExtendedRig(RIG, free, jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(RIG).facts.parameters)
     laws = Laws(richer, [seen], every=1)
     p = {**RIG.parameters(), "strut.friction.force": 0.0, "strut.damper.coefficient": 150.0}
     xi = np.zeros(len(richer.nuisances))
@@ -275,7 +263,7 @@ def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
         made = [jn.FitTrial(one.name, told, one.trial, one.measured) for one in passes]
         free = free_parameters(told, {rate: "15 %", **{path: ["10 N*s/m", "900 N*s/m"] for path in truth}})
         start = {rate: 22730.0, **truth}
-        found.append(reported(calibrated(made, free, start, doubt=jn.Doubt(), lags={}, align=False), {}).parameters)
+        found.append(reported(calibrate(made, free, start, DOUBTED, lags={}), {}).parameters)
     for path, value in {rate: 22730.0, **truth}.items():
         low, high = found[0][path].interval
         assert found[1][path].interval == pytest.approx((low, high), rel=1e-6), path
@@ -289,7 +277,7 @@ def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong
     made = trials({"strut.damper": {"bump_coefficient": 180.0, "rebound_coefficient": 120.0}}, noise=0.1)
     free = free_parameters(RIG, {"strut.spring.rate": "15 %", "strut.damper.coefficient": "50 %"})
     start = {"strut.spring.rate": 22730.0, "strut.damper.coefficient": 150.0}
-    found = reported(calibrated(made, free, start, doubt=jn.Doubt(), lags={}, align=False), {})
+    found = reported(calibrate(made, free, start, DOUBTED, lags={}), {})
     told = [finding for finding in found.findings if finding.place == "strut.damper"]
     assert [finding.severity for finding in told] == ["warning"]
     assert told[0].value == pytest.approx(60.0, abs=6.0)
@@ -311,7 +299,7 @@ def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong
 def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends, sure, told):
     path = "strut.damper.coefficient"
     rig = RIG.with_changes({path: 20.0})
-    richer = Richer(rig, [path], jn.Doubt(), Ridden(0.007, 0.0015, 0.5), compile_rig(rig).facts.parameters)
+    richer = ExtendedRig(rig, [path], jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(rig).facts.parameters)
     places, root = richer.whitened()
     xi = np.zeros(len(richer.nuisances))
     xi[list(places)] = np.linalg.solve(root, bends)
@@ -449,8 +437,9 @@ def test_masses_that_move_far_and_pairs_that_act_alike_lead():
 
 
 def density_of(made, update, doubt):
-    settings = {"doubt": doubt, "lags": update.lags, "align": True, "tolerance": 1e-6}
-    return DoubtDensity(calibrated(made, free_parameters(RIG, FREE), update.values(), **settings))
+    settings = UpdateSettings(weights="normalised", align="lag", tolerance=1e-6, doubt=doubt)
+    free = free_parameters(RIG, FREE)
+    return DoubtDensity(calibrate(made, free, update.values(), settings, lags=update.lags))
 
 
 @pytest.fixture(scope="module")
@@ -506,6 +495,6 @@ def test_where_the_richer_model_does_not_run_a_posterior_is_refused(wrong, monke
     made, update = wrong
     why = Finding("intervals", "warning", "no interval that counts what the model lacks: the richer model diverged")
     lost = replace(update, discrepancy=None, findings=(why,))
-    monkeypatch.setattr("jounce.identify.posterior.updated", lambda *_, **__: (lost, None))
+    monkeypatch.setattr("jounce.identify.posterior.run_update", lambda *_, **__: (lost, None))
     with pytest.raises(FitError, match="the richer model diverged"):
         jn.posterior(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), draws=1000)

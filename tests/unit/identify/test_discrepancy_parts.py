@@ -10,9 +10,9 @@ import pytest
 import jounce as jn
 from jounce.identify import discrepancy
 from jounce.identify.discrepancy import (
+    CalibrationProblem,
     NuisanceEstimate,
     _Block,
-    _Calibration,
     _contradictions,
     _findings,
     _freed,
@@ -31,8 +31,8 @@ from jounce.identify.discrepancy import (
     noise_variance,
 )
 from jounce.identify.estimate import Estimate
+from jounce.identify.extended_rig import ExtendedRig, RideExtent
 from jounce.identify.laws import Laws, States
-from jounce.identify.richer import Richer, Ridden
 from jounce.simulation.compiled import compile_rig
 
 COMPONENT, EFFECTIVE = Estimate(10.0, 1.0, (8.0, 12.0)), Estimate(11.0, 1.0, (9.0, 14.0))
@@ -107,8 +107,8 @@ def test_laws_that_are_as_described_read_as_they_are() -> None:
     })  # fmt: skip
     paths = ("strut.spring.rate", "strut.damper.coefficient", "strut.friction.force", "guide.friction.force",
              "tyre.stiffness", "tyre.damping_coefficient")  # fmt: skip
-    richer = Richer(
-        rig, paths, jn.Doubt(tyre_curvature=0.0), Ridden(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters
+    richer = ExtendedRig(
+        rig, paths, jn.Doubt(tyre_curvature=0.0), RideExtent(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters
     )
     changed = dict(zip(paths, (23e3, 150.0, 5.0, 7.0, 140e3, 20.0), strict=True))
     p, xi = {**rig.parameters(), **changed}, np.zeros(len(richer.nuisances))
@@ -129,15 +129,15 @@ def test_laws_that_are_as_described_read_as_they_are() -> None:
 @pytest.mark.parametrize(
     ("name", "ridden", "curved"),
     [
-        ("kart-quarter-car", Ridden(0.007, 0.0015, 1.0), {"strut.spring", "tyre"}),
-        ("kart-quarter-car", Ridden(0.0, 0.0015, 1.0), {"tyre"}),
-        ("kart-quarter-car", Ridden(0.007, 0.0, 1.0), {"strut.spring"}),
-        ("kart-double-wishbone", Ridden(0.007, 0.0015, 1.0), {"tyre"}),
+        ("kart-quarter-car", RideExtent(0.007, 0.0015, 1.0), {"strut.spring", "tyre"}),
+        ("kart-quarter-car", RideExtent(0.0, 0.0015, 1.0), {"tyre"}),
+        ("kart-quarter-car", RideExtent(0.007, 0.0, 1.0), {"strut.spring"}),
+        ("kart-double-wishbone", RideExtent(0.007, 0.0015, 1.0), {"tyre"}),
     ],
 )
-def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: Ridden, curved: set[str]) -> None:
+def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: RideExtent, curved: set[str]) -> None:
     rig = jn.load(name)
-    richer = Richer(rig, [], jn.Doubt(), ridden, compile_rig(rig).facts.parameters)
+    richer = ExtendedRig(rig, [], jn.Doubt(), ridden, compile_rig(rig).facts.parameters)
     assert set(richer._curved) == curved
     masses = {one.group: one.deviation for one in richer.nuisances if one.name.endswith("mass")}
     assert masses == {group: {"stated": 0.005, "lumped": 0.02, "estimated": 0.03}[group] for group in masses}
@@ -164,7 +164,7 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
         common, own, lag = draw(size=(30, 3)), draw(size=(30, 1)), draw(size=30)
         residual = share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
         blocks.append(_Block("az", trial, residual, common, own, lag))
-    moved = _Calibration.moved(one, state, step, blocks, share)
+    moved = CalibrationProblem.moved(one, state, step, blocks, share)
     np.testing.assert_allclose(moved.lags, state.lags + late, rtol=1e-9)
     np.testing.assert_allclose(moved.theta, [-2.0, 0.3 + 0.5 * share])
     np.testing.assert_allclose(moved.xi, [0.2 - 0.7 * share])
@@ -300,16 +300,19 @@ def test_mean_squares_are_those_of_each_channel() -> None:
 
 def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
-    richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), ridden=Ridden(0.007, 0.0015, 1.0))
+    richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), extent=RideExtent(0.007, 0.0015, 1.0))
     one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)], free=[])
-    assert {each.name: (each.unit, each.mean, each.deviation) for each in _Calibration._inputs(one)} == {
+    assert {each.name: (each.unit, each.mean, each.deviation) for each in CalibrationProblem._inputs(one)} == {
         "height": ("1", 0.0, 0.015),
         "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
         "presliding": ("N", 0.0, 4.0),
         "arms": ("kg", 0.0, pytest.approx(0.2)),
     }
     nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
-    assert _Calibration._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[])) == []
+    assert (
+        CalibrationProblem._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[]))
+        == []
+    )
     channels = [
         SimpleNamespace(name=name, measured=np.array([1.0, 3.0]), sensor=sensor)
         for name, sensor in (("a", jn.Sensor(low_pass="50 Hz")), ("b", None), ("c", jn.Sensor()))
@@ -317,7 +320,7 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     runs = [SimpleNamespace(channels=channels)]
     assert {
         each.name: (each.group, each.mean, each.deviation)
-        for each in _Calibration._sensors(SimpleNamespace(beside={}, doubt=jn.Doubt(), runs=runs))
+        for each in CalibrationProblem._sensors(SimpleNamespace(beside={}, doubt=jn.Doubt(), runs=runs))
     } == {
         "a corner": ("corner", 0.0, 0.15),
         "b bandwidth": ("bandwidth", 0.0, 0.0005),
@@ -328,7 +331,7 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
         for group, deviation in (("gain", 0.01), ("bias", 0.03))
     }
     sure = jn.Doubt(gain=0.0, bias=0.0, corner=0.0, bandwidth=0.0)
-    assert _Calibration._sensors(SimpleNamespace(beside={}, doubt=sure, runs=runs)) == []
+    assert CalibrationProblem._sensors(SimpleNamespace(beside={}, doubt=sure, runs=runs)) == []
 
 
 def test_a_pass_at_another_speed_that_slows_down_comes_later() -> None:
@@ -422,9 +425,9 @@ def _passed(strut: np.ndarray) -> States:
     return States(_TIME, strut, np.gradient(strut, _TIME), 0.001 + 0.0 * _TIME, 0.0 * _TIME, 0.0 * _TIME)
 
 
-def _richer(rig: jn.QuarterCar, free: tuple[str, ...], fitted: dict[str, float] | None = None) -> Richer:
+def _richer(rig: jn.QuarterCar, free: tuple[str, ...], fitted: dict[str, float] | None = None) -> ExtendedRig:
     used = compile_rig(rig).facts.parameters
-    return Richer(rig, free, jn.Doubt(spring_curvature=0.0), Ridden(0.007, 0.0015, 0.5), used, fitted)
+    return ExtendedRig(rig, free, jn.Doubt(spring_curvature=0.0), RideExtent(0.007, 0.0015, 0.5), used, fitted)
 
 
 @pytest.mark.parametrize("friction", [(), ("strut.friction.force",)])
@@ -478,7 +481,7 @@ def test_what_is_doubted_of_a_damper_is_a_share_of_the_law_that_was_fitted() -> 
 @pytest.mark.parametrize(("fitted", "knotted"), [((0.0, 260.0), True), ((90.0, 0.0), True), ((0.0, 0.0), False)])
 def test_a_side_that_is_fitted_to_nothing_stays_as_it_is(fitted: tuple[float, float], *, knotted: bool) -> None:
     values, doubt = dict(zip(SIDES, fitted, strict=True)), jn.Doubt(damper_force=0.0)
-    richer = Richer(BILINEAR, SIDES, doubt, Ridden(0.007, 0.0015, 0.5), [], values)
+    richer = ExtendedRig(BILINEAR, SIDES, doubt, RideExtent(0.007, 0.0015, 0.5), [], values)
     assert (richer.whitened() is not None) == knotted
     assert ("damper" in richer.undoubted()) == (not knotted)
     assert all(np.isfinite(one.deviation) and one.deviation > 0.0 for one in richer.nuisances)

@@ -8,6 +8,7 @@ from scipy.optimize import least_squares
 import jounce as jn
 from jounce.identify.fit_problem import Channel, Residuals, Simulated, UpdateProblem, free_parameters
 from jounce.identify.lags import Shifted, best_lag
+from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import _correlation, _level, robust_covariance
 
 RATE = 1000.0
@@ -103,11 +104,7 @@ def test_eliminated_lags_give_what_the_joint_search_gives():
     problem = UpdateProblem(
         trials,
         free_parameters(RIG, free),
-        channels=None,
-        weights="normalised",
-        align=False,
-        lag_bound=0.02,
-        tolerance=1e-8,
+        UpdateSettings(weights="normalised"),
     )
 
     def joint(x):

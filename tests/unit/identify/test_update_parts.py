@@ -14,8 +14,8 @@ from jounce.core.segments import CIRCLE, Segments
 from jounce.identify import update
 from jounce.identify.datum import QuietStart, _quiet_start, start_findings
 from jounce.identify.discrepancy import _moved
+from jounce.identify.extended_rig import ONSET_VELOCITY, ExtendedRig, RideExtent, own_doubt
 from jounce.identify.fit_problem import Free, _weight, check_free, free_parameters
-from jounce.identify.richer import ONSET_VELOCITY, Richer, Ridden, own_doubt
 from jounce.identify.search import Optimum, Search
 from jounce.identify.update import UpdatedParameter, bounds_and_priors, identifiability
 from jounce.simulation.compiled import compile_rig
@@ -255,7 +255,7 @@ def test_doubts_are_shares_or_in_the_unit_of_what_is_doubted() -> None:
 def test_a_doubted_curve_has_the_stiffness_of_the_rig_where_it_rests() -> None:
     used = compile_rig(RIG).facts.parameters
     rest = {"strut.spring": 0.007, "tyre": 0.0015}
-    richer = Richer(RIG, [], jn.Doubt(), Ridden(rest["strut.spring"], rest["tyre"], 1.0), used)
+    richer = ExtendedRig(RIG, [], jn.Doubt(), RideExtent(rest["strut.spring"], rest["tyre"], 1.0), used)
     p, xi = RIG.parameters(), np.linspace(-1.0, 1.5, len(richer.nuisances))
     for part, rate in (("strut.spring", p[RATE]), ("tyre", p["tyre.stiffness"])):
         x, h = rest[part], 1e-6
@@ -292,7 +292,7 @@ def test_what_is_doubted_is_as_the_doubts_say() -> None:
     """Each doubt of a lumped rig with its group, mean and standard deviation, and what of it the numbers become."""
     p = RIG.parameters()
     used = compile_rig(RIG).facts.parameters
-    richer = Richer(RIG, [RATE], jn.Doubt(), Ridden(0.007, 0.0015, 1.0), used)
+    richer = ExtendedRig(RIG, [RATE], jn.Doubt(), RideExtent(0.007, 0.0015, 1.0), used)
     load = p[MASS] * p["gravity"]
     knots = np.array([0.03, 0.12, 0.35, 1.0])
     coefficient = p["strut.damper.coefficient"]
@@ -312,7 +312,7 @@ def test_what_is_doubted_is_as_the_doubts_say() -> None:
     assert {one.name: (one.group, one.mean, pytest.approx(one.deviation)) for one in richer.nuisances} == expected
     rubbing = RIG.with_changes({"guide.friction": {"force": 6.0}})
     paths = compile_rig(rubbing).facts.parameters
-    guided = Richer(rubbing, ["guide.friction.force"], jn.Doubt(), Ridden(0.007, 0.0015, 1.0), paths)
+    guided = ExtendedRig(rubbing, ["guide.friction.force"], jn.Doubt(), RideExtent(0.007, 0.0015, 1.0), paths)
     place = "guide.friction.presliding"
     assert {one.name: (one.unit, one.mean, one.deviation) for one in guided.nuisances if place in one.name} == {
         place: ("1", 0.5, 0.3),

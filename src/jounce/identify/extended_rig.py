@@ -18,7 +18,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.doubt import Doubt
 from jounce.parts import Corner, QuarterCar, Rig
-from jounce.parts.dampers import DamperLaw, Samples
+from jounce.parts.dampers import DamperLaw, SampledPoint
 from jounce.parts.elements import Friction
 from jounce.parts.rig import unit_of, unknown_path
 
@@ -49,7 +49,7 @@ class Nuisance:
 
 
 @dataclass(frozen=True)
-class Ridden:
+class RideExtent:
     """Where a ride begins and how far it goes: static deflections of strut and tyre (m), largest strut speed (m/s)."""
 
     strut: float
@@ -57,7 +57,7 @@ class Ridden:
     velocity: float
 
 
-class Richer:
+class ExtendedRig:
     """A richer rig: its description, what may be off, and its numbers for values of both.
 
     ``free`` are the paths of the fitted parameters; ``nuisances`` stand in the order of the whitened unknowns ``xi``
@@ -66,10 +66,10 @@ class Richer:
     """
 
     def __init__(
-        self, rig: Rig, free: Sequence[str], doubt: Doubt, ridden: Ridden, used: Sequence[str],
+        self, rig: Rig, free: Sequence[str], doubt: Doubt, ridden: RideExtent, used: Sequence[str],
         fitted: Mapping[str, float] | None = None,
     ) -> None:  # fmt: skip
-        self.rig, self.free, self.doubt, self.ridden = rig, tuple(free), doubt, ridden
+        self.rig, self.free, self.doubt, self.extent = rig, tuple(free), doubt, ridden
         self.has_laws = isinstance(rig, (QuarterCar, Corner))
         self.nuisances: list[Nuisance] = []
         self.values = {**rig.parameters(), **(fitted or {})}
@@ -136,7 +136,7 @@ class Richer:
         if law is None:  # of another law what its coefficient says
             force = p.get("strut.damper.coefficient", 0.0) * velocity
         else:
-            force = law.evaluate(Samples(number, velocity))
+            force = law.evaluate(SampledPoint(number, velocity))
         if self._knotted is None or self._knots is None:
             return np.asarray(force)
         places, root = self._knotted
@@ -146,8 +146,8 @@ class Richer:
 
     def curve(self, part: str, p: Mapping[str, float], xi: Array, places: tuple[int, ...]) -> list[float]:
         """Coefficients of spring or tyre, whose tangent at the static deflection is the rig's rate or stiffness."""
-        rate, rest = (p["strut.spring.rate"], self.ridden.strut) if part == "strut.spring" else (
-            p["tyre.stiffness"], self.ridden.tyre
+        rate, rest = (p["strut.spring.rate"], self.extent.strut) if part == "strut.spring" else (
+            p["tyre.stiffness"], self.extent.tyre
         )  # fmt: skip
         bends = [self.nuisances[i].mean + self.nuisances[i].deviation * xi[i] for i in places]
         square = rate * bends[0] / (2.0 * rest)
@@ -212,7 +212,7 @@ class Richer:
     def _damper(self) -> None:
         if self._damper_law() is None or self.doubt.damper_shape <= 0.0:
             return
-        positive = np.array(_KNOTS) * self.ridden.velocity
+        positive = np.array(_KNOTS) * self.extent.velocity
         knots = np.concatenate([-positive[::-1], [0.0], positive])
         moving = knots[knots != 0.0]
         scale = self.doubt.damper_shape * np.abs(self.damper_force(self.values, np.zeros(0), moving))
@@ -220,7 +220,7 @@ class Richer:
         if not np.any(scale):
             return  # a damper fitted to nothing, of which a share is nothing
         scale = np.maximum(scale, _LEAST * np.max(scale))
-        at = np.arcsinh(moving / (_KNEE * self.ridden.velocity))
+        at = np.arcsinh(moving / (_KNEE * self.extent.velocity))
         apart = math.sqrt(3.0) * np.abs(at[:, None] - at)
         root = np.linalg.cholesky((1.0 + apart) * np.exp(-apart) * np.outer(scale, scale) + 1e-9 * np.diag(scale**2))
         places = [
@@ -287,9 +287,9 @@ class Richer:
 
     def _springs(self) -> None:
         doubt = self.doubt
-        if isinstance(self.rig, QuarterCar) and "strut.spring.rate" in self.values and self.ridden.strut > 0.0:
+        if isinstance(self.rig, QuarterCar) and "strut.spring.rate" in self.values and self.extent.strut > 0.0:
             self._bend("strut.spring", "spring_curvature", [(0.0, doubt.spring_curvature)], "rate")
-        if "tyre.stiffness" in self.values and self.ridden.tyre > 0.0:
+        if "tyre.stiffness" in self.values and self.extent.tyre > 0.0:
             share = doubt.tyre_curvature
             self._bend("tyre", "tyre_curvature", [(_STIFFENS * share, share), (0.0, 0.1 * share)], "stiffness")
 
