@@ -282,7 +282,7 @@ def _clocks(tester: str) -> Iterator[TesterRecord]:
         one.z = {side: v[keep] if which != "force" else v for side, v in one.z.items()}
         one.f = {side: v[keep] if which != "height" else v for side, v in one.f.items()}
         yield one.record(
-            "rate", f"{car}, {which} held for {times}", "reading_held|force_late|force_early|channels_apart"
+            "rate", f"{car}, {which} held for {times}", "recordings.held|force_late|force_early|channels_apart"
         )
     for car, factor in itertools.product(CARS, (0.5, 0.8, 0.95, 1.05, 1.25, 2.0)):
         one = axle(tester, car)
@@ -298,12 +298,12 @@ def _clocks(tester: str) -> Iterator[TesterRecord]:
         one = axle(tester, car)
         late = np.random.default_rng(7).uniform(-1.0, 1.0, one.time.size) * size / RATE
         one.time = np.maximum(one.time + late, 0.0)
-        yield one.record("clock", f"{car}, jitter of {size:g} samples", "clock|reading_resampled")
+        yield one.record("clock", f"{car}, jitter of {size:g} samples", "clock|recordings.time_step_varies")
 
 
 def _losses(tester: str) -> Iterator[TesterRecord]:
     """Dropouts, coarse steps and ends of the range."""
-    about = "reading_frozen|dropout|samples_missing|rows_missing|clock|several_sweeps|saturated|clipped"
+    about = "recordings.frozen|dropout|samples_missing|rows_missing|clock|several_sweeps|saturated|clipped"
     for car, seconds, times, (which, how) in itertools.product(
         FEW, (0.02, 0.1, 0.4), (1, 4), itertools.product(("force", "height", "both"), ("zero", "held"))
     ):

@@ -24,7 +24,6 @@ from foreign_testers import TesterRecord
 
 from jounce.core.errors import JounceError
 from jounce.inspection import evaluate
-from jounce.inspection.findings import Remark
 from jounce.inspection.record import read_record
 from jounce.parts.testers import load_tester
 
@@ -46,7 +45,7 @@ def judged_test(record: TesterRecord) -> str:
         except JounceError:
             return "refused"
     said = [*notes, *found.findings, *chain.from_iterable(wheel.findings for wheel in found.wheels)]
-    loud = [one.code for one in said if isinstance(one, Remark) and (one.severity != "note" or "order" in one.code)]
+    loud = [one.code for one in said if one.code and (one.severity != "note" or "order" in one.code)]
     names = [bool(record.about) and re.search(record.about, code) is not None for code in loud]
     values = [
         (found.wheel(side).value(key), true, record.within[key])

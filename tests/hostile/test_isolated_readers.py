@@ -49,10 +49,12 @@ def evil(path, options):
     print("noise on the standard output")
     fault = readers.RecordingError("text", where="a")
     columns = (Column("a", "m", np.arange(3.0), "f"), Column("b", "", np.empty(0), "f", fault, "B"))
-    other = ColumnTable((Column("\\ud800", "s", np.arange(2.0)),), ("c",), "g", [4, 5], ("r",))
+    from jounce.core.findings import Finding, finding
+
+    other = ColumnTable((Column("\\ud800", "s", np.arange(2.0)),), ("c",), "g", [4, 5], (finding("core.cut_off", "r"),))
     attributes = {"n": np.float64(2.5), "i": np.int64(7), "t": np.array(["x", "y"], dtype=object), "l": np.arange(2)}
     attributes |= {"text": "µ", "nan": float("nan"), "bytes": b"ab", "odd": object}
-    findings = (readers.Finding("p", "note", "m", np.float64(1.0)),)
+    findings = (Finding("p", "note", "m", np.float64(1.0)),)
     return readers.SignalTable(ColumnTable(columns), {"a": "long"}, attributes, ("z",), (other,), findings)
 
 readers.reader("evil", "a reader of this test", (".evil",), source="none", example="none", is_isolated=True)(evil)
@@ -151,7 +153,8 @@ def test_everything_comes_back_as_it_was_read(evil) -> None:
     assert str(b.fault) == "a: text."
     assert (b.written, b.values.size) == ("B", 0)
     (other,) = signals.others
-    assert (other.names, other.comments, other.name_row(1), other.remarks) == (("\ud800",), ("c",), "line 5", ("r",))
+    assert (other.names, other.comments, other.name_row(1)) == (("\ud800",), ("c",), "line 5")
+    assert [(one.place, one.code) for one in other.remarks] == [("r", "core.cut_off")]
     found = dict(signals.attributes)
     assert isinstance(found["n"], np.float64)
     assert isinstance(found["i"], np.int64)

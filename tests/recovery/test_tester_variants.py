@@ -96,7 +96,7 @@ def _slow(one):
         (EGEA, "estate", lambda one: _coupled(one, 5.0, 1), "stroke_rises"),
         (EGEA, "hatchback", lambda one: _cut(one, 20), "rows_missing"),
         (EGEA, "estate", lambda one: _cut(one, 1000), "rows_missing"),
-        (EGEA, "van", _held, "reading_held"),
+        (EGEA, "van", _held, "recordings.held"),
         (EGEA, "van", _exchanged, "force_elsewhere"),
         (EGEA, "estate", _turned, "force_sign"),
         (EGEA, "hatchback", _coarse, "force_coarse"),

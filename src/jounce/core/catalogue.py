@@ -20,7 +20,8 @@ Severity = Literal["note", "warning", "problem"]
 Language = Literal["en", "de"]
 FACTORS = {
     "mm": 1e3, "%": 100.0, "deg": 180.0 / math.pi, "deg/s": 180.0 / math.pi, "ms": 1e3, "us": 1e6, "um": 1e6,
-    "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3, "bar": 1e-5, "cm": 1e2, "km/h": 3.6, "min": 1.0 / 60.0, "MB": 1e-6,
+    "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3, "kJ": 1e-3, "kW": 1e-3, "bar": 1e-5, "cm": 1e2, "km/h": 3.6,
+    "min": 1.0 / 60.0, "MB": 1e-6,
 }  # fmt: skip
 """Shown value of one SI unit, by the unit that stands in a sentence; other units are SI themselves."""
 _PACKAGES = Path(__file__).parent.parent
@@ -63,8 +64,13 @@ def catalogue_of(package: str) -> Catalogue:
 
 def row_of(code: str) -> Row | None:
     """Give the row of a code such as ``parts.steep_strut``; None where no catalogue has it, as of a newer jounce."""
-    package, _, name = code.rpartition(".")
-    return catalogue_of(package).rows.get(name) if package.isidentifier() else None
+    return catalogue_of(_package(code)).rows.get(code.rpartition(".")[2])
+
+
+def _package(code: str) -> str:
+    """Package of a code; those of inspection carry none, as archives hold them."""
+    package = code.rpartition(".")[0]
+    return package if package.isidentifier() else "inspection"
 
 
 def sentence(code: str, numbers: Mapping[str, Any], language: Language = "en", *, decimal: str = ".") -> str:
@@ -78,7 +84,7 @@ def sentence(code: str, numbers: Mapping[str, Any], language: Language = "en", *
     row = row_of(code)
     if row is None:
         raise KeyError(code)
-    return _Filled(code.rpartition(".")[0], language, decimal).vformat(getattr(row, language), (), numbers)
+    return _Filled(_package(code), language, decimal).vformat(getattr(row, language), (), numbers)
 
 
 class _Filled(string.Formatter):
@@ -93,11 +99,13 @@ class _Filled(string.Formatter):
         if value is None:  # not a finite number, in a file
             return "–"
         if hasattr(value, "said"):
-            return str(value.said(self.language))
+            return str(value.said(self.language, decimal=self.decimal))
+        if isinstance(value, Mapping):  # a finding that was plain data in a file
+            return sentence(value["code"], value["numbers"], self.language, decimal=self.decimal)
         if isinstance(value, (list, tuple)):
             return ", ".join(self.format_field(item, format_spec) for item in value)
         if isinstance(value, str):
-            return format(self.words.get(value, value), digits)
+            return format(", ".join(self.words.get(word, word) for word in value.split(", ")), digits)
         text = format(value * FACTORS.get(unit, 1.0) if unit else value, digits)
         if self.decimal != ".":
             text = text.replace(".", self.decimal)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError, ResourceError, nearest
 from jounce.core.files import existing_file, reading
+from jounce.core.findings import Finding, finding
 from jounce.core.text import unguarded
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit
@@ -127,7 +128,7 @@ class ColumnTable:
     comments: tuple[str, ...] = ()
     file: str = ""
     lines: Sequence[int] = ()
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Finding, ...] = ()
     place: str = "line"
 
     def __iter__(self) -> Iterator[Column]:
@@ -191,8 +192,8 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "spring.csv"
     >>> _ = file.write_text("Weg [mm];Kraft (N);Zeit\n0;0;12:00\n10;227,3;12:01\n")
     >>> table = read_columns_csv(file)
-    >>> table.names, table["Kraft"].unit, float(table["Weg"].in_si("m")[1]), table.remarks
-    (('Weg', 'Kraft', 'Zeit'), 'N', 0.01, ('decimal commas were read as decimal points',))
+    >>> table.names, table["Kraft"].unit, float(table["Weg"].in_si("m")[1]), table.remarks[0].message
+    (('Weg', 'Kraft', 'Zeit'), 'N', 0.01, 'decimal commas were read as decimal points')
     """
     return columns_in(text_of(Path(path)), Path(path))
 
@@ -210,10 +211,10 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
     if first == len(lines):
         raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
     _check_width(lines[first : first + _LONGEST_PREAMBLE], file, first + 1)
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Finding, ...] = ()
     if in_comment := _names_in_comment(lines, first):
         first, lines[in_comment[0]] = in_comment
-        comments, remarks = comments[:-1], ("the names were read from the last comment",)
+        comments, remarks = comments[:-1], (finding("core.names_in_comment", str(file)),)
     bare = _separator_of_numbers(lines[first], named)
     start = first - 1 if bare else _header_line(lines, first)
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
@@ -232,11 +233,11 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
         columns, understood = _columns(rows, numbers, header, units, file, separator)
         remarks += understood
         if not text.endswith(("\n", "\r")) and _is_cut_off(rows, separator):
-            remarks += ("the last line has no end and its last number fewer digits than all others: was it cut off?",)
+            remarks += (finding("core.cut_off", str(file)),)
     except csv.Error as error:
         raise RecordingError(f"not a table ({error})", where=str(file)) from None
     if start > first:
-        remarks = (f"the header is line {start + 1}; the text before it was passed over", *remarks)
+        remarks = (finding("core.header_below", str(file), kind="line", number=start + 1), *remarks)
     return ColumnTable(columns, comments, str(file), numbers, remarks)
 
 
@@ -570,7 +571,7 @@ def _plain_numbers(lines: list[str], width: int, separator: str) -> Array | None
 
 def _columns(
     rows: list[str], lines: Sequence[int], header: list[str], units: list[str], file: Path, separator: str
-) -> tuple[tuple[Column, ...], tuple[str, ...]]:
+) -> tuple[tuple[Column, ...], tuple[Finding, ...]]:
     """Columns of all rows, and what was understood; rows of another length than the header are refused."""
     heads = header[:-1] if header[-1] == "" else header
     values, comma = _plain_numbers(rows, len(heads), separator), False
@@ -629,10 +630,12 @@ def _columns(
             written = head if head != f"{name} [s]" else ""
         unit = "" if unit == "-" else unit
         columns.append(Column(name, unit, samples, str(file), fault, written, parts.get(position - 1)))
-    remarks = ([_COMMAS + (_OR_THOUSANDS if are_grouped else "")] if comma else []) + (
-        ["the units were read from the line below the names"] if units else []
-    )
-    remarks += [f"{heads[position]!r} is a clock: {told}" for position, told in clocks.items()]
+    remarks = []
+    if comma:
+        remarks.append(finding("core.commas_or_thousands" if are_grouped else "core.decimal_commas", str(file)))
+    if units:
+        remarks.append(finding("core.units_below", str(file), kind="line"))
+    remarks += [finding("core.clock", str(file), name=heads[k], clock=clock) for k, clock in clocks.items()]
     return tuple(columns), tuple(remarks)
 
 
@@ -684,8 +687,6 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
 
 _FEWEST_THOUSANDS = 10
 _FEW = 1000  # rows that are looked at for the kind of their marks
-_COMMAS = "decimal commas were read as decimal points"
-_OR_THOUSANDS = "; all have three digits behind them: do they separate thousands? Then export the file without them"
 _GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 
 

@@ -46,9 +46,9 @@ def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
     for name, values in channels.items():
         if not np.isfinite(values).all():
             bad = np.flatnonzero(~np.isfinite(values))
-            count, plural = int(bad.size), "s are" if bad.size > 1 else " is"
-            first = float(time[bad[0]])
-            findings.append(problem(name, "samples_missing", float(count), count=count, plural=plural, time=first))
+            count, first = int(bad.size), float(time[bad[0]])
+            code = "samples_missing" if count > 1 else "sample_missing"
+            findings.append(problem(name, code, float(count), count=count, time=first))
     return findings
 
 

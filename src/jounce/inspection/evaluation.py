@@ -14,7 +14,7 @@ from jounce.core.errors import RecordingError, unknown
 from jounce.core.findings import Finding
 from jounce.core.types import Array
 from jounce.inspection import checks
-from jounce.inspection.findings import of_reader, problem, warning
+from jounce.inspection.findings import problem, warning
 from jounce.inspection.methods import METHODS, WheelTest, find_boge, methods_on, stroke_by_turn
 from jounce.inspection.record import FORCE, HEIGHT, SIDES, TACHO, read_facts, wheels_of
 from jounce.inspection.result import FIELDS, Inspection, WheelCurves, WheelResult
@@ -118,7 +118,7 @@ def evaluate(
     except RecordingError as error:
         dataset, clock = record, [problem("time", "clock", text=str(error))]
     named = checks.check_tester(str(facts.get("tester", "")), tester)
-    general = [*said, *map(of_reader, clock), *named]
+    general = [*said, *clock, *named]
     unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]
     wheels = [_unfit(side, about) for side in sides if (about := [one for one in unfit if _concerns(one, side)])]
     sound = tuple(side for side in sides if all(wheel.wheel != side for wheel in wheels))

@@ -1,15 +1,15 @@
 """The methods of inspection: what each of them measures on a tester, how it is evaluated, and what it has to say.
 
 A method is one row of ``METHODS``: its key and name, the shipped tester and the plates it works on, the values it gives
-(``quantities.NUMBERS`` has their units and words), the function that finds them in a test, and the sentences of its
-findings. Choices of commands, schemas, tables and grades follow from these rows; bands are given in ``limits.toml``,
-since a lane may have others.
+(``quantities.NUMBERS`` has their units and words), and the function that finds them in a test. Its findings are rows of
+``findings.toml``. Choices of commands, schemas, tables and grades follow from these rows; bands are given in
+``limits.toml``, since a lane may have others.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from jounce.core.constants import NORMAL_95
 from jounce.core.findings import Finding
 from jounce.core.types import Array
-from jounce.inspection.findings import SENTENCES, remark, warning
-from jounce.inspection.quantities import NUMBERS, Sentence
+from jounce.inspection.findings import remark, warning
+from jounce.inspection.quantities import NUMBERS
 from jounce.inspection.quarter_car import (
     Corner,
     ResponseFit,
@@ -88,8 +88,8 @@ class Method:
     """A method of inspection: its key in files and results, and its name as people write it.
 
     It has a shipped ``tester`` that stands for it, the kinds of testers (``plates``) on which it can be evaluated, its
-    values that may be graded (keys of :data:`jounce.inspection.quantities.NUMBERS`), the main one first, and what its
-    findings say, by their code.
+    values that may be graded (keys of :data:`jounce.inspection.quantities.NUMBERS`), the main one first, and the
+    function that finds them.
     """
 
     key: str
@@ -98,7 +98,6 @@ class Method:
     plates: tuple[str, ...]
     numbers: tuple[str, ...]
     evaluate: Callable[[WheelTest], Found]
-    sentences: Mapping[str, Sentence] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -259,73 +258,6 @@ def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rig
     rest = force - 2.0 * np.real(np.mean(force * wave) * np.conj(wave)) - force.mean()
     error = float(np.std(rest)) * np.sqrt(2.0 / force.size)
     return Rigidity(tyre_rigidity(amplitude, stroke), NORMAL_95 * RIGIDITY[0] * error / stroke, amplitude), []
-
-
-_EGEA_SENTENCES = {
-    "no_height_no_phase": Sentence(
-        "without the plate height the phase angle is not known.",
-        "Ohne die Höhe der Platte ist der Phasenwinkel nicht bekannt.",
-    ),
-    "phase_not_covered": Sentence(
-        "the turns do not cover {low:g} to {high:g} Hz: no least phase angle.",
-        "Die Hübe überdecken {low:g} bis {high:g} Hz nicht: kein kleinster Phasenwinkel.",
-    ),
-    "force_late": Sentence(
-        "the force comes about {milliseconds:.2g} ms later than the plate's height (a filter, the lag of an amplifier, "
-        "or channels sampled one after the other), which makes phase angles too large: no least phase angle. Give both "
-        "channels the same filter and clock, or shift the force in the record.",
-        "Die Kraft kommt etwa {milliseconds:.2g} ms später als die Höhe der Platte (Filter, Verzug des Verstärkers "
-        "oder nacheinander abgetastete Kanäle), das macht Phasenwinkel zu groß: kein kleinster Phasenwinkel. Beiden "
-        "Kanälen gleichen Filter und Takt geben oder die Kraft in der Aufzeichnung verschieben.",
-    ),
-    "force_early": Sentence(
-        "the force comes about {milliseconds:.2g} ms earlier than the plate's height (a filter, the lag of an "
-        "amplifier, or channels sampled one after the other), which makes phase angles too small: no least phase "
-        "angle. Give both channels the same filter and clock, or shift the height in the record.",
-        "Die Kraft kommt etwa {milliseconds:.2g} ms früher als die Höhe der Platte (Filter, Verzug des Verstärkers "
-        "oder nacheinander abgetastete Kanäle), das macht Phasenwinkel zu klein: kein kleinster Phasenwinkel. Beiden "
-        "Kanälen gleichen Filter und Takt geben oder die Höhe in der Aufzeichnung verschieben.",
-    ),
-    "phase_after_lift_off": Sentence(
-        "the tyre leaves the plate in this test, and how the wheel swings on afterwards depends on chance: the least "
-        "phase angle is unreliable, and a repeated test may give one that differs by ten degrees and more.",
-        "Der Reifen hebt in dieser Prüfung ab, und wie das Rad danach weiterschwingt, hängt vom Zufall ab: Der "
-        "kleinste Phasenwinkel ist unzuverlässig, eine Wiederholung kann um zehn Grad und mehr abweichen.",
-    ),
-    "phase_in_lift_off": Sentence(
-        "the tyre leaves the plate where the phase angle is least; the angle given is that of the fitted quarter car.",
-        "Der Reifen hebt dort ab, wo der Phasenwinkel am kleinsten ist; angegeben ist der des angepassten "
-        "Viertelfahrzeugs.",
-    ),
-    "phase_below_zero": Sentence(
-        "a phase angle below 0 belongs to no steady state: the wheel is still swinging from lift-off, or the sweep is "
-        "too fast for so little damping.",
-        "Ein Phasenwinkel unter 0 gehört zu keinem eingeschwungenen Zustand: Das Rad schwingt noch vom Abheben, oder "
-        "der Auslauf ist für so wenig Dämpfung zu schnell.",
-    ),
-    "phase_at_end": Sentence(
-        "the least phase angle lies at the end of the band, {frequency:.3g} Hz: outside it may be less.",
-        "Der kleinste Phasenwinkel liegt am Rand des Bereichs, {frequency:.3g} Hz: Außerhalb kann er kleiner sein.",
-    ),
-    "no_rigidity_height": Sentence(
-        "without the plate height the tyre rigidity is not known.",
-        "Ohne die Höhe der Platte ist die Reifensteifigkeit nicht bekannt.",
-    ),
-    "no_rigidity_hold": Sentence(
-        "the plate is not held at 25 Hz ({count} turns at {frequency:.3g} Hz): no tyre rigidity.",
-        "Die Platte wird nicht bei 25 Hz gehalten ({count} Hübe bei {frequency:.3g} Hz): keine Reifensteifigkeit.",
-    ),
-    "tyre_soft": Sentence(
-        "the tyre rigidity of {rigidity:.0f} N/mm is below {limit:.0f} N/mm: inflate the tyre and repeat the test.",
-        "Die Reifensteifigkeit {rigidity:.0f} N/mm liegt unter {limit:.0f} N/mm: aufpumpen, Prüfung wiederholen.",
-    ),
-    "tyre_stiff": Sentence(
-        "the tyre rigidity of {rigidity:.0f} N/mm is above {limit:.0f} N/mm: the tyre pressure is too high; correct "
-        "it and repeat the test.",
-        "Die Reifensteifigkeit {rigidity:.0f} N/mm liegt über {limit:.0f} N/mm: zu viel Druck; berichtigen und "
-        "Prüfung wiederholen.",
-    ),
-}
 
 
 def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[Finding]:
@@ -492,33 +424,6 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
     return np.array(kept[::-1], dtype=np.intp)
 
 
-_THETA_SENTENCES = {
-    "undamped": Sentence(
-        "no damping can be told from none at all: the wheel swings on; is there a damper, and oil in it?",
-        "Es ist keine Dämpfung nachweisbar, das Rad schwingt nach: Ist ein Dämpfer da, und ist Öl darin?",
-    ),
-    "overdamped": Sentence(
-        "the wheel does not oscillate, its damping ratio is 1 or more: is the damper stuck, or the suspension locked?",
-        "Das Rad schwingt nicht, sein Dämpfungsgrad ist 1 oder mehr: Sitzt der Dämpfer fest, oder ist die Federung "
-        "blockiert?",
-    ),
-    "channels_apart": Sentence(
-        "the force follows the height as if it came {milliseconds:.2g} ms later or earlier (a filter, the lag of an "
-        "amplifier, channels sampled one after the other, or much dry friction): on a sprung plate damping ratios "
-        "depend on it; give both channels the same filter and clock.",
-        "Die Kraft folgt der Höhe, als käme sie {milliseconds:.2g} ms später oder früher (Filter, Verzug des "
-        "Verstärkers, nacheinander abgetastete Kanäle oder viel trockene Reibung): Auf einer gefederten Platte hängen "
-        "Dämpfungsgrade davon ab; beiden Kanälen gleichen Filter und Takt geben.",
-    ),
-    "plate_estimated": Sentence(
-        "the tester's {names} are estimated: the damping ratio on the tester depends on them, the graded one on the "
-        "road does not.",
-        "Geschätzt sind am Prüfstand: {names}. Der Dämpfungsgrad auf dem Prüfstand hängt davon ab, der bewertete auf "
-        "der Straße nicht.",
-    ),
-}
-
-
 def _theta(test: WheelTest) -> Found:
     """Damping ratios by the fitted quarter car; on a sprung plate by the older methods as well."""
     found, wheel = _of_fit(test), test.signals.wheel
@@ -600,11 +505,11 @@ METHODS: dict[str, Method] = {
         Method("eusama", "EUSAMA", "eusama", (_RIGID,), ("adhesion",), _eusama),
         Method(
             "egea", "EGEA", "egea-specsus2018", (_RIGID,),
-            ("phase_angle_min_deg", "relative_force_amplitude", "tyre_rigidity"), _egea, _EGEA_SENTENCES,
+            ("phase_angle_min_deg", "relative_force_amplitude", "tyre_rigidity"), _egea,
         ),
         Method(
             "theta", "THETA", "theta-msd3000", (_RIGID, _SPRUNG),
-            ("theta_road", "theta_rig", "body_damping_ratio", "explained_force"), _theta, _THETA_SENTENCES,
+            ("theta_road", "theta_rig", "body_damping_ratio", "explained_force"), _theta,
         ),
         Method("boge", "BOGE", "boge", (_SPRUNG,), ("boge_amplitude",), _boge),
     )
@@ -613,9 +518,6 @@ METHODS: dict[str, Method] = {
 
 QUANTITIES = {name: NUMBERS[name] for method in METHODS.values() for name in method.numbers}
 """Values that limits may be given for, by their key in results."""
-
-for _method in METHODS.values():
-    SENTENCES.update(_method.sentences)
 
 
 def methods_on(plate: str) -> tuple[str, ...]:

@@ -13,11 +13,11 @@ import numpy as np
 
 from jounce.core.columns import read_comments_csv
 from jounce.core.description import description_text, toml_table
-from jounce.core.errors import DescriptionError, RecordingError, nearest
+from jounce.core.errors import DescriptionError, RecordingError, nearest, nearest_name
 from jounce.core.files import existing_file
 from jounce.core.findings import Finding
 from jounce.core.units import to_si
-from jounce.inspection.findings import of_reader, remark
+from jounce.inspection.findings import remark
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -99,12 +99,12 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     facts, said = read_facts({**dict(dataset.attrs), **header}, where=str(file))
     dataset.attrs = facts
     wheels_of(dataset, where=str(file))
-    return dataset, [*findings, *map(of_reader, found), *said]
+    return dataset, [*findings, *found, *said]
 
 
 def _check_units(findings: Iterable[Finding], file: Path) -> None:
     """Refuse plate heights and forces that the reader left out because they have no unit."""
-    said = [one.message for one in findings if one.message.startswith("channels without a unit")]
+    said = [str(item.numbers["labels"]) for item in findings if item.code == "recordings.without_unit"]
     for name in (f"{side}.{what}" for side in SIDES for what in (HEIGHT, FORCE)):
         if any(f"{name} = " in text for text in said):
             where, allowed = f"{file}: column {name!r}", "a header such as 'left.plate.z [mm]'"
@@ -165,9 +165,9 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
             if key == "date" and found[key] and not _is_day(found[key]):
                 findings.append(remark(where, "warning", "not_a_date", date=found[key]))
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
-                hint = nearest(key, known)
-                meant = f" {hint}" if hint else ""
-                findings.append(remark(where, "warning" if hint else "note", "unknown_key", key=key, hint=meant))
+                near = nearest_name(key, known)
+                severity, code = ("warning", "unknown_key_near") if near else ("note", "unknown_key")
+                findings.append(remark(where, severity, code, key=key, near=near))
     return found, findings
 
 

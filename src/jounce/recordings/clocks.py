@@ -9,13 +9,14 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.columns import Column, ColumnTable, name_and_unit, names_time
 from jounce.core.errors import JounceError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 from jounce.recordings.quality import FEWEST_SAMPLES
@@ -93,7 +94,11 @@ def _with_time(table: ColumnTable, clocks: Mapping[int, _Clock], time: str) -> C
     (place,) = clocks
     columns, own = list(table.columns), table.columns[place]
     columns[place] = replace(own, name="time", written=own.written or own.label)
-    return replace(table, columns=tuple(columns), remarks=(*table.remarks, f"{own.label!r} was taken for the time"))
+    return replace(
+        table,
+        columns=tuple(columns),
+        remarks=(*table.remarks, finding("recordings.taken_for_time", table.file, name=own.label)),
+    )
 
 
 def _gappy(column: Column) -> bool:
@@ -242,16 +247,9 @@ def lower_rate_finding(names: Sequence[str], instants: Array, values: Array, ste
     """
     rate = rate_of(instants)
     share = _fast_share(values)
-    text = (
-        f"recorded at {rate:g} Hz, the recording has {1.0 / step:g} Hz; a cubic spline through the "
-        f"samples lies between them, and above {0.5 * rate:g} Hz nothing was measured"
-    )
-    if share > _FAST:
-        text += (
-            f"; {100.0 * share:.2g} % of the power lies above {0.25 * rate:g} Hz: what lies between the samples is "
-            "uncertain"
-        )
-    return Finding(f"{where}: {', '.join(names)}", "warning" if share > _FAST else "note", text, rate)
+    code = "recordings.lower_rate_uncertain" if share > _FAST else "recordings.lower_rate"
+    numbers: dict[str, Any] = {"own": rate, "rate": 1.0 / step, "highest": 0.5 * rate, "fast": 0.25 * rate}
+    return finding(code, f"{where}: {', '.join(names)}", rate, share=share, **numbers)
 
 
 _FAST = 0.01  # share of power above a quarter of the rate, where a spline errs most: 10 % in amplitude

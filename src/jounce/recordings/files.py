@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.columns import Column, ColumnTable, name_and_unit
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, named, nearest
 from jounce.core.files import existing_file
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, at_place, finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 from jounce.recordings import isolated
@@ -110,8 +110,8 @@ def read_recording(
     has_clocks = given_step is None or has_own_time  # a given step belongs to one clock only
     tables = _usable(signals, main, mapping, is_resampled=new_step is not None) if has_clocks else (main,)
     located, findings = _locate_channels(signals, main, tables, mapping, has_step=not has_clocks)
-    remarks = [text for table in signals.tables for text in table.remarks if table in tables]
-    findings = [*signals.findings, *(Finding(str(file), "note", text) for text in remarks), *findings]
+    remarks = [at_place(str(file), item) for table in signals.tables for item in table.remarks if table in tables]
+    findings = [*signals.findings, *remarks, *findings]
     clocks = {table: table["time"] for table in tables if table is not main and "time" in table.names}
     if main not in clocks and "time" in main.names and "time" in located:
         clocks[main] = main["time"]
@@ -240,11 +240,19 @@ def _together(
     slowest = max(float(np.median(np.diff(instants[table]))) for table in used)
     cut = max(float(wanted[0]) - span[0], span[1] - float(wanted[-1]))
     if cut > slack:
-        text = (
-            f"only from {wanted[0]:.6g} s to {wanted[-1]:.6g} s have all channels been recorded (the fastest from "
-            f"{span[0]:.6g} s to {span[1]:.6g} s); the rest was left out"
-        )
-        findings = [*findings, Finding(f"{file}: time", "warning" if cut > 1.5 * slowest else "note", text, cut)]
+        findings = [
+            *findings,
+            finding(
+                "recordings.all_recorded",
+                f"{file}: time",
+                cut,
+                severity="warning" if cut > 1.5 * slowest else "note",
+                first=wanted[0],
+                last=wanted[-1],
+                fastest_first=span[0],
+                fastest_last=span[1],
+            ),
+        ]
     return wanted, {name: common[name] for name in values}, findings
 
 
@@ -294,11 +302,17 @@ def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -
     departure = float(np.abs(time - time[0] - np.arange(rows) * step).max())
     if departure < 0.5 * step:
         return []
-    text = (
-        f"with the given sample time of {step:g} s the record is {given:g} s long, by its recorded time {own:g} s "
-        f"(samples lie up to {departure:.3g} s apart); the sample time was taken"
-    )
-    return [Finding(f"{file}: time", "warning", text, own)]
+    return [
+        finding(
+            "recordings.sample_time_contradicts",
+            f"{file}: time",
+            own,
+            step=step,
+            given=given,
+            own=own,
+            departure=departure,
+        )
+    ]
 
 
 def _resampled(
@@ -333,14 +347,26 @@ def _gap_finding(time: Array, wanted: Array, step: float, names: list[str], file
     gaps = np.diff(time)
     widest = int(np.argmax(gaps))
     gap, usual = float(gaps[widest]), float(np.median(gaps))
-    owner = f" of {', '.join(names)}" if names else ""
-    limit = f", band-limited to {0.4 / step:.3g} Hz" if step * (1.0 - 1e-9) > usual else ""
-    text = (
-        f"resampled to {wanted.size} instants in steps of {step:g} s{limit}; the largest gap in the recorded "
-        f"time{owner} is {gap:.6g} s, from {time[widest]:.6g} s"
-    )
+    is_limited = step * (1.0 - 1e-9) > usual
+    code = {
+        (False, False): "recordings.resampled",
+        (False, True): "recordings.resampled_limited",
+        (True, False): "recordings.resampled_of",
+        (True, True): "recordings.resampled_limited_of",
+    }[bool(names), is_limited]
     # a warning from three steps on: two samples missing in a row
-    return Finding(f"{file}: time", "warning" if gap > 3.0 * max(step, usual) else "note", text, gap)
+    return finding(
+        code,
+        f"{file}: time",
+        gap,
+        severity="warning" if gap > 3.0 * max(step, usual) else "note",
+        instants=wanted.size,
+        step=step,
+        limit=0.4 / step,
+        names=", ".join(names),
+        gap=gap,
+        start=time[widest],
+    )
 
 
 def read_columns(
@@ -404,7 +430,7 @@ def read_columns(
             )
     located = {name: locate(signals.columns, mapping.get(name, name)) for name in wanted}
     values = {name: in_si(column, wanted[name]) for name, column in located.items()}
-    remarks = [Finding(str(file), "note", text) for text in signals.columns.remarks]
+    remarks = [at_place(str(file), item) for item in signals.columns.remarks]
     findings = check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
     read_units = {name: column.unit for name, column in located.items() if quantity_of(name)}
     headers = {name: column.label for name, column in located.items()}
@@ -546,31 +572,24 @@ def _locate_channels(
         )
     findings = []
     if ignored:
-        text = f"columns that are no known channel were left out: {', '.join(ignored)}; map them with columns if needed"
-        findings.append(Finding(main.file, "note", text))
+        findings.append(finding("recordings.unknown_columns", main.file, names=", ".join(ignored)))
     if empty:
         labels = ", ".join(column.label for column in empty)
-        text = f"channels without a single number were left out: {labels}; were they connected?"
-        findings.append(Finding(main.file, "warning", text))
+        findings.append(finding("recordings.without_numbers", main.file, labels=labels))
     if bare:
         labels = ", ".join(f"{column.name} = '{column.name} [{channel_unit(column.name)}]'" for column in bare)
-        text = f"channels without a unit were left out; state it with columns where they are needed: {labels}"
-        findings.append(Finding(main.file, "warning", text))
+        findings.append(finding("recordings.without_unit", main.file, labels=labels))
     written = {name.casefold() for name in located}
     if len(written) < len(located):
         same = [name for name in located if sum(name.casefold() == other.casefold() for other in located) > 1]
-        text = f"channels whose names differ by case only: {', '.join(same)}; only the one that a model has is compared"
-        findings.append(Finding(main.file, "warning", text))
+        findings.append(finding("recordings.differ_by_case", main.file, names=", ".join(same)))
     if duplicates:
-        text = f"channels that are there once more, at other instants, were left out: {', '.join(duplicates)}"
-        findings.append(Finding(main.file, "warning", text))
+        findings.append(finding("recordings.at_other_instants", main.file, names=", ".join(duplicates)))
     if signals.left_out or others:
-        text = (
-            f"signals of another length or at other instants were left out: {', '.join([*signals.left_out, *others])}"
-        )
-        findings.append(
-            Finding(main.file, "note", text + (f"; resample{without} brings them onto one time" if others else ""))
-        )
+        code = "recordings.signals_left_out"
+        if others:
+            code = "recordings.resample_without" if has_step else "recordings.resample"
+        findings.append(finding(code, main.file, names=", ".join([*signals.left_out, *others])))
     return located, findings
 
 

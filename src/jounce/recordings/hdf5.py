@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 
 _MOST = 5e8  # numbers, 4 GB as doubles: more do not fit a common computer
@@ -98,17 +98,15 @@ def announcement(name: str, announced: int, held: int, where: str, *, refused: b
     """Report a problem if a file holds fewer samples than announced; raise if it holds none and ``refused``."""
     if held >= announced:
         return []
-    text = f"the file announces {announced} samples and holds {held}: it was cut off; what is there was read"
     if held == 0 and refused:
         raise RecordingError(
             "the file holds none of the samples that it announces", where=f"{where}: {name}", found=f"0 of {announced}"
         )
-    return [Finding(f"{where}: {name}", "problem", text, float(held))]
+    return [finding("recordings.cut_off", f"{where}: {name}", held, announced=announced, held=held)]
 
 
 def surplus(known: int, present: int, where: str) -> list[Finding]:
     """Warn if a file has more bytes than its parts account for."""
     if known >= present:
         return []
-    text = f"its columns take {known} bytes and {present} are there: is it damaged? Compare it with the original."
-    return [Finding(where, "warning", text, float(present - known))]
+    return [finding("recordings.bytes_left", where, present - known, known=known, held=present)]

@@ -25,7 +25,8 @@ import numpy as np
 from jounce.core import errors, optional
 from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, shown, unforeseen
-from jounce.core.findings import Finding
+from jounce.core.findings import finding_of
+from jounce.core.serialise import to_plain
 from jounce.recordings.reader import Reader, ReaderOptions, SignalTable
 
 MEMORY, MEMORY_A_BYTE = 1.5e9, 32.0
@@ -414,14 +415,14 @@ def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
                 "comments": table.comments,
                 "file": table.file,
                 "lines": list(table.lines),
-                "remarks": table.remarks,
+                "remarks": to_plain(table.remarks),
             }
             for table in signals.tables
         ],
         "long_names": dict(signals.long_names),
         "attributes": {name: kept(value) for name, value in signals.attributes.items()},
         "left_out": signals.left_out,
-        "findings": [[one.place, one.severity, one.message, kept(one.value)] for one in signals.findings],
+        "findings": [to_plain(item) | {"value": kept(item.value)} for item in signals.findings],
     }
     return {**plain, "arrays": [[array.dtype.str, array.shape] for array in arrays]}
 
@@ -447,7 +448,7 @@ def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
             tuple(table["comments"]),
             table["file"],
             table["lines"],
-            tuple(table["remarks"]),
+            tuple(map(finding_of, table["remarks"])),
         )
         for table in plain["tables"]
     ]
@@ -457,7 +458,7 @@ def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
         {name: found(value) for name, value in plain["attributes"].items()},
         tuple(plain["left_out"]),
         tuple(tables[1:]),
-        tuple(Finding(place, severity, message, found(value)) for place, severity, message, value in plain["findings"]),
+        tuple(finding_of(item | {"value": found(item["value"])}) for item in plain["findings"]),
     )
 
 

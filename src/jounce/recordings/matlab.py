@@ -15,7 +15,7 @@ import numpy as np
 
 from jounce.core.columns import name_and_unit
 from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.process_settings import caught_warnings
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import held_part
@@ -60,7 +60,7 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
         with caught_warnings() as warnings:
             content: dict[str, Any] = loadmat(_inflated(path), simplify_cells=True)
         messages = (" ".join(str(warning.message).split(chr(10))[0].split()) for warning in warnings)
-        findings += [Finding(str(path), "problem", text) for text in dict.fromkeys(messages)]
+        findings += [finding("recordings.matlab_warning", str(path), error=text) for text in dict.fromkeys(messages)]
     except NotImplementedError:  # version 7.3 is HDF5
         content = _content_of_hdf5(path, findings)
     plain = {name: value for name, value in content.items() if not name.startswith(("__", "#"))}

@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.core.catalogue import Severity
 from jounce.core.errors import DescriptionError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor
 from jounce.recordings.schema import channel_unit, place_of, quantity_of
@@ -143,15 +143,19 @@ def implausible(
 def _of_time(step: float, samples: int, where: str) -> Iterator[Finding]:
     if step > SLOWEST_STEP:
         likely = "ms" if step < 1e3 * SLOWEST_STEP else "µs"
-        text = f"the samples are {step:g} s apart, and suspensions move faster; is the unit of time {likely}?"
-        yield Finding(f"{where}: time" if where else "time", "problem", text, step)
+        place = f"{where}: time" if where else "time"
+        yield finding("recordings.steps_too_long", place, step, step=step, likely=likely)
     elif step <= _FASTEST_STEP or (step <= _FAST_STEP and samples > _SOME and samples * step < _SHORT):
-        text = (
-            f"the samples are {step:.3g} s apart ({1e-3 / step:.3g} kHz) and the record is {samples * step:.3g} s "
-            "long; is the unit of time a larger one (s rather than ms)?"
-        )
         severity: Severity = "problem" if step <= _FASTEST_STEP else "warning"
-        yield Finding(f"{where}: time" if where else "time", severity, text, step)
+        yield finding(
+            "recordings.steps_too_short",
+            f"{where}: time" if where else "time",
+            step,
+            severity=severity,
+            step=step,
+            rate=1.0 / step,
+            duration=samples * step,
+        )
 
 
 def _number(kind: str, values: Array, step: float | None) -> float:
@@ -181,13 +185,13 @@ def _of_channel(
         number = _number(reach.number, values, step)
         of = f"{si}/s" if reach.number == "rate" else si
         if number > reach.most:
-            what = "it changes by" if reach.number == "rate" else f"the {reach.number} is"
-            text = f"{what} {number:.3g} {of}, and no suspension reaches {reach.most:g} {of}"
-            yield Finding(at, "problem", f"{text}; {_advice(number, reach, unit, si, header)}", number)
+            code = "recordings.changes_too_fast" if reach.number == "rate" else "recordings.too_large"
+            advice = _advice(number, reach, unit, si, header)
+            yield finding(code, at, number, number=reach.number, size=number, unit=of, most=reach.most, advice=advice)
             return
         if is_read and 1e-2 * reach.least < number < reach.least:
-            text = f"the {reach.number} is only {number:.3g} {si}; {_advice(number, reach, unit, si, header)}"
-            yield Finding(at, "warning", text, number)
+            advice = _advice(number, reach, unit, si, header)
+            yield finding("recordings.too_small", at, number, number=reach.number, size=number, unit=si, advice=advice)
             return
     if (
         quantity == "az"
@@ -195,11 +199,10 @@ def _of_channel(
         and values.size * step >= 1.0
         and abs(_number("mean", values, step) - 1.0) < 0.02
     ):
-        text = f"the mean is {values.mean():.3g} m/s^2; is it gravity, and the unit g rather than {unit}?"
-        yield Finding(at, "warning", text, float(values.mean()))
+        yield finding("recordings.mean_of_gravity", at, values.mean(), mean=values.mean(), unit=unit)
 
 
-def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> str:
+def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> Finding:
     """Ask for the one or two units in which the number would be most usual."""
     likely: list[tuple[float, str]] = []
     middle = math.sqrt(reach.usual[0] * reach.usual[1])
@@ -210,12 +213,13 @@ def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> str
             if reach.usual[0] <= raw * factor <= reach.usual[1]:  # the number as read lies outside
                 likely.append((abs(math.log(raw * factor / middle)), other))
     except DescriptionError:
-        return "check its unit"
+        likely.clear()
     names = [other for _, other in sorted(likely)[:2]]
     if not names:
-        return "check its unit"
-    question = f"is its unit {' or '.join(names)} rather than {unit}?"
-    return f"{question} Then map it as '{header} [{names[0]}]' with columns" if header else question
+        return finding("recordings.check_unit", "")
+    code = "recordings.other_unit" if names[1:] == [] else "recordings.one_of_two_units"
+    question = finding(code, "", first=names[0], second=names[-1], unit=unit)
+    return finding("recordings.map_unit", "", question=question, header=header, unit=names[0]) if header else question
 
 
 def _beside(
@@ -240,11 +244,14 @@ def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator
         cycles = max(1.0, 0.5 * np.count_nonzero(np.diff(np.signbit(x0))))
         power = work / (step * (x.size - 1))
         if work / cycles > MOST_WORK or power > MOST_POWER:
-            text = (
-                f"the force does {1e-3 * work / cycles:.3g} kJ a cycle of {stroke} ({1e-3 * power:.3g} kW), and no "
-                "damper stands that; check the units of both"
+            yield finding(
+                "recordings.work_too_large",
+                f"{where}: {force}" if where else force,
+                work / cycles,
+                work=work / cycles,
+                stroke=stroke,
+                power=power,
             )
-            yield Finding(f"{where}: {force}" if where else force, "problem", text, work / cycles)
 
 
 _ROUNDING = 1e-12  # range of a constant channel, as a share of its size
@@ -267,8 +274,13 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
         )
         sizes = float(first.std()), float(second.std())
         if min(sizes) > 0.0 and not 0.1 < sizes[1] / sizes[0] < 10.0:
-            text = f"it is {sizes[1] / sizes[0]:.3g} times the rate of {name}; check the units of both, and of time"
-            yield Finding(f"{where}: {rate}" if where else rate, "problem", text, sizes[1] / sizes[0])
+            yield finding(
+                "recordings.rates_disagree",
+                f"{where}: {rate}" if where else rate,
+                sizes[1] / sizes[0],
+                times=sizes[1] / sizes[0],
+                name=name,
+            )
 
 
 def _without_line(values: Array) -> Array:
@@ -283,10 +295,9 @@ def _of_sign(values: Array, rate: Array, name: str, at: str) -> Iterator[Finding
     if np.ptp(rate) == 0.0 or min(np.max(steps), -np.min(steps)) < 0.1 * np.max(np.abs(steps)):
         return
     if np.min(rate) >= 0.0 and _correlation(np.abs(steps), rate) > _SAME:
-        text = f"it is the absolute value of the rate of {name}: its sign is lost; leave it out"
-        yield Finding(at, "problem", text)
+        yield finding("recordings.sign_lost", at, name=name)
     elif _correlation(steps, rate) < -_SAME:
-        yield Finding(at, "warning", f"it is the rate of {name} with the other sign; turn one of them round")
+        yield finding("recordings.sign_reversed", at, name=name)
 
 
 def _correlation(first: Array, second: Array) -> float:

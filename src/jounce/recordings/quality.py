@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import RecordingError
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.recordings.schema import quantity_of
 
@@ -82,11 +82,9 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
     uniform = np.linspace(time[0], time[-1], time.size)
     if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
         return uniform, []
-    text = (
-        f"the time step varies by up to {100.0 * largest:.2g} % of {step:.6g} s (allowed: 1 %); "
-        f"all channels were resampled to {time.size} instants in constant steps"
-    )
-    return uniform, [Finding(at, "warning", text, largest)]
+    return uniform, [
+        finding("recordings.time_step_varies", at, largest, largest=largest, step=step, instants=time.size)
+    ]
 
 
 def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> Array:
@@ -193,8 +191,7 @@ def check_channels(
         if np.ptp(values) == 0.0:
             if values[0] == 0.0 and f".{name}".endswith(_MAY_REST):
                 continue
-            text = f"the channel is constant ({values[0]:g}); was the sensor connected?"
-            findings.append(Finding(at, "warning", text, float(values[0])))
+            findings.append(finding("recordings.constant", at, values[0], value=values[0]))
         elif clipping and not (_is_driven(name) or quantity_of(name) in _NEVER_CLIPPED):
             findings += _holding(values, at) or [*_freezing(values, at), *_clipping(values, at)]
     return findings
@@ -214,11 +211,7 @@ def _holding(values: Array, at: str) -> list[Finding]:
     length = int(np.median(runs))
     if length < 2 or np.mean(runs == length) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
         return []
-    text = (
-        f"each value is held for {length} samples: the channel was recorded at 1/{length} of the rate, and comes some "
-        f"{0.5 * (length - 1):g} samples late; export it at its own rate"
-    )
-    return [Finding(at, "warning", text, float(length))]
+    return [finding("recordings.held", at, length, length=length, late=0.5 * (length - 1))]
 
 
 _FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them with equal length: a signal of chance has few equal runs
@@ -230,12 +223,9 @@ def _freezing(values: Array, at: str) -> list[Finding]:
         return []
     frozen = sum(end - start for start, end in stretches)
     start, end = max(stretches, key=lambda stretch: stretch[1] - stretch[0])
-    more = f", the longest of {len(stretches)} stretches" if len(stretches) > 1 else ""
-    text = (
-        f"the channel stays at exactly {values[start]:g} for {end - start} samples from sample {start + 1} on{more}, "
-        f"but moves before and after: a dropout of sensor or logger; {frozen} samples tell nothing"
-    )
-    return [Finding(at, "warning", text, frozen / values.size)]
+    code = "recordings.frozen_again" if len(stretches) > 1 else "recordings.frozen"
+    numbers = {"value": values[start], "length": end - start, "first": start + 1, "lost": frozen}
+    return [finding(code, at, frozen / values.size, stretches=len(stretches), **numbers)]
 
 
 def frozen_stretches(values: Array) -> list[tuple[int, int]]:
@@ -328,11 +318,9 @@ def _clipping(values: Array, at: str) -> list[Finding]:
     if not clipped:
         return []
     share = sum(clipped.values()) / values.size
-    text = (
-        f"the channel looks clipped: {100.0 * share:.2g} % of its samples lie at its limits "
-        f"({' and '.join(f'{limit:g}' for limit in clipped)})"
-    )
-    return [Finding(at, "warning", text, share)]
+    return [
+        finding("recordings.clipped", at, share, share=share, limits=" and ".join(f"{limit:g}" for limit in clipped))
+    ]
 
 
 def _flat_samples(values: Array, limit: float, jump: float) -> int:

@@ -31,7 +31,7 @@ from jounce.core.columns import (
 )
 from jounce.core.errors import JounceError, RecordingError, is_of_system, nearest, resource_error
 from jounce.core.files import existing_file, reading
-from jounce.core.findings import Finding
+from jounce.core.findings import Finding, finding
 from jounce.core.optional import require
 from jounce.core.process_settings import PROCESS_SETTINGS, caught_warnings
 from jounce.core.types import Array
@@ -238,8 +238,7 @@ def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
     held = len(table.columns[0].values)
     findings = announcement("Samples", announced or 0, held, str(path), refused=False)
     if announced is not None and held > announced:
-        more = f"the header announces {announced} samples and the file holds {held}: rows were added to it"
-        findings.append(Finding(f"{path}: Samples", "warning", more, float(held)))
+        findings.append(finding("recordings.rows_added", f"{path}: Samples", held, announced=announced, held=held))
     return SignalTable(table, findings=tuple(findings))
 
 
@@ -277,7 +276,7 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
             columns.append(Column(bare, own, variable.values(rows), str(path)))
             long_names[bare] = str(variable.attributes.get("long_name", ""))
             if since:
-                remarks.append(f"{name!r} is a clock: {unit} since {since}")
+                remarks.append(finding("recordings.clock", str(path), name=name, unit=unit, since=since))
         left_out = [name for name in group.variables if name not in signals]
         left_out += [name for name in groups if name != place]
     table = replace(_named(columns, path, options), remarks=tuple(remarks))
@@ -429,8 +428,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     where = f"{path}: group {group.name!r}"
     findings: list[Finding] = []
     if lost:
-        text = f"{lost} bytes from byte {at} on belong to no segment: the file is damaged; what lies before was read"
-        findings.append(Finding(str(path), "problem", text, float(lost)))
+        findings.append(finding("recordings.damaged", str(path), lost, lost=lost, start=at))
     for channel in group.channels():
         if channel.path in expected and expected[channel.path].read_length < expected[channel.path].expected_length:
             lost = expected[channel.path].expected_length - expected[channel.path].read_length
@@ -561,8 +559,7 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
         functions = [file.read_sets(index) for index, kind in enumerate(kinds) if kind == _FUNCTIONS]
     findings: list[Finding] = []
     if sum(line.strip() == b"-1" for line in path.read_bytes().splitlines()) % 2:
-        text = "the last data set has no end: the file was cut off, and that data set was left out"
-        findings.append(Finding(str(path), "problem", text))
+        findings.append(finding("recordings.no_end", str(path)))
     sets = [data_set for data_set in functions if data_set["func_type"] == _TIME_RESPONSE]
     if not sets:
         numbers = sorted({int(data_set["func_type"]) for data_set in functions})
@@ -747,8 +744,10 @@ def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> Col
         raise RecordingError(
             error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
         ) from None
-    remarks = [text.replace("the header is line", "the header is row") for text in table.remarks]
-    remarks = [text.replace("from the line below", "from the row below") for text in remarks]
+    remarks = [
+        finding(item.code, item.place, **{**item.numbers, "kind": "row"}) if "kind" in item.numbers else item
+        for item in table.remarks
+    ]
     return _renamed(replace(table, remarks=tuple(remarks), place="row"), header)
 
 
@@ -887,7 +886,7 @@ def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
             and _format_below(path, sheet, column.written or column.label) == "0"
         ):
             columns[place] = replace(column, unit="s", values=seconds, written=column.written or column.label)
-            remarks.append(f"{column.label!r} holds durations as pandas writes them, in days: they were read as s")
+            remarks.append(finding("recordings.durations", str(path), name=column.label))
     return replace(table, columns=tuple(columns), remarks=tuple(remarks))
 
 

@@ -31,14 +31,15 @@ def made_in(file: Path) -> Iterator[Made]:
             yield Made(f"{file.name}:{call.lineno}", code, known)
 
 
+def texts_in(file: Path) -> set[str]:
+    """Texts of a module."""
+    nodes = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+    return {node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+
+
 def codes_in(file: Path, packages: set[str]) -> set[str]:
     """Texts of a module that look like codes of packages, wherever they stand."""
-    texts = (
-        node.value for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))) if isinstance(node, ast.Constant)
-    )
-    return {
-        text for text in texts if isinstance(text, str) and CODE.fullmatch(text) and text.partition(".")[0] in packages
-    }
+    return {text for text in texts_in(file) if CODE.fullmatch(text) and text.partition(".")[0] in packages}
 
 
 def fields_of(text: str) -> dict[str, str]:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from jounce.core import columns, units
-from jounce.core.columns import read_columns_csv
+from jounce.core.columns import ColumnTable, read_columns_csv
 from jounce.core.errors import DescriptionError, RecordingError
 
 
@@ -17,6 +17,10 @@ def written(folder: Path, content: str | bytes) -> Path:
     file = folder / "bench.csv"
     file.write_bytes(content if isinstance(content, bytes) else content.encode())
     return file
+
+
+def told(table: ColumnTable) -> list[str]:
+    return [remark.message for remark in table.remarks]
 
 
 def ask_for_every_column(file: Path) -> None:
@@ -97,7 +101,7 @@ def test_names_in_the_last_comment_are_those_of_numpy(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", [[0.0, 1.0], [1.0, 2.0]], header="bench 3\n\ntime [s] strut.force [N]")
     table = read_columns_csv(tmp_path / "a.txt")
     assert [one.label for one in table] == ["time [s]", "strut.force [N]"]
-    assert (table.comments, table.remarks) == (("bench 3", ""), ("the names were read from the last comment",))
+    assert (table.comments, told(table)) == (("bench 3", ""), ["the names were read from the last comment"])
     for comment in ("bench 3", "time [s], force [N], more", "1, 2"):
         with pytest.raises(RecordingError, match="the header is missing"):
             read_columns_csv(written(tmp_path, f"# {comment}\n0,1\n1,2\n"))
@@ -217,7 +221,7 @@ def test_units_in_a_line_of_their_own(tmp_path: Path, units: str) -> None:
     table = read_columns_csv(written(tmp_path, f"time;force;count\n{units}\n0;1;5\n1;2;6\n"))
     assert [column.unit for column in table] == ["s", "kN", ""]
     assert table["force"].values.tolist() == [1.0, 2.0]
-    assert table.remarks == ("the units were read from the line below the names",)
+    assert told(table) == ["the units were read from the line below the names"]
     assert table.name_row(0) == "line 3"
 
 
@@ -230,7 +234,7 @@ def test_decimal_commas_are_read_and_said(tmp_path: Path, separator: str) -> Non
     assert table.names == ("Zeit", "Weg", "Nr")
     np.testing.assert_array_equal(table["Weg"].values, [-1.5e-3, 7.0])
     np.testing.assert_array_equal(table["Zeit"].values, [0.001, 0.002])
-    assert table.remarks == ("decimal commas were read as decimal points",)
+    assert told(table) == ["decimal commas were read as decimal points"]
 
 
 def test_a_column_nobody_asks_for_may_hold_anything(tmp_path: Path) -> None:
@@ -280,7 +284,7 @@ def test_text_that_a_logger_writes_before_the_header_is_passed_over_and_said(tmp
     assert table[0].values.tolist() == [0.0, 1.0]
     assert table[1].values.tolist() == [1.0, 2.0]
     line = next(i for i, text in enumerate(content.splitlines(), 1) if text.lower().startswith(("time", "zeit")))
-    assert table.remarks[0] == f"the header is line {line}; the text before it was passed over"
+    assert told(table)[0] == f"the header is line {line}; the text before it was passed over"
     assert table.lines[0] > line
 
 
@@ -299,5 +303,5 @@ def test_rows_are_never_passed_over_as_if_they_were_such_text(tmp_path: Path, co
         table = read_columns_csv(written(tmp_path, content))
     except RecordingError:
         return
-    assert not any("passed over" in remark for remark in table.remarks)
+    assert not any("passed over" in remark for remark in told(table))
     assert table.lines[0] == 2

@@ -7,12 +7,13 @@ import tomllib
 import numpy as np
 import pytest
 
+from jounce.core.catalogue import Row, catalogue_of
 from jounce.core.errors import DescriptionError
 from jounce.inspection import evaluate, grade
-from jounce.inspection.findings import SENTENCES, sentence_of, warning
+from jounce.inspection.findings import sentence_of, warning
 from jounce.inspection.limits import Limits, shipped_limits
 from jounce.inspection.methods import METHODS, QUANTITIES, Found, Method, WheelTest, methods_on
-from jounce.inspection.quantities import Quantity, Sentence
+from jounce.inspection.quantities import Quantity
 
 STROKE = Quantity("mean_stroke", "m", "mm", 1e3, 2, "mean stroke of the plate", "mittlerer Hub der Platte")
 
@@ -26,12 +27,11 @@ def mean_stroke(test: WheelTest) -> Found:
 @pytest.fixture
 def scratch(monkeypatch) -> Method:
     """What one more row of the table gives."""
-    said = {"long_stroke": Sentence("the plate moves {stroke:.1f} mm.", "Die Platte bewegt sich um {stroke:.1f} mm.")}
-    method = Method("stroke", "STROKE", "eusama", ("rigid-plate",), (STROKE,), mean_stroke, said)
+    row = Row("warning", "the plate moves {stroke:.1f} mm.", "Die Platte bewegt sich um {stroke:.1f} mm.")
+    method = Method("stroke", "STROKE", "eusama", ("rigid-plate",), (STROKE,), mean_stroke)
     monkeypatch.setitem(METHODS, method.key, method)
     monkeypatch.setitem(QUANTITIES, STROKE.name, STROKE)
-    for code, sentence in said.items():
-        monkeypatch.setitem(SENTENCES, code, sentence)
+    monkeypatch.setitem(catalogue_of("inspection").rows, "long_stroke", row)
     return method
 
 

@@ -103,7 +103,7 @@ def _said_once(findings: Sequence[Finding], inspection: Inspection) -> tuple[Fin
 
 
 def _is_of_clipping(finding: Finding) -> bool:
-    return getattr(finding, "code", "") in ("reading_clipped", "clipped", "saturated")
+    return finding.code in ("recordings.clipped", "reading_clipped", "clipped", "saturated")
 
 
 def entry_of(
