@@ -101,7 +101,7 @@ def test_existing_results_are_kept(cli, campaign: Path, tmp_path: Path) -> None:
     assert mine.read_text(encoding="utf-8") == "mine"
     forced = cli("campaign", "run", campaign, "--out", "results", "--force")
     assert forced.exit_code == 0
-    for word in ("strut.damper.coefficient", "hold-out", "sprung.az", "report.html"):
+    for word in ("strut.damper.coefficient", "held out", "sprung.az", "report.html"):
         assert word in forced.out
     assert mine.read_text(encoding="utf-8") != "mine"
     onto_a_file = cli("campaign", "run", campaign, "--out", "rig.toml")

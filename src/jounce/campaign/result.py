@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from jounce.campaign.characterise import Characterisation, Knowledge
 from jounce.campaign.description import Campaign, TrialEntry
 from jounce.core.findings import Finding
+from jounce.core.results import Shows, group_table
 from jounce.core.serialise import to_plain
 from jounce.core.shown import Shown
 from jounce.core.types import Array
@@ -40,11 +41,11 @@ class ChannelComparison:
     ``objective`` is its part of Eq. 2: the sum of squared differences, in the square of the channel's unit.
     """
 
-    nrmse: float
-    r2: float
-    peak_error: float
-    iso18571: float
-    grade: str
+    nrmse: Annotated[float, Shows("NRMSE", "1", 2)]
+    r2: Annotated[float, Shows("R²", "1", 4)]
+    peak_error: Annotated[float, Shows("peak error", "%", 2)]
+    iso18571: Annotated[float, Shows("ISO 18571", "1", 2)]
+    grade: Annotated[str, Shows("grade")]
     lag: float
     objective: float
 
@@ -234,6 +235,19 @@ class CampaignResult(Shown):
     findings: tuple[Finding, ...]
     lumped: ModelComparison | None = None
     poses: Mapping[float | None, xr.Dataset] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        updates = [strategy.update for strategy in self.strategies]
+        tables = [group_table("Updates", updates)] if updates else []
+        tables += [group_table(f"Parameters of {update.name}", update.parameters) for update in updates]
+        compared = {
+            f"{trial.entry.number} {trial.entry.use}, {name}": channel
+            for trial in self.trials
+            if trial.after is not None
+            for name, channel in trial.after.channels.items()
+        }
+        tables += [group_table("Trials", compared)] if compared else []
+        return "\n\n".join([self.campaign.title, *map(str, tables), "\n".join(map(str, self.findings))])
 
     @property
     def is_complete(self) -> bool:

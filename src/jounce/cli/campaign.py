@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -16,7 +16,7 @@ from jounce.cli.options import (
     changes,
     check_outputs,
 )
-from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress, show_findings, table
+from jounce.cli.reply import DONE, FAILED, Reply, drawing, progress
 from jounce.core.commands import command_line
 from jounce.core.optional import require
 from jounce.core.typed import positive_quantity
@@ -254,16 +254,10 @@ def posterior(
     del plain["profiles"]
 
     def draw(console: Console) -> None:
-        from jounce.core.display import display_unit
+        from jounce.cli.terminal import show_page
+        from jounce.report.posterior import posterior_summary
 
-        rows = []
-        for path, one in found.parameters.items():
-            unit = display_unit(one.unit or "1", max(map(abs, one.interval)))
-            numbers = [value * unit.factor for value in (one.value, *one.interval)]
-            rows.append((path, unit.name or "1", *numbers, one.convergence.r_hat, round(one.convergence.bulk)))
-        header = ("parameter", "unit", "value", "95 % from", "to", "R-hat", "effective draws")
-        console.print(table(f"Posterior of {found.name}, {found.counted}", header, rows, text=(0, 1)))
-        show_findings(console, found.findings)
+        show_page(console, posterior_summary(found, title=campaign.stem))
         console.print(f"written: {out}" + (f", open {out / 'report.html'}" if (out / "report.html").exists() else ""))
 
     return Reply(plain, draw, as_json, DONE, missing)
@@ -351,21 +345,10 @@ def next_(
     plain = found.to_dict()
 
     def draw(console: Console) -> None:
-        from jounce.core.display import display_unit
+        from jounce.cli.terminal import show_page
+        from jounce.report.posterior import next_trials_page
 
-        units = {path: display_unit(found.units[path] or "1", error) for path, error in found.now.items()}
-        rows: list[tuple[object, ...]] = [
-            ("today", "", *(found.now[path] * unit.factor for path, unit in units.items()))
-        ]
-        for one in found.candidates[:20]:
-            errors = [one.standard_errors[path] * unit.factor for path, unit in units.items()]
-            rows.append((one.name, one.gain, *errors))
-        header = ("trial", "gain nat", *(f"± {path} {unit.name}" for path, unit in units.items()))
-        console.print(table(f"What the next trial would tell, {found.counted}", header, rows, text=(0,)))
-        if len(found.candidates) > 20:
-            console.print(f"and {len(found.candidates) - 20} that tell less; --json has all.")
-        console.print("one after the other: " + ", then ".join(one.name for one in found.series))
-        show_findings(console, found.findings)
+        show_page(console, next_trials_page(found, title=campaign.stem))
 
     return Reply(plain, draw, as_json)
 
@@ -380,83 +363,19 @@ def campaign_reply(
     exit_code = DONE if result.is_complete else FAILED
 
     def draw(console: Console) -> None:
-        _draw(console, plain, result.findings, folder, _units(result))
+        from jounce.cli.terminal import show_page
+        from jounce.report.campaign import campaign_summary
+
+        if plain["synthetic"]:
+            console.print(plain["synthetic"], style="yellow")
+        show_page(console, campaign_summary(result))
+        console.print(f"written: {folder}" + (f", open {page}" if (page := folder / "report.html").exists() else ""))
+        failed = sum(finding.severity == "problem" for finding in result.findings)
+        if failed:
+            problems = f"{failed} problem{'s' if failed > 1 else ''}"
+            console.print(f"{problems}, see above; everything else was completed.", style="bold red")
 
     return Reply(plain, draw, as_json, exit_code, missing)
-
-
-def _units(result: CampaignResult) -> Callable[[str], str]:
-    """Give the SI unit of a parameter by its path, of whichever rig of the campaign has it."""
-    from jounce.report.characterisation import unit_at
-
-    rigs = [result.start, *(one.knowledge.rig for one in result.strategies)]
-    return lambda path: next((unit_at(rig, path) for rig in rigs if path in rig.parameters()), "SI")
-
-
-def _draw(
-    out: Console, plain: dict[str, Any], findings: tuple[Finding, ...], folder: Path, unit_at: Callable[[str], str]
-) -> None:
-    if plain["synthetic"]:
-        out.print(plain["synthetic"], style="yellow")
-    replaced = plain["characterisation"]["replaced"]
-    if replaced:
-        keys = ("described", "measured", "standard_error")
-        rows = [
-            (item["source"], path := item["path"], unit_at(path), *(item[key] for key in keys)) for item in replaced
-        ]
-        header = ("source", "parameter", "unit", "rig file", "measured", "standard error")
-        out.print(table("Characterisation", header, rows, text=(0, 1, 2)))
-    if plain["updates"]:
-        _draw_updates(out, plain["updates"])
-    _draw_trials(out, plain["trials"])
-    show_findings(out, findings)
-    out.print(f"written: {folder}" + (f", open {folder / 'report.html'}" if (folder / "report.html").exists() else ""))
-    failed = sum(finding.severity == "problem" for finding in findings)
-    if failed:
-        out.print(
-            f"{failed} problem{'s' if failed > 1 else ''}, see above; everything else was completed.", style="bold red"
-        )
-
-
-def _draw_updates(out: Console, updates: list[dict[str, Any]]) -> None:
-    header = ("update", "objective before", "after", "reduction %", "iterations", "evaluations")
-    keys = ("name", "objective_before", "objective_after", "reduction_percent", "iterations", "evaluations")
-    out.print(table("Updates", header, [[update[key] for key in keys] for update in updates]))
-    rows = [
-        (update["name"], path, *(fitted[key] for key in ("unit", "initial", "value", "standard_error", "at_bound")))
-        for update in updates
-        for path, fitted in update["parameters"].items()
-    ]
-    columns = ("update", "parameter", "unit", "initial", "value", "standard error, noise only", "at bound")
-    out.print(table("Parameters", columns, rows, text=(0, 1, 2)))
-    known = [
-        (
-            update["name"],
-            path,
-            update["parameters"][path]["unit"],
-            law["value"],
-            *law["interval"],
-            law["why"] and f"not identified: {law['why']}",
-        )
-        for update in updates
-        if update["discrepancy"]
-        for path, law in update["discrepancy"]["parameters"].items()
-    ]
-    if known:
-        columns = ("update", "parameter", "unit", "value", "95 % from", "to", "verdict")
-        told = [(*row[:6], row[6] or "identified") for row in known]
-        out.print(table("Parameters as the parts have them, model error counted", columns, told, text=(0, 1, 2, 6)))
-
-
-def _draw_trials(out: Console, trials: list[dict[str, Any]]) -> None:
-    keys = ("nrmse", "r2", "peak_error", "iso18571")
-    rows = []
-    for trial in trials:
-        start = (trial["number"], trial["use"], trial["speed"])
-        channels = trial["channels"].items() or [("–", {})]
-        rows += [(*start, name, *(numbers.get(key) for key in keys), trial["verdict"]) for name, numbers in channels]
-    header = ("trial", "use", "speed m/s", "channel", "NRMSE", "R2", "peak error", "ISO 18571", "verdict")
-    out.print(table("Trials", header, rows, text=(1, 3, 8)))
 
 
 def demo(

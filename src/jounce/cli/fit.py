@@ -29,7 +29,7 @@ from jounce.cli.options import (
     write_picture,
     write_report,
 )
-from jounce.cli.reply import Reply, number, progress, show_findings, show_written, table
+from jounce.cli.reply import Reply, progress, show_written
 from jounce.core.errors import DescriptionError, OutputError, RecordingError, nearest, unknown
 from jounce.core.typed import pairs, positive_quantity, quantity
 
@@ -41,10 +41,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from jounce.core.findings import Finding
-    from jounce.design.measured_poses import HardpointFit
     from jounce.identify.damper import DamperCurve
     from jounce.identify.decay import CombinedDecay, DecayResult
-    from jounce.identify.estimate import Estimate
     from jounce.identify.motion import Motion, Quantity
     from jounce.identify.stiffness import StiffnessResult
     from jounce.report import Page
@@ -528,38 +526,10 @@ def hardpoints(
             write_atomically(out, updated_text(rig_path(rig).read_text(encoding="utf-8"), found.rig), force=force)
     drawn, missing = write_picture(found, figure, f"{rig} against {measured.name}", force=force)
     plain = {"rig": rig, **found.to_dict(), "out": out and str(out), "figure": drawn}
-    return Reply(plain, lambda console: _draw_hardpoints(console, plain, found), as_json, missing=missing)
 
+    def page() -> Page:
+        from jounce.report import hardpoints_page
 
-def _fitted(label: str, one: Estimate, si: str, before: float) -> tuple[object, ...]:
-    """Row of a number before and after, in the unit that people use for it."""
-    from jounce.core.display import display_unit
+        return hardpoints_page(found, title=f"{rig} against {measured.name}")
 
-    unit = display_unit(si)
-    ends = one.interval and " … ".join(number((end - before) * unit.factor) for end in one.interval)
-    values = (round(value * unit.factor, 6) for value in (before, one.value, one.value - before))
-    return label, unit.name or ("SI" if si == "1" else si), *values, ends
-
-
-def _draw_hardpoints(out: Console, plain: dict[str, Any], found: HardpointFit) -> None:
-    """Print points and offsets with their intervals, and what is left of each quantity."""
-    from jounce.core.display import display_unit
-
-    rows = []
-    for label, one in found.numbers.items():
-        rows.append(_fitted(label, one, "m" if "hardpoints." in label else "1", found.before[label]))
-    for name, one in found.offsets.items():
-        rows.append(_fitted(f"offset of {name}", one, found.quantities[name].unit, 0.0))
-    header = ("number", "unit", "before", "found", "by", "95 % interval of the change")
-    out.print(table("Points", header, rows, text=(0, 1, 5)))
-    left = []
-    for name, seen in found.quantities.items():
-        unit = display_unit(seen.unit)
-        sizes = (seen.rms_before, seen.rms_after, seen.noise)
-        left.append((name, unit.name or "1", *(size * unit.factor for size in sizes)))
-    out.print(
-        table("What is left, root mean square", ("quantity", "unit", "before", "after", "noise"), left, text=(0, 1))
-    )
-    out.print(f"{found.agreed} of {found.starts} starts ended there; {len(found.wheel_travel)} poses")
-    show_findings(out, found.findings)
-    show_written(out, plain)
+    return _reply(plain, page, as_json=as_json, missing=missing)

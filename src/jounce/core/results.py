@@ -39,6 +39,11 @@ class Shows:
     digits: int = 4
 
 
+def own_unit(result: Any) -> str:
+    """Give the unit that a result says in its ``unit``, for :class:`Shows`."""
+    return str(result.unit) or "1"
+
+
 @dataclass(frozen=True)
 class ResultField:
     """One field of a result with its label, SI unit and value."""
@@ -171,7 +176,8 @@ def _fields(name: str, mark: Shows, result: Any) -> Iterator[ResultField]:
         yield ResultField(name, str(label), unit, value, mark.digits)
         return
     for key, estimate in value.items():
-        yield ResultField(key, key.replace("_", " "), unit[key], estimate)
+        words = key if "." in key else key.replace("_", " ")  # a path is a name
+        yield ResultField(key, f"{words}{label}", unit[key] or "1", estimate)
 
 
 def tables_of(result: Any) -> Iterator[TextTable]:
@@ -194,6 +200,10 @@ def fields_table(title: str, fields: Sequence[ResultField]) -> TextTable:
                      (0, 2))  # fmt: skip
 
 
+def _is_shown(value: Any) -> bool:
+    return value is not None and not _is_group(value)
+
+
 def _is_group(value: Any) -> bool:
     """Whether a value is several results, or none of them."""
     if not isinstance(value, Mapping | tuple | list):
@@ -205,8 +215,8 @@ def _is_group(value: Any) -> bool:
 def group_table(title: str, group: Mapping[str, Any] | Sequence[Any]) -> TextTable:
     """Write several results of one class as a table: a row for each, named by its key or its first field."""
     items = list(group.values()) if isinstance(group, Mapping) else list(group)
-    columns = [list(column) for column in zip(*map(fields_of, items), strict=True)]
-    columns = [column for column in columns if any(field.value is not None for field in column)]
+    columns = [list(column) for column in zip(*map(fields_of, items), strict=False)]
+    columns = [column for column in columns if any(_is_shown(field.value) for field in column)]
     mixed = [column for column in columns if len({field.unit for field in column}) > 1]
     units = [_largest_unit(row) for row in zip(*mixed, strict=True)]
     names = ["", *map(str, group)] if isinstance(group, Mapping) else _column(columns.pop(0), units)

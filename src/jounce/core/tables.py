@@ -23,7 +23,7 @@ class TextTable:
     header : sequence of str
         Name of each column.
     rows : sequence of sequence of str
-        Cells; the first column names the row and is repeated where columns stand below.
+        Cells; the first column names the row and is repeated where columns stand below, as is the column "unit".
     texts : sequence of int
         Columns that hold text: they stand to the left, and their lines break between words.
 
@@ -53,7 +53,8 @@ class TextTable:
             yield from self._written(self.header, widths, is_head=True)
             yield _GAP.join("─" * wide for wide in widths.values())
             for row in self.rows[:most]:
-                yield from self._written(row, widths)
+                if any(row[k] for k in widths):
+                    yield from self._written(row, widths)
 
     def parts(self, width: int) -> list[dict[int, int]]:
         """Choose columns and their widths for each part.
@@ -62,20 +63,22 @@ class TextTable:
         >>> table.parts(80), table.parts(14)
         ([{0: 4, 1: 5, 2: 6}], [{0: 4, 1: 5}, {0: 4, 2: 6}])
         """
-        least = [self._width(k, is_least=True) for k in range(len(self.header))]
-        parts: list[list[int]] = [[0]] if self.header else []
-        for k in range(1, len(self.header)):
-            beside = [*parts[-1], k]
-            if len(beside) > 2 and _sum(least[j] for j in beside) > width:
-                beside = [0, k]
-                parts.append(beside)
-            parts[-1] = beside
+        every = range(len(self.header))
+        least = [self._width(k, is_least=True) for k in every]
+        if not self.header or _sum(least) <= width:
+            return [self._widened(every, least, width)] if self.header else []
+        names = [0, *(k for k in every[1:] if self.header[k] == "unit")]
+        parts = [list(names)]
+        for k in every:
+            if k not in names and len(parts[-1]) > len(names) and _sum([least[j] for j in (*parts[-1], k)]) > width:
+                parts.append(list(names))
+            parts[-1] += [k] if k not in names else []
         return [self._widened(part, least, width) for part in parts]
 
     def _widened(self, columns: Sequence[int], least: Sequence[int], width: int) -> dict[int, int]:
         """Share the remaining width among the columns that can use it; where there is none, cut the names of rows."""
         wanted = [self._width(k, is_least=False) - least[k] for k in columns]
-        left = width - _sum(least[k] for k in columns)
+        left = width - _sum([least[k] for k in columns])
         share = min(1.0, max(0, left) / max(1, sum(wanted)))
         widths = {k: least[k] + int(share * more) for k, more in zip(columns, wanted, strict=True)}
         return widths | {columns[0]: max(1, widths[columns[0]] + min(0, left))}
@@ -120,7 +123,6 @@ def _wrapped(text: str, width: int) -> list[str]:
     return [part for line in lines for part in textwrap.wrap(line, width, break_on_hyphens=False) or [""]]
 
 
-def _sum(widths: Iterator[int] | Sequence[int]) -> int:
+def _sum(widths: Sequence[int]) -> int:
     """Width of columns side by side."""
-    each = list(widths)
-    return sum(each) + len(_GAP) * (len(each) - 1)
+    return sum(widths) + len(_GAP) * (len(widths) - 1)

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.results import Shows, own_unit
 from jounce.core.samples import as_samples
 from jounce.core.seeds import check_seed
 from jounce.core.serialise import Plain
@@ -50,9 +51,9 @@ class MeasuredQuantity(Plain):
     """
 
     unit: str
-    noise: float
-    rms_before: float
-    rms_after: float
+    noise: Annotated[float, Shows("noise", own_unit)]
+    rms_before: Annotated[float, Shows("before", own_unit)]
+    rms_after: Annotated[float, Shows("after", own_unit)]
     measured: list[float]
     before: list[float]
     after: list[float]

@@ -11,16 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from jounce.core.errors import FitError
 from jounce.core.findings import Finding
+from jounce.core.results import Shows, group_table, own_unit
 from jounce.core.seeds import check_seed, is_whole
 from jounce.core.serialise import Plain
 from jounce.core.shown import Shown
-from jounce.core.text import aligned
 from jounce.core.types import Array
 from jounce.identify.datum import with_datums
 from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
@@ -77,13 +77,23 @@ class PosteriorParameter(Shown):
     """
 
     unit: str
-    value: float
+    value: Annotated[float, Shows("value", own_unit)]
     mean: float
     standard_deviation: float
-    interval: tuple[float, float]
+    interval: Annotated[tuple[float, float], Shows("95 %", own_unit)]
     gaussian: tuple[float, float] | None
     likelihood: tuple[float, float] | None
     convergence: Convergence
+
+    @property
+    def r_hat(self) -> Annotated[float, Shows("R-hat", "1")]:
+        """Rank-normalised R-hat [1]."""
+        return self.convergence.r_hat
+
+    @property
+    def effective_draws(self) -> Annotated[int, Shows("effective draws")]:
+        """Effective number of draws in the bulk."""
+        return round(self.convergence.bulk)
 
 
 @dataclass(frozen=True)
@@ -177,13 +187,8 @@ class Posterior(Plain, Shown):
     basis: Basis | None = field(repr=False, default=None)
 
     def __str__(self) -> str:
-        rows = [["", "value", "95 % from", "to", "unit", "R-hat", "effective draws"]]
-        for path, one in self.parameters.items():
-            ends = [f"{end:.5g}" for end in one.interval]
-            told = [f"{one.convergence.r_hat:.3f}", f"{one.convergence.bulk:.0f}"]
-            rows.append([path, f"{one.value:.5g}", *ends, one.unit, *told])
-        head = f"Posterior of {self.name}, {self.counted}: {self.draws} draws"
-        return "\n".join([head, *(line.rstrip() for line in aligned(rows)), *map(str, self.findings)])
+        title = f"Posterior of {self.name}, {self.counted}: {self.draws} draws"
+        return "\n".join([str(group_table(title, self.parameters)), *map(str, self.findings)])
 
 
 @dataclass(frozen=True)

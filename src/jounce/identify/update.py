@@ -10,7 +10,7 @@ import numpy as np
 
 from jounce.core.errors import FitError, SimulationError
 from jounce.core.findings import Finding
-from jounce.core.results import Shows
+from jounce.core.results import Shows, own_unit
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -146,11 +146,6 @@ def _correlation(residuals: Array) -> Array:
 # update ---------------------------------------------------------------------------------------------------------------
 
 
-def _own_unit(parameter: Any) -> str:
-    unit: str = parameter.unit
-    return unit or "1"
-
-
 @dataclass(frozen=True)
 class UpdatedParameter(Shown):
     """One fitted parameter, all values in the SI unit of its path.
@@ -173,14 +168,18 @@ class UpdatedParameter(Shown):
         SI unit of all of these.
     """
 
-    initial: Annotated[float, Shows("start", _own_unit)]
-    value: Annotated[float, Shows("value", _own_unit)]
-    standard_error: Annotated[float | None, Shows("standard error, noise only", _own_unit)]
-    interval: Annotated[tuple[float, float] | None, Shows("95 % interval, noise only", _own_unit)]
+    initial: Annotated[float, Shows("start", own_unit, 5)]
+    value: Annotated[float, Shows("value", own_unit, 6)]
+    standard_error: Annotated[float | None, Shows("standard error, noise only", own_unit, 2)]
+    interval: Annotated[tuple[float, float] | None, Shows("95 % interval, noise only", own_unit, 6)]
     lower: float
     upper: float
     at_bound: Annotated[bool, Shows("at bound")]
     unit: str
+
+
+def _units(update: Any) -> dict[str, str]:
+    return {path: parameter.unit for path, parameter in update.parameters.items()}
 
 
 @dataclass(frozen=True)
@@ -227,6 +226,12 @@ class UpdateResult(Shown):
     findings: tuple[Finding, ...] = field(default_factory=tuple)
     discrepancy: Discrepancy | None = None
     nuisances: Annotated[dict[str, UpdatedParameter], Shows("Nuisances")] = field(default_factory=dict)
+
+    @property
+    def parts(self) -> Annotated[dict[str, Estimate], Shows(", as the part has it", _units)]:
+        """Path to the value of the part with the interval that counts what the model lacks, SI; empty without one."""
+        laws = {} if self.discrepancy is None else self.discrepancy.parameters
+        return {path: Estimate(law.value, 0.5 * law.half_width, law.interval) for path, law in laws.items()}
 
     def values(self) -> dict[str, float]:
         """Fitted values by path, SI."""

@@ -10,6 +10,7 @@ from .decisions import springs_page as springs_page
 from .equivalence import equivalence_page as equivalence_page
 from .fits import damper_page as damper_page
 from .fits import decay_page as decay_page
+from .fits import hardpoints_page as hardpoints_page
 from .fits import stiffness_page as stiffness_page
 from .history import history_page as history_page
 from .inspection import inspection_page as inspection_page

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ from jounce.plots.campaign import channels_of
 from jounce.plots.display import correlation, estimate_cells, given, milliseconds, number, percent
 from jounce.report.answer import answer_chart, answer_table, answers, decisive
 from jounce.report.bench_charts import road_panels
-from jounce.report.characterisation import characterisation
+from jounce.report.characterisation import characterisation, replaced_table
 from jounce.report.chart import Chart, Panel, Series, Style
 from jounce.report.page import (
     Block,
@@ -144,6 +145,23 @@ def campaign_page(result: CampaignResult) -> Page:
         files=tuple(campaign_files(result).items()),
         missing=missing,
     )
+
+
+def campaign_summary(result: CampaignResult) -> Page:
+    """Give what a campaign found without its figures: measured values, updates, trials, findings."""
+    replaced = (replaced_table(result),) if result.characterisation.replaced else ()
+    updated: list[Block] = [_overview(result)] if result.strategies else []
+    for strategy in result.strategies:
+        units = {path: parameter.unit for path, parameter in strategy.update.parameters.items()}
+        known = [block for block in discrepancy_blocks(strategy, units) if isinstance(block, Table)]
+        updated += [replace(table, note="") for table in (_parameters(strategy, units), *known)]
+    sections = {
+        "Characterisation": replaced,
+        "Updates": [*updated, *([Paragraph(_NOISE_ONLY, "muted")] if updated else [])],
+        "Trials": (_validation_table(result),),
+        "Findings": (Findings(result.findings),),
+    }
+    return Page(result.campaign.title, tuple(Section(title, tuple(blocks)) for title, blocks in sections.items()))
 
 
 TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
@@ -617,6 +635,13 @@ def _correlation(strategy: StrategyResult) -> Table:
     return Table("Correlation of the estimates", header, tuple(rows), "l" + "r" * count, note)
 
 
+_NOISE_ONLY = (
+    "Standard errors and intervals are those of the noise only, which may be correlated: how far the values would "
+    "scatter if the trials were run again. They say nothing of what the model lacks. None is given for a parameter "
+    "at its bound."
+)
+
+
 def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
     rows: list[tuple[Cell | str, ...]] = []
     for path, p in strategy.update.parameters.items():
@@ -626,12 +651,7 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> Table:
         fitted = Cell(value, "fair", "at its bound") if p.at_bound else value
         rows.append((path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–"))
     header = ("parameter", "initial", "fitted", "standard error", "95 %, noise only", "bounds", "unit")
-    note = (
-        "Standard errors and intervals are those of the noise only, which may be correlated: how far the values would "
-        "scatter if the trials were run again. They say nothing of what the model lacks. None is given for a parameter "
-        "at its bound."
-    )
-    return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", note)
+    return Table(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", _NOISE_ONLY)
 
 
 def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple[Block, ...]:

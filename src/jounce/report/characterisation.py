@@ -45,7 +45,7 @@ def characterisation(result: CampaignResult) -> Section:
         for place in bench.failed
     ]
     if bench.replaced:
-        blocks.append(_replaced(result))
+        blocks.append(replaced_table(result))
     if bench.spring is not None:
         blocks.append(Subsection("Spring", _stiffness(result, bench.spring, "bench.spring", "spring", "bench-spring")))
     files = unique_slugs([f"bench tyre {name}" for name in bench.tyre])
@@ -70,7 +70,8 @@ def unit_at(rig: Rig, path: str) -> str:
         return "1"
 
 
-def _replaced(result: CampaignResult) -> Table:
+def replaced_table(result: CampaignResult) -> Table:
+    """Values of the rig that measured ones take the place of."""
     rows = []
     for item in result.characterisation.replaced:
         si = unit_at(result.start, item.path)

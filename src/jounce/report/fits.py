@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.results import fields_of, fields_table
+from jounce.core.display import display_unit
+from jounce.core.numbers import estimate_cells, number
+from jounce.core.results import fields_of, fields_table, group_table
+from jounce.identify.estimate import Estimate
 from jounce.plots import figure_of
 from jounce.report.characterisation import decay_chart, decay_table, each_decay, stiffness_blocks
 from jounce.report.page import (
@@ -16,6 +19,7 @@ from jounce.report.page import (
     Paragraph,
     Picture,
     Section,
+    Table,
     as_table,
     unique_slugs,
 )
@@ -25,6 +29,7 @@ if TYPE_CHECKING:
 
     from jounce.core.findings import Finding
     from jounce.core.types import Array
+    from jounce.design.measured_poses import HardpointFit
     from jounce.identify.damper import DamperCurve, DamperResult
     from jounce.identify.decay import CombinedDecay, DecayResult
     from jounce.identify.force_deflection import ForceDeflectionTrial
@@ -143,6 +148,45 @@ def _toml(table: dict[str, Any]) -> str:
     inline = tomlkit.inline_table()
     inline.update({key: float(f"{value:.6g}") if isinstance(value, float) else value for key, value in table.items()})
     return inline.as_string()
+
+
+def hardpoints_page(found: HardpointFit, *, title: str) -> Page:
+    """Put hardpoints that give measured poses on a page, with what is left of each measured quantity.
+
+    Parameters
+    ----------
+    found : HardpointFit
+        As :func:`jounce.fit_hardpoints` gives it.
+    title : str
+        Head of the page.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    rows = [
+        _moved(label, estimate, "m" if "hardpoints." in label else "1", found.before[label])
+        for label, estimate in found.numbers.items()
+    ]
+    rows += [
+        _moved(f"offset of {name}", estimate, found.quantities[name].unit, 0.0)
+        for name, estimate in found.offsets.items()
+    ]
+    header = ("number", "before", "found", "by", "95 % interval of the change", "unit")
+    note = f"{found.agreed} of {found.starts} starts ended there; {len(found.wheel_travel)} poses."
+    points = Table("Points", header, tuple(rows), "lrrrrl", note)
+    left = as_table(group_table("What is left, root mean square", found.quantities))
+    return _page(title, [points, left, *_said(found.findings)], "Hardpoints from measured poses")
+
+
+def _moved(label: str, estimate: Estimate, si: str, before: float) -> tuple[str, ...]:
+    """Row of a number before and after; its change has the interval."""
+    ends = estimate.interval and (estimate.interval[0] - before, estimate.interval[1] - before)
+    change = Estimate(estimate.value - before, estimate.standard_error, ends)
+    unit = display_unit(si)
+    value, _, interval, name = estimate_cells(change, si, unit)
+    return label, *(number(size * unit.factor, 6) for size in (before, estimate.value)), value, interval, name or "–"
 
 
 def _said(findings: Sequence[Finding]) -> list[Block]:

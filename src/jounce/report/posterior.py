@@ -13,6 +13,7 @@ from jounce.report.page import (
     Block,
     Bullets,
     Cell,
+    Column,
     Fact,
     Facts,
     Findings,
@@ -24,9 +25,11 @@ from jounce.report.page import (
     Table,
     sections_of,
     slug,
+    table_of,
 )
 
 if TYPE_CHECKING:
+    from jounce.identify.next_trial import NextTrials
     from jounce.identify.posterior import Posterior
 
 _DRAWS = {
@@ -36,6 +39,7 @@ _DRAWS = {
 }
 _PROFILES = "Log likelihood over each parameter, the others as they fit best, beside a Gaussian of the same curvature."
 _CLOSE, _GOOD = 0.5, 1.01
+_MOST_TRIALS = 20
 _COUNTED = {
     "noise only": "Noise only is counted: how far values would scatter if the trials were run again. What the model "
     "lacks is not in it.",
@@ -80,6 +84,12 @@ def posterior_page(found: Posterior, *, title: str, synthetic: str = "") -> Page
     )  # fmt: skip
 
 
+def posterior_summary(found: Posterior, *, title: str) -> Page:
+    """Put a posterior on a page without its figures; ``title`` names what was fitted."""
+    blocks = (*_answer(found), *(_bands(found) if found.predictions else ()))
+    return Page(title, (Section("Answer", blocks),), f"Posterior of {found.name}; {found.counted}")
+
+
 def _answer(found: Posterior) -> tuple[Block, ...]:
     worst = max(one.convergence.r_hat for one in found.parameters.values())
     least = min(min(one.convergence.bulk, one.convergence.tail) for one in found.parameters.values())
@@ -119,7 +129,7 @@ def _note(found: Posterior) -> str:
     )
 
 
-def _predictions(found: Posterior) -> tuple[Block, ...]:
+def _bands(found: Posterior) -> tuple[Block, ...]:
     rows = []
     for trial, channels in found.predictions.items():
         for channel, band in channels.items():
@@ -127,12 +137,46 @@ def _predictions(found: Posterior) -> tuple[Block, ...]:
             told = Cell(share, "good" if band.inside >= 0.9 else "fair" if band.inside >= 0.8 else "bad")
             rows.append((trial, "fitted" if band.is_fitted else "held out", channel, told))
     header = ("trial", "use", "channel", "samples in the 95 % band")
-    blocks: list[Block] = [Table("How much of every recording lies in its band", header, tuple(rows), "lllr")]
+    return (Table("How much of every recording lies in its band", header, tuple(rows), "lllr"),)
+
+
+def _predictions(found: Posterior) -> tuple[Block, ...]:
+    blocks: list[Block] = [*_bands(found)]
     for trial in found.predictions:
         words = f"{trial}: measured, mean of the draws, and 95 % bands of parameters alone and of all that is counted."
         picture = Picture(posterior_bands(found, trial), f"bands-{slug(trial)}", words, words)
         blocks.append(Subsection(trial, (picture,)))
     return tuple(blocks)
+
+
+def next_trials_page(found: NextTrials, *, title: str) -> Page:
+    """Put trials that could be run on a page, the one that tells most first.
+
+    Parameters
+    ----------
+    found : NextTrials
+        As :func:`jounce.next_trials` gives it.
+    title : str
+        Name of the update.
+
+    Returns
+    -------
+    Page
+        To be written with :data:`jounce.report.REPORTS`.
+    """
+    shown = found.candidates[:_MOST_TRIALS]
+    errors = [
+        Column(f"± {path}", [now, *(one.standard_errors[path] for one in shown)], found.units[path] or "1")
+        for path, now in found.now.items()
+    ]
+    names = Column("trial", ["today", *(one.name for one in shown)])
+    gains = Column("gain [nat]", [None, *(one.gain for one in shown)], "1")
+    left = len(found.candidates) - len(shown)
+    more = f"{left} more trials tell less; --json has all. " if left else ""
+    series = "one after the other: " + ", then ".join(one.name for one in found.series)
+    caption = f"What the next trial would tell, {found.counted}"
+    blocks = (table_of(caption, [names, gains, *errors], f"{more}{series}"), Findings(found.findings))
+    return Page(title, (Section("Answer", blocks),), "Trials to run next")
 
 
 def _made(found: Posterior) -> Block:
