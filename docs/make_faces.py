@@ -1,8 +1,8 @@
 """Write what registries and command line say: names for type checkers, JSON schemas for editors, tables for the docs.
 
 ``make faces`` runs this after an operation, a road, a controller or a description has changed: it writes the last part
-of the stubs (``__init__.pyi``), the index of operations and ``docs/schemas``, which are committed. The tables and the
-reference of the commands are written when the documentation is built.
+of the stubs (``__init__.pyi``), the index of operations, ``docs/schemas`` and the quantities of the workbench's pages,
+which are committed. The tables and the reference of the commands are written when the documentation is built.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from dataclasses import fields
 from functools import reduce
 from operator import or_
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import typer
@@ -26,11 +27,16 @@ from jounce.cli.entry import application
 from jounce.cli.everywhere import completed
 from jounce.control import CONTROLS
 from jounce.control.controller import FILE_CONTROLS
+from jounce.core.display import display_unit
 from jounce.core.kinds import FILE_REF
+from jounce.core.results import marks_of
 from jounce.design.kinematic_study import KinematicStudy
 from jounce.design.optimisation_study import OptimisationStudy
+from jounce.identify.decay import DecayEstimates
+from jounce.identify.stiffness import TrialStiffness
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
+from jounce.inspection.quantities import NUMBERS as WHEEL_NUMBERS
 from jounce.inspection.quantities import Quantity as GradedQuantity
 from jounce.inspection.record import NUMBERS, SIDES, TEXTS
 from jounce.kinematics.catalogue import CATALOGUE as KINEMATIC_QUANTITIES
@@ -42,6 +48,7 @@ from jounce.parts.rig import Rig
 from jounce.parts.testers import Tester
 from jounce.recordings.readers import READERS
 from jounce.ride.catalogue import CATALOGUE as RIDE_METRICS
+from jounce.ride.study import MERITS
 from jounce.roads import ROADS, Road
 from jounce.roads.loading import SCHEMA
 from jounce.roads.trial import Trial
@@ -282,6 +289,41 @@ def operations_index() -> str:
     return json.dumps(described(), indent=1, ensure_ascii=False) + "\n"
 
 
+PAGE_QUANTITIES = DOCS.parent / "viewer" / "src" / "workbench" / "quantities.json"
+
+
+def page_quantities() -> str:
+    """Quantities that pages of the workbench show, with labels and units: of wheels, rides, decays and stiffnesses."""
+
+    def said(part: Any) -> str:
+        return part(SimpleNamespace(motion="translation")) if callable(part) else part
+
+    def estimates(result: type) -> dict[str, Any]:
+        marks = marks_of(result)
+        return {name: (said(mark.label), *_shown(said(mark.unit))) for name, mark in marks.items() if mark.unit}
+
+    units = {row.unit for row in RIDE_METRICS} | {"kg", "kg*m^2", "N/m", "N*s/m", "rad"}
+    found = {
+        "inspection": [(row.name, row.english, row.german, row.unit or "–", row.factor) for row in WHEEL_NUMBERS.values()],
+        "merits": [(row.name, row.label, *_shown(row.unit)) for row in MERITS],
+        "units": {si: _shown(si) for si in sorted(units)},
+        "estimates": {"decay": estimates(DecayEstimates), "stiffness": estimates(TrialStiffness)},
+    }
+    return json.dumps(found, indent=1, ensure_ascii=False) + "\n"
+
+
+def _shown(si: str) -> tuple[str, float]:
+    """Name and factor of the unit in which values of an SI unit are shown."""
+    unit = display_unit(si)
+    return unit.name or "–", unit.factor
+
+
+def committed() -> dict[Path, str]:
+    """Give all files that are committed: stubs, the index of operations, schemas and quantities of the pages."""
+    written = {**stubs(), INDEX: operations_index(), PAGE_QUANTITIES: page_quantities()}
+    return written | {SCHEMAS / name: text for name, text in schemas().items()}
+
+
 STUB_PART = "# isort: split\n# Written by `make faces`: members of the registries."
 
 
@@ -440,6 +482,5 @@ def write_tables() -> None:
 
 
 if __name__ == "__main__":
-    committed = {**stubs(), INDEX: operations_index(), **{SCHEMAS / name: text for name, text in schemas().items()}}
-    for file, text in committed.items():
+    for file, text in committed().items():
         file.write_text(text, encoding="utf-8")

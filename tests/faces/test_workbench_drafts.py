@@ -251,7 +251,7 @@ def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(page: Any
     assert text.input_value().endswith("# entered elsewhere\n")
     typed('title = "My', 'title = "Our')
     page.get_by_role("button", name="Run the campaign").click()
-    page.get_by_role("alert").filter(has_text="edited and not saved").wait_for()
+    page.get_by_role("alert").filter(has_text="unsaved edits").wait_for()
     page.get_by_role("button", name="Discard", exact=True).last.click()
     assert 'title = "My' in text.input_value()
     typed('title = "My', 'title = "Our')

@@ -320,7 +320,7 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
     asks.come()
     out.fill("next.csv")
     asks.go({"result": {}, "python": "", "command": "", "files": {}, "report": ""})
-    page.get_by_text("first.csv was written.").wait_for()
+    page.get_by_text("first.csv was saved.").wait_for()
     assert "record=first.csv" in page.get_by_role("link", name="Evaluate").get_attribute("href")
 
 

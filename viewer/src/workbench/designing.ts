@@ -6,6 +6,7 @@ import * as api from "./api";
 import { field, once, problem, type Sliders } from "./parts";
 import { part } from "./quantities";
 import { Refused } from "./refusals";
+import { table } from "./table";
 
 export interface Target {
   quantity: string;
@@ -213,80 +214,34 @@ export function designing(
           ? tr("Every target is met.")
           : tr("Targets missed: #.", String(result.targets.filter((one) => !one.met).length)),
       ),
-      make(
-        "div",
-        { class: "table", tabindex: "0", role: "region", "aria-label": tr("searches") },
-        make(
-          "table",
-          {},
-          make(
-            "thead",
-            {},
-            make(
-              "tr",
-              {},
-              ...[
-                tr("search"),
-                tr("targets"),
-                tr("cost (error/tolerance)²"),
-                tr("share of allowed movement used"),
-                tr("outcome"),
-                "",
-              ].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))),
-            ),
-          ),
-          make(
-            "tbody",
-            {},
-            ...result.starts.map((one) =>
-              make(
-                "tr",
-                {},
-                make("th", { scope: "row" }, String(one.start)),
-                make("td", {}, one.met ? tr("met") : tr("missed")),
-                make("td", { class: "right" }, written(one.cost, 3)),
-                make("td", { class: "right" }, written(one.travelled, 2)),
-                make("td", {}, tr(one.ended)),
-                make("td", {}, other(one.start, one.numbers)),
-              ),
-            ),
-          ),
-        ),
+      table(
+        "searches",
+        [
+          "search",
+          "targets",
+          "cost (error/tolerance)²",
+          "share of allowed movement used",
+          "outcome",
+          "",
+        ],
+        result.starts.map((one) => [
+          String(one.start),
+          one.met ? tr("met") : tr("missed"),
+          written(one.cost, 3),
+          written(one.travelled, 2),
+          tr(one.ended),
+          other(one.start, one.numbers),
+        ]),
+        [2, 3],
       ),
-      make(
-        "div",
-        { class: "table", tabindex: "0", role: "region", "aria-label": tr("moved hardpoints") },
-        make(
-          "table",
-          {},
-          make(
-            "thead",
-            {},
-            make(
-              "tr",
-              {},
-              ...[tr("parameter"), tr("before"), tr("after"), tr("unit")].map((one) =>
-                make("th", { scope: "col" }, one),
-              ),
-            ),
-          ),
-          make(
-            "tbody",
-            {},
-            ...Object.entries(result.moved).map(([path, one]) => {
-              const known = numbers.get(path),
-                by = known?.factor ?? 1;
-              return make(
-                "tr",
-                {},
-                make("th", { scope: "row" }, path),
-                make("td", { class: "right" }, written(one.before * by, 5)),
-                make("td", { class: "right" }, written(one.after * by, 5)),
-                make("td", {}, known?.unit ?? ""),
-              );
-            }),
-          ),
-        ),
+      table(
+        "moved hardpoints",
+        ["parameter", "before", "after", "unit"],
+        Object.entries(result.moved).map(([path, one]) => {
+          const { factor = 1, unit = "" } = numbers.get(path) ?? {};
+          return [path, written(one.before * factor, 5), written(one.after * factor, 5), unit];
+        }),
+        [1, 2],
       ),
       make(
         "p",

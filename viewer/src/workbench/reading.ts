@@ -8,6 +8,7 @@ import { Question, ways } from "./jobs";
 import { field } from "./parts";
 import { inWords } from "./quantities";
 import { advised, asSaid } from "./refusals";
+import { table } from "./table";
 
 interface Preview {
   columns: {
@@ -193,30 +194,10 @@ export class Reading {
         { open: true },
         make("summary", {}, "Columns"),
         this.names,
-        make(
-          "div",
-          { class: "table", tabindex: "0", role: "region", "aria-label": "columns" },
-          make(
-            "table",
-            {},
-            make(
-              "thead",
-              {},
-              make(
-                "tr",
-                {},
-                ...[
-                  "column of the file",
-                  "unit",
-                  "from",
-                  "to",
-                  "read as",
-                  "unit, if not in the file",
-                ].map((one) => make("th", { scope: "col" }, one)),
-              ),
-            ),
-            this.mapping,
-          ),
+        table(
+          "columns",
+          ["column of the file", "unit", "from", "to", "read as", "unit, if not in the file"],
+          this.mapping,
         ),
       ),
       this.question.place,

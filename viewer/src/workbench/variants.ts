@@ -2,6 +2,7 @@
 
 import { colour, make, sized, whenColoursChange, written } from "../page";
 import { heard, tr } from "../words";
+import { type Cell, table } from "./table";
 
 export interface Column {
   name: string;
@@ -230,39 +231,13 @@ export function ranges(brushes: Brushes): HTMLElement {
             range && Number.isFinite(range[i]!) ? String(Number(range[i]!.toPrecision(4))) : "";
       });
     });
-    return make(
-      "tr",
-      {},
-      make("th", { scope: "row" }, one.name),
-      make("td", {}, inputs[0]!),
-      make("td", {}, inputs[1]!),
-      make("td", {}, one.unit || "–"),
-    );
+    return [one.name, inputs[0]!, inputs[1]!, one.unit || "–"];
   });
   return make(
     "details",
     {},
     make("summary", {}, "Ranges as numbers"),
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "ranges" },
-      make(
-        "table",
-        {},
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            ...["", "from", "to", "unit"].map((text) =>
-              text ? make("th", { scope: "col" }, text) : make("td", {}),
-            ),
-          ),
-        ),
-        make("tbody", {}, ...cells),
-      ),
-    ),
+    table("ranges", ["", "from", "to", "unit"], cells),
   );
 }
 
@@ -415,56 +390,23 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
     const told = swings[k]!.map((swing) =>
       Number.isFinite(swing) ? `${swing > 0 ? "+" : ""}${written(swing, 3)}` : "–",
     );
-    return make(
-      "tr",
-      {},
-      make("th", { scope: "row" }, one.number),
-      make("td", { class: "right" }, told[0]!),
-      make("td", {}, picture as unknown as HTMLElement),
-      make("td", { class: "right" }, told[1]!),
-      make("td", { class: "right" }, written(value(one, key), 3)),
-    );
+    return [
+      one.number,
+      told[0]!,
+      picture as unknown as HTMLElement,
+      told[1]!,
+      written(value(one, key), 3),
+    ];
   });
-  return make(
-    "div",
-    {
-      class: "table",
-      tabindex: "0",
-      role: "region",
-      "aria-label": `what ${metric.name} depends on`,
-    },
-    make(
-      "table",
-      {},
-      make(
-        "caption",
-        {},
-        `${metric.name}: mean ${written(mean * metric.factor, 4)} ${metric.unit}; change where a parameter is low and where it is high`,
-      ),
-      make(
-        "thead",
-        {},
-        make(
-          "tr",
-          {},
-          make("th", { scope: "col" }, "parameter"),
-          make(
-            "th",
-            { scope: "col", class: "right" },
-            make("span", { class: "key low" }),
-            ` ${tr("low")} [${metric.unit || "–"}]`,
-          ),
-          make("td", {}),
-          make(
-            "th",
-            { scope: "col", class: "right" },
-            make("span", { class: "key high" }),
-            ` ${tr("high")} [${metric.unit || "–"}]`,
-          ),
-          make("th", { scope: "col", class: "right" }, words),
-        ),
-      ),
-      make("tbody", {}, ...rows),
-    ),
+  const end = (word: string): Cell => [
+    make("span", { class: `key ${word}` }),
+    ` ${tr(word)} [${metric.unit || "–"}]`,
+  ];
+  return table(
+    `what ${metric.name} depends on`,
+    ["parameter", end("low"), "", end("high"), words],
+    rows,
+    [1, 3, 4],
+    `${metric.name}: mean ${written(mean * metric.factor, 4)} ${metric.unit}; change where a parameter is low and where it is high`,
   );
 }

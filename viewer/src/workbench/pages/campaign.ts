@@ -18,9 +18,11 @@ import {
   whole,
 } from "../jobs";
 import { field, once, problem } from "../parts";
+import { ESTIMATES } from "../quantities";
 import { type Fields, Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
 import { address, goTo, type Page, type Values } from "../shell";
+import { table } from "../table";
 
 export const campaign: Page = { label: "Campaign", show };
 
@@ -456,46 +458,6 @@ function textOf(
   return own;
 }
 
-function table(
-  name: string,
-  header: string[],
-  rows: (Node | string)[][],
-  numbers: number[] = [],
-): HTMLElement {
-  const kind = (k: number): Record<string, string> =>
-    numbers.includes(k) ? { class: "right" } : {};
-  return make(
-    "div",
-    { class: "table", tabindex: "0", role: "region", "aria-label": name },
-    make(
-      "table",
-      {},
-      make(
-        "thead",
-        {},
-        make(
-          "tr",
-          {},
-          ...header.map((one, k) => make("th", { scope: "col", ...kind(k) }, tr(one))),
-        ),
-      ),
-      make(
-        "tbody",
-        {},
-        ...rows.map((row) =>
-          make(
-            "tr",
-            {},
-            ...row.map((one, k) =>
-              k ? make("td", kind(k), one) : make("th", { scope: "row" }, one),
-            ),
-          ),
-        ),
-      ),
-    ),
-  );
-}
-
 /** A value and its interval, as cells. */
 function estimated(
   value: number,
@@ -578,7 +540,7 @@ function part(
             branch: one.branch ?? "loading",
           },
     (told) => [
-      estimates(told.result as Record<string, unknown>),
+      estimates(told.result as Record<string, unknown>, decays ? "decay" : "stiffness"),
       report(told.report, decays ? "Free decay with dry friction" : "Fit, with the ignored zone"),
       ways(told),
     ],
@@ -611,23 +573,11 @@ function part(
   };
 }
 
-/** Estimates in the words and units of their report: key, words, unit, and what makes it of SI. */
-const ESTIMATES: Record<string, [words: string, unit: string, factor: number]> = {
-  stiffness: ["stiffness", "N/mm", 1e-3],
-  intercept: ["intercept", "N", 1],
-  damping_ratio: ["damping ratio", "1", 1],
-  damping_coefficient: ["damping coefficient", "N·s/m", 1],
-  coulomb_force: ["dry friction force", "N", 1],
-  quadratic_drag: ["quadratic drag", "N·s²/m²", 1],
-  natural_frequency_hz: ["natural frequency", "Hz", 1],
-  equilibrium: ["equilibrium", "mm", 1e3],
-};
-
 /** Estimates with their 95 % intervals, and what the reader must know. */
-function estimates(found: Record<string, unknown>): HTMLElement {
+function estimates(found: Record<string, unknown>, kind: keyof typeof ESTIMATES): HTMLElement {
   const rows = Object.entries(found).flatMap(([name, value]) => {
     const one = value as { value?: number; interval?: [number, number] } | null;
-    const [words, unit, factor] = ESTIMATES[name] ?? [];
+    const [words, unit, factor] = ESTIMATES[kind][name] ?? [];
     return words &&
       unit &&
       factor &&
@@ -985,61 +935,32 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   const rows = Object.entries(last.parameters).map(([path, one]) => {
     const share = (one.value - one.lower) / (one.upper - one.lower || 1);
     const { unit, factor } = units(path);
-    return make(
-      "tr",
-      {},
-      make("th", { scope: "row" }, path),
-      make("td", {}, unit),
-      make("td", { class: "right" }, written(one.lower * factor)),
-      make(
-        "td",
-        {},
-        make("meter", {
-          min: "0",
-          max: "1",
-          value: String(Math.min(1, Math.max(0, share))),
-          "aria-label": `${path} between its bounds`,
-        }),
-      ),
-      make("td", { class: "right" }, written(one.upper * factor)),
-      make("td", { class: "right" }, written(one.initial * factor)),
-      make("td", { class: "right" }, written(one.value * factor, 5)),
-      make(
-        "td",
-        {},
-        share < 0.001 || share > 0.999 ? make("span", { class: "mark fair" }, "at its bound") : "",
-      ),
-    );
+    return [
+      path,
+      unit,
+      written(one.lower * factor),
+      make("meter", {
+        min: "0",
+        max: "1",
+        value: String(Math.min(1, Math.max(0, share))),
+        "aria-label": `${path} between its bounds`,
+      }),
+      written(one.upper * factor),
+      written(one.initial * factor),
+      written(one.value * factor, 5),
+      share < 0.001 || share > 0.999 ? make("span", { class: "mark fair" }, "at its bound") : "",
+    ];
   });
   return make(
     "section",
     { class: "job" },
     make("h3", {}, runs ? "Search in progress" : "Last search"),
     figure,
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "parameters" },
-      make(
-        "table",
-        {},
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            ...["parameter", "unit", "lower bound", "", "upper bound", "initial", "now", ""].map(
-              (one, k) =>
-                make(
-                  "th",
-                  { scope: "col", ...([2, 4, 5, 6].includes(k) ? { class: "right" } : {}) },
-                  one,
-                ),
-            ),
-          ),
-        ),
-        make("tbody", {}, ...rows),
-      ),
+    table(
+      "parameters",
+      ["parameter", "unit", "lower bound", "", "upper bound", "initial", "now", ""],
+      rows,
+      [2, 4, 5, 6],
     ),
   );
 }

@@ -6,9 +6,11 @@ import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import { dropZone, Question, report, type Told, ways } from "../jobs";
 import { field } from "../parts";
+import { WHEEL_QUANTITIES } from "../quantities";
 import { Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
 import { address, type Page, type Values, VEHICLES } from "../shell";
+import { table } from "../table";
 
 export const inspection: Page = { label: "Inspection", show };
 
@@ -43,17 +45,6 @@ interface Graded {
   error?: { message: string };
   store: { location: string; records: number[] } | null;
 }
-const QUANTITIES: [string, string, string, number][] = [
-  ["static_load", "static load", "N", 1],
-  ["adhesion", "adhesion (EUSAMA)", "%", 100],
-  ["phase_angle_min_deg", "least phase angle (EGEA)", "°", 1],
-  ["phase_frequency_hz", "frequency of the least phase angle", "Hz", 1],
-  ["relative_force_amplitude", "relative force amplitude", "%", 100],
-  ["tyre_rigidity", "tyre rigidity", "N/mm", 1e-3],
-  ["theta_rig", "damping ratio on the tester (THETA)", "1", 1],
-  ["theta_road", "damping ratio on the road (THETA)", "1", 1],
-  ["boge_amplitude", "BOGE amplitude", "mm", 1e3],
-];
 const TONES: Record<string, string> = {
   pass: "good",
   advise: "fair",
@@ -298,7 +289,7 @@ function graded(found: Graded): HTMLElement[] {
         : []),
     ),
   );
-  const quantities = QUANTITIES.filter(([name]) =>
+  const quantities = WHEEL_QUANTITIES.filter(([name]) =>
     wheels.some((one) => typeof one[name] === "number"),
   );
   const name = (one: Wheel) =>
@@ -318,55 +309,23 @@ function graded(found: Graded): HTMLElement[] {
   };
   const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
   shown.push(
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "wheels" },
-      make(
-        "table",
-        {},
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            make("th", { scope: "col" }, "wheel"),
-            ...wheels.map((one) => make("th", { scope: "col", class: "right" }, name(one))),
-            make("th", { scope: "col" }, "unit"),
-          ),
-        ),
-        make(
-          "tbody",
-          {},
-          make(
-            "tr",
-            {},
-            make("th", { scope: "row" }, tr("verdict")),
-            ...wheels.map((one) => make("td", { class: "right" }, mark(one.verdict))),
-            make("td", {}),
-          ),
-          ...quantities.map(([key, words, unit, factor]) =>
-            make(
-              "tr",
-              {},
-              make("th", { scope: "row" }, tr(words)),
-              ...wheels.map((one) => make("td", { class: "right" }, cell(one, key, factor))),
-              make("td", {}, unit),
-            ),
-          ),
-          ...methods.map((method) =>
-            make(
-              "tr",
-              {},
-              make("th", { scope: "row" }, tr("grade #", method.toUpperCase())),
-              ...wheels.map((one) =>
-                make("td", { class: "right" }, one.grade[method] ? asSaid(one.grade[method]) : "–"),
-              ),
-              make("td", {}),
-            ),
-          ),
-        ),
-      ),
+    table(
+      "wheels",
+      ["wheel", ...wheels.map(name), "unit"],
+      [
+        [tr("verdict"), ...wheels.map((one) => mark(one.verdict)), ""],
+        ...quantities.map(([key, words, unit, factor]) => [
+          words,
+          ...wheels.map((one) => cell(one, key, factor)),
+          unit,
+        ]),
+        ...methods.map((method) => [
+          tr("grade #", method.toUpperCase()),
+          ...wheels.map((one) => (one.grade[method] ? asSaid(one.grade[method]) : "–")),
+          "",
+        ]),
+      ],
+      wheels.map((_, k) => k + 1),
     ),
   );
   const reasons = [
@@ -464,6 +423,13 @@ function simulated(
   };
 }
 
+interface Trend {
+  axle: string;
+  wheel: string;
+  quantity: string;
+  change_per_year: number;
+  visits: number;
+}
 interface Stored {
   number: number;
   date: string;
@@ -509,13 +475,7 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
           const past = new Question<{
             plate: string;
             vehicle: string;
-            trends: {
-              axle: string;
-              wheel: string;
-              quantity: string;
-              change_per_year: number;
-              visits: number;
-            }[];
+            trends: Trend[];
           }>(
             "Again",
             () => ({ kind: "history", store: asked.store, plate: one.plate }),
@@ -529,46 +489,22 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
           history.replaceChildren(past.place);
           void past.ask();
         });
-        return make(
-          "tr",
-          {},
-          make("th", { scope: "row" }, String(one.number)),
-          ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map((cell) =>
-            make("td", {}, cell || "–"),
+        return [
+          String(one.number),
+          ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map(
+            (text) => text || "–",
           ),
-          make("td", {}, one.verdict ? mark(one.verdict) : "–"),
-          make("td", {}, ...(one.plate ? [button] : [])),
-        );
+          one.verdict ? mark(one.verdict) : "–",
+          one.plate ? button : "",
+        ];
       });
       return [
-        make(
-          "div",
-          { class: "table", tabindex: "0", role: "region", "aria-label": "records" },
-          make(
-            "table",
-            {},
-            make("caption", {}, `${records.length} record${records.length === 1 ? "" : "s"}`),
-            make(
-              "thead",
-              {},
-              make(
-                "tr",
-                {},
-                ...[
-                  "record",
-                  "date",
-                  "plate",
-                  "vehicle",
-                  "axle",
-                  "tester",
-                  "file",
-                  "verdict",
-                  "",
-                ].map((one) => (one ? make("th", { scope: "col" }, one) : make("td", {}))),
-              ),
-            ),
-            make("tbody", {}, ...rows),
-          ),
+        table(
+          "records",
+          ["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", ""],
+          rows,
+          [],
+          `${records.length} record${records.length === 1 ? "" : "s"}`,
         ),
         ways(told),
       ];
@@ -593,51 +529,26 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
   );
 }
 
-function trends(
-  found: {
-    axle: string;
-    wheel: string;
-    quantity: string;
-    change_per_year: number;
-    visits: number;
-  }[],
-): HTMLElement[] {
+function trends(found: Trend[]): HTMLElement[] {
   if (!found.length) return [make("p", { class: "muted" }, "One visit shows no trend.")];
   return [
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "change per year" },
-      make(
-        "table",
-        {},
-        make("caption", {}, "Change per year"),
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            ...["axle", "wheel", "value", "change per year", "visits"].map((one) =>
-              make("th", { scope: "col" }, one),
-            ),
-          ),
-        ),
-        make(
-          "tbody",
-          {},
-          ...found.map((one) =>
-            make(
-              "tr",
-              {},
-              make("th", { scope: "row" }, one.axle || "–"),
-              make("td", {}, one.wheel),
-              make("td", {}, one.quantity),
-              make("td", { class: "right" }, written(one.change_per_year, 3)),
-              make("td", { class: "right" }, String(one.visits)),
-            ),
-          ),
-        ),
-      ),
+    table(
+      "change per year",
+      ["axle", "wheel", "value", "change per year", "unit", "visits"],
+      found.map((one) => {
+        const [, words = one.quantity, unit = "", factor = 1] =
+          WHEEL_QUANTITIES.find(([name]) => name === one.quantity) ?? [];
+        return [
+          one.axle || "–",
+          one.wheel,
+          words,
+          written(one.change_per_year * factor, 3),
+          unit,
+          String(one.visits),
+        ];
+      }),
+      [3, 5],
+      "Change per year",
     ),
   ];
 }

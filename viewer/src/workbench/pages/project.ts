@@ -9,6 +9,7 @@ import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, ways } from "../parts";
 import { inWords } from "../quantities";
 import { address, goTo, type Page } from "../shell";
+import { table } from "../table";
 
 export const project: Page = { label: "Project", show };
 
@@ -135,26 +136,11 @@ async function show(place: HTMLElement): Promise<void> {
     unsaved(draftsOf(folder)),
     next(entries, kept, jobs),
     entries.length
-      ? make(
-          "div",
-          { class: "table", tabindex: "0", role: "region", "aria-label": tr("files") },
-          make(
-            "table",
-            {},
-            make(
-              "thead",
-              {},
-              make(
-                "tr",
-                {},
-                ...[tr("file"), tr("type"), tr("size"), tr("modified"), tr("actions")].map(
-                  (text, k) =>
-                    make("th", { scope: "col", ...(k === 2 ? { class: "right" } : {}) }, text),
-                ),
-              ),
-            ),
-            make("tbody", {}, ...rows),
-          ),
+      ? table(
+          "files",
+          ["file", "type", "size", "modified", "actions"],
+          make("tbody", {}, ...rows),
+          [2],
         )
       : make(
           "p",
@@ -342,71 +328,52 @@ function history(kept: Kept[]): HTMLElement {
   return make(
     "section",
     {},
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": tr("Saved runs") },
+    table(
+      "Saved runs",
+      [
+        make("span", { class: "hidden" }, tr("compare")),
+        "run",
+        "rig",
+        "changes",
+        "trial",
+        "inputs",
+        "seed",
+        "version",
+        "saved",
+      ],
       make(
-        "table",
+        "tbody",
         {},
-        make(
-          "thead",
-          {},
+        ...kept.map((one, i) =>
           make(
             "tr",
             {},
-            ...[
-              "",
-              tr("run"),
-              tr("rig"),
-              tr("changes"),
-              tr("trial"),
-              tr("inputs"),
-              tr("seed"),
-              tr("version"),
-              tr("saved"),
-            ].map((text) =>
-              make(
-                "th",
-                { scope: "col" },
-                text || make("span", { class: "hidden" }, tr("compare")),
-              ),
-            ),
-          ),
-        ),
-        make(
-          "tbody",
-          {},
-          ...kept.map((one, i) =>
+            make("td", {}, boxes[i]!),
             make(
-              "tr",
-              {},
-              make("td", {}, boxes[i]!),
+              "th",
+              { scope: "row" },
               make(
-                "th",
-                { scope: "row" },
-                make(
-                  "a",
-                  { href: address("record", { path: one.path }) },
-                  one.path.replace(/^runs\//, ""),
-                ),
+                "a",
+                { href: address("record", { path: one.path }) },
+                one.path.replace(/^runs\//, ""),
               ),
-              make("td", {}, one.rig),
-              make(
-                "td",
-                {},
-                Object.entries(one.changes)
-                  .map(
-                    ([path, value]) =>
-                      `${path} = ${typeof value === "number" ? written(value, 5) : value}`,
-                  )
-                  .join(", ") || "–",
-              ),
-              make("td", {}, road(one)),
-              make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)),
-              make("td", {}, one.seed === null ? "–" : String(one.seed)),
-              make("td", {}, one.version),
-              make("td", {}, moment(1000 * one.when)),
             ),
+            make("td", {}, one.rig),
+            make(
+              "td",
+              {},
+              Object.entries(one.changes)
+                .map(
+                  ([path, value]) =>
+                    `${path} = ${typeof value === "number" ? written(value, 5) : value}`,
+                )
+                .join(", ") || "–",
+            ),
+            make("td", {}, road(one)),
+            make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)),
+            make("td", {}, one.seed === null ? "–" : String(one.seed)),
+            make("td", {}, one.version),
+            make("td", {}, moment(1000 * one.when)),
           ),
         ),
       ),

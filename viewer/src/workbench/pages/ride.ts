@@ -20,9 +20,10 @@ import {
   whole,
 } from "../jobs";
 import { field, once, problem } from "../parts";
-import { inWords } from "../quantities";
+import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
 import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
+import { table } from "../table";
 import type { Choices } from "./inspection";
 
 export const ride: Page = { label: "Ride and control", show };
@@ -41,8 +42,9 @@ interface Compared {
   runs: Run[];
   failed: Record<string, string>;
 }
+const ROLES = ["comfort", "holding", "travel"] as const;
 interface Front {
-  metrics: Record<"comfort" | "holding" | "travel", string>;
+  metrics: Record<(typeof ROLES)[number], string>;
   units: Record<string, string>;
   comfort: number[];
   holding: number[];
@@ -61,24 +63,6 @@ interface Front {
   driven: string;
   findings: { severity: string; message: string }[];
 }
-const MERITS: [string, string, string, number][] = [
-  ["comfort", "body, weighted r.m.s. (Wk)", "m/s²", 1],
-  ["body_acceleration", "body r.m.s.", "m/s²", 1],
-  ["travel", "strut travel r.m.s., worst corner", "mm", 1e3],
-  ["travel_range", "strut travel, peak to peak, worst corner", "mm", 1e3],
-  ["load_coefficient", "dynamic wheel load coefficient, worst corner", "%", 100],
-  ["lift_off", "time off the ground, worst corner", "%", 100],
-];
-
-/** Units in which SI values are shown. */
-const SHOWN: Record<string, [string, number]> = {
-  m: ["mm", 1e3],
-  "m/s^2": ["m/s²", 1],
-  "N/m": ["N/mm", 1e-3],
-  "N*s/m": ["N·s/m", 1],
-  "1": ["–", 1],
-  "kg*m^2": ["kg·m²", 1],
-};
 const told = (text: string | null): Record<string, number | string> => {
   try {
     return (JSON.parse(text ?? "{}") ?? {}) as Record<string, number>;
@@ -538,66 +522,36 @@ function merits(found: Compared): HTMLElement[] {
   );
   const passive = found.runs.find((one) => one.control === "passive");
   return [
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "controllers" },
-      make(
-        "table",
-        {},
-        make("caption", {}, "Smaller is better; change from the passive rig in brackets"),
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            make("th", { scope: "col" }, "controller"),
-            ...shown.map(([, words, unit]) =>
-              make("th", { scope: "col", class: "right" }, `${tr(words)} [${unit}]`),
-            ),
-            make("th", { scope: "col" }, "comfort"),
-          ),
-        ),
-        make(
-          "tbody",
-          {},
-          ...found.runs.map((one) =>
-            make(
-              "tr",
-              {},
-              make("th", { scope: "row" }, one.control),
-              ...shown.map(([name, , , factor]) => {
-                const value = one.merits[name],
-                  before = passive?.merits[name];
-                const change =
-                  value !== undefined && before && one !== passive
-                    ? ` (${value >= before ? "+" : ""}${written(100 * (value / before - 1), 2)} %)`
-                    : "";
-                return make(
-                  "td",
-                  { class: "right" },
-                  value !== undefined && value === best[name] && found.runs.length > 1 && value > 0
-                    ? make("span", { class: "mark good" }, written(value * factor))
-                    : written(value === undefined ? null : value * factor),
-                  change,
-                );
-              }),
-              make(
-                "td",
-                {},
-                Object.values(one.comfort)
-                  .map((text) =>
-                    text
-                      .split(" to ")
-                      .map((one) => tr(one))
-                      .join(tr(" to ")),
-                  )
-                  .join("; "),
-              ),
-            ),
-          ),
-        ),
-      ),
+    table(
+      "controllers",
+      ["controller", ...shown.map(([, words, unit]) => `${tr(words)} [${unit}]`), "comfort"],
+      found.runs.map((one) => [
+        one.control,
+        ...shown.map(([name, , , factor]) => {
+          const value = one.merits[name],
+            before = passive?.merits[name];
+          if (value === undefined) return "–";
+          const isBest = value === best[name] && found.runs.length > 1 && value > 0,
+            number = written(value * factor),
+            change = 100 * (value / (before || NaN) - 1);
+          return [
+            isBest ? make("span", { class: "mark good" }, number) : number,
+            one === passive || Number.isNaN(change)
+              ? ""
+              : ` (${change >= 0 ? "+" : ""}${written(change, 2)} %)`,
+          ];
+        }),
+        Object.values(one.comfort)
+          .map((text) =>
+            text
+              .split(" to ")
+              .map((end) => tr(end))
+              .join(tr(" to ")),
+          )
+          .join("; "),
+      ]),
+      shown.map((_, k) => k + 1),
+      "Smaller is better; change from the passive rig in brackets",
     ),
     ...Object.entries(found.failed).map(([name, reason]) =>
       make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason)),
@@ -632,7 +586,6 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
     })),
     ...found.marks.map((one) => ({ ...one, name: `${one.name} (${one.kind})`, on: false })),
   ];
-  const as = (unit: string): [string, number] => SHOWN[unit] ?? [unit, 1];
   const opened = (one: Point) =>
     address("ride", {
       vehicle: String(asked.vehicle),
@@ -669,7 +622,7 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
       svg(
         "text",
         { x: px(value), y: h - foot + 16, "text-anchor": value === x0 ? "start" : "end" },
-        written(value * as(found.units.comfort!)[1], 3),
+        written(value * shownUnit(found.units.comfort!)[1], 3),
       ),
     );
   for (const value of [y0, y1])
@@ -677,19 +630,19 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
       svg(
         "text",
         { x: left - 5, y: py(value) + (value === y0 ? 0 : 10), "text-anchor": "end" },
-        written(value * as(found.units.holding!)[1], 3),
+        written(value * shownUnit(found.units.holding!)[1], 3),
       ),
     );
   picture.append(
     svg(
       "text",
       { x: (left + w) / 2, y: h - 8, "text-anchor": "middle" },
-      `${found.metrics.comfort} [${as(found.units.comfort!)[0]}]`,
+      `${found.metrics.comfort} [${shownUnit(found.units.comfort!)[0]}]`,
     ),
     svg(
       "text",
       { x: 13, y: h / 2, transform: `rotate(-90 13 ${h / 2})`, "text-anchor": "middle" },
-      `${found.metrics.holding} [${as(found.units.holding!)[0]}]`,
+      `${found.metrics.holding} [${shownUnit(found.units.holding!)[0]}]`,
     ),
   );
   picture.append(
@@ -735,71 +688,23 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
       ? []
       : [make("p", { class: "mark fair" }, "The search did not converge for every design.")]),
     figure,
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "designs" },
-      make(
-        "table",
-        {},
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            make("th", { scope: "col" }, "design"),
-            ...(["comfort", "holding", "travel"] as const).map((role) =>
-              make(
-                "th",
-                { scope: "col", class: "right" },
-                `${found.metrics[role]} [${as(found.units[role]!)[0]}]`,
-              ),
-            ),
-            ...numbers.map((path) =>
-              make(
-                "th",
-                { scope: "col", class: "right" },
-                `${path} [${as(found.number_units[path]!)[0]}]`,
-              ),
-            ),
-            make("td", {}),
-          ),
+    table(
+      "designs",
+      [
+        "design",
+        ...ROLES.map((role) => `${found.metrics[role]} [${shownUnit(found.units[role]!)[0]}]`),
+        ...numbers.map((path) => `${path} [${shownUnit(found.number_units[path]!)[0]}]`),
+        "",
+      ],
+      points.map((one) => [
+        one.name,
+        ...ROLES.map((role) => written(one[role] * shownUnit(found.units[role]!)[1])),
+        ...numbers.map((path) =>
+          written((one.values[path] ?? NaN) * shownUnit(found.number_units[path]!)[1]),
         ),
-        make(
-          "tbody",
-          {},
-          ...points.map((one) =>
-            make(
-              "tr",
-              {},
-              make("th", { scope: "row" }, one.name),
-              ...(["comfort", "holding", "travel"] as const).map((role) =>
-                make("td", { class: "right" }, written(one[role] * as(found.units[role]!)[1])),
-              ),
-              ...numbers.map((path) =>
-                make(
-                  "td",
-                  { class: "right" },
-                  written(
-                    one.values[path] === undefined
-                      ? null
-                      : one.values[path]! * as(found.number_units[path]!)[1],
-                  ),
-                ),
-              ),
-              make(
-                "td",
-                {},
-                make(
-                  "a",
-                  { href: opened(one), "aria-label": `open ${one.name} as a ride` },
-                  "open",
-                ),
-              ),
-            ),
-          ),
-        ),
-      ),
+        make("a", { href: opened(one), "aria-label": `open ${one.name} as a ride` }, "open"),
+      ]),
+      [...ROLES, ...numbers].map((_, k) => k + 1),
     ),
     ...advised(
       found.findings.map((one) => ({ ...one, place: "" })),

@@ -9,6 +9,7 @@ import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem } from "../parts";
 import { advised, asSaid } from "../refusals";
 import { address, type Page, type Values, VEHICLES } from "../shell";
+import { row, table } from "../table";
 import {
   Brushes,
   type Column,
@@ -409,26 +410,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       field("Speed", speed),
       field("Duration", duration),
     ),
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "varied parameters" },
-      make(
-        "table",
-        {},
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            ...["parameter", "distribution", "", "", ""].map((text) =>
-              text ? make("th", { scope: "col" }, text) : make("td", {}),
-            ),
-          ),
-        ),
-        rows,
-      ),
-    ),
+    table("varied parameters", ["parameter", "distribution", "", "", ""], rows),
     paths,
     more,
     make(
@@ -519,7 +501,7 @@ async function showSweep(
     chosen = make("tbody", {});
   const clear = make("button", { type: "button" }, "All variants");
   clear.addEventListener("click", () => brushes.clear());
-  const table = () => {
+  const select = () => {
     const kept = brushes.chosen.flatMap((one, row) => (one ? [row] : []));
     told.textContent =
       heard(`${kept.length} of ${rows} variants`) +
@@ -530,44 +512,36 @@ async function showSweep(
       ...kept.filter((row) => row !== brushes.picked),
     ].slice(0, 20);
     chosen.replaceChildren(
-      ...first.map((row) => {
+      ...first.map((variant) => {
         const mark = make(
           "button",
           {
             type: "button",
-            "aria-label": `mark variant ${sweep.variants[row]}`,
-            "aria-pressed": String(row === brushes.picked),
+            "aria-label": `mark variant ${sweep.variants[variant]}`,
+            "aria-pressed": String(variant === brushes.picked),
           },
-          String(sweep.variants[row]),
+          String(sweep.variants[variant]),
         );
-        mark.addEventListener("click", () => brushes.pick(row === brushes.picked ? -1 : row));
-        return make(
-          "tr",
-          {},
-          make("th", { scope: "row" }, mark),
-          ...sweep.columns.map((one) => make("td", { class: "right" }, written(one.values[row]))),
-          make(
-            "td",
-            {},
-            ...(sweep.run
-              ? [
-                  make(
-                    "a",
-                    {
-                      href: opened(sweep, row),
-                      "aria-label": `open variant ${sweep.variants[row]} as a trial`,
-                    },
-                    "open as a trial",
-                  ),
-                ]
-              : []),
-          ),
+        mark.addEventListener("click", () =>
+          brushes.pick(variant === brushes.picked ? -1 : variant),
+        );
+        const link = {
+          href: sweep.run ? opened(sweep, variant) : "",
+          "aria-label": `open variant ${sweep.variants[variant]} as a trial`,
+        };
+        return row(
+          [
+            mark,
+            ...sweep.columns.map((one) => written(one.values[variant])),
+            sweep.run ? make("a", link, "open as a trial") : "",
+          ],
+          sweep.columns.map((_, k) => k + 1),
         );
       }),
     );
   };
-  brushes.listen(table);
-  table();
+  brushes.listen(select);
+  select();
   const metrics = sweep.columns.filter((one) => !one.is_number);
   place.replaceChildren(
     make("h1", {}, title),
@@ -608,28 +582,12 @@ async function showSweep(
     make("div", { class: "bar" }, told, clear),
     ranges(brushes),
     ...(metrics.length ? [matrix(brushes)] : []),
-    make(
-      "div",
-      { class: "table", tabindex: "0", role: "region", "aria-label": "selected variants" },
-      make(
-        "table",
-        {},
-        make("caption", {}, "First selected variants"),
-        make(
-          "thead",
-          {},
-          make(
-            "tr",
-            {},
-            make("th", { scope: "col" }, "variant"),
-            ...sweep.columns.map((one) =>
-              make("th", { scope: "col", class: "right" }, `${one.name} [${one.unit || "–"}]`),
-            ),
-            make("td", {}),
-          ),
-        ),
-        chosen,
-      ),
+    table(
+      "selected variants",
+      ["variant", ...sweep.columns.map((one) => `${one.name} [${one.unit || "–"}]`), ""],
+      chosen,
+      sweep.columns.map((_, k) => k + 1),
+      "First selected variants",
     ),
     ...(job ? [ways(job)] : []),
     ...(job?.has_page ? [report(job.report, "Report")] : []),
@@ -660,51 +618,18 @@ function showRunning(place: HTMLElement, job: Whole, folder: string): void {
 
 type Summary = NonNullable<Sweep["summary"]>;
 function statistics(summary: Summary, metrics: Column[]): HTMLElement {
-  const factor = (name: string) => metrics.find((one) => one.name === name)?.factor ?? 1,
-    unit = (name: string) => metrics.find((one) => one.name === name)?.unit || "–";
-  return make(
-    "div",
-    { class: "table", tabindex: "0", role: "region", "aria-label": "metrics" },
-    make(
-      "table",
-      {},
-      make(
-        "thead",
-        {},
-        make(
-          "tr",
-          {},
-          make("th", { scope: "col" }, "metric"),
-          make("th", { scope: "col" }, "unit"),
-          ...[
-            "mean",
-            "standard deviation",
-            "minimum",
-            ...Object.keys(summary.metrics[0]!.percentiles).map((one) => `${one} %`),
-            "maximum",
-          ].map((text) => make("th", { scope: "col", class: "right" }, text)),
-        ),
-      ),
-      make(
-        "tbody",
-        {},
-        ...summary.metrics.map((one) =>
-          make(
-            "tr",
-            {},
-            make("th", { scope: "row" }, one.name),
-            make("td", {}, unit(one.name)),
-            ...[
-              one.mean,
-              one.standard_deviation,
-              one.least,
-              ...Object.values(one.percentiles).map((level) => level.value),
-              one.greatest,
-            ].map((value) => make("td", { class: "right" }, written(value * factor(one.name)))),
-          ),
-        ),
-      ),
-    ),
+  const levels = Object.keys(summary.metrics[0]!.percentiles).map((one) => `${one} %`),
+    numbers = ["mean", "standard deviation", "minimum", ...levels, "maximum"];
+  return table(
+    "metrics",
+    ["metric", "unit", ...numbers],
+    summary.metrics.map((one) => {
+      const { factor = 1, unit = "" } = metrics.find(({ name }) => name === one.name) ?? {};
+      const percentiles = Object.values(one.percentiles).map((level) => level.value);
+      const values = [one.mean, one.standard_deviation, one.least, ...percentiles, one.greatest];
+      return [one.name, unit || "–", ...values.map((value) => written(value * factor))];
+    }),
+    numbers.map((_, k) => k + 2),
   );
 }
 

@@ -1,0 +1,47 @@
+/** Tables of pages: a scrolled region with its label, headers that say which columns are numbers, and rows named by their first cell. */
+
+import { make } from "../page";
+
+export type Cell = Node | string | (Node | string)[];
+
+/** A row named by its first cell; the columns that are numbers are aligned at the right. */
+export function row(cells: Cell[], numbers: number[] = []): HTMLTableRowElement {
+  return make(
+    "tr",
+    {},
+    ...cells.map((cell, k) =>
+      make(k ? "td" : "th", k ? aligned(numbers.includes(k)) : { scope: "row" }, ...[cell].flat()),
+    ),
+  );
+}
+
+/** A table of rows, or of a body that is filled elsewhere; an empty header has no words. */
+export function table(
+  label: string,
+  header: Cell[],
+  rows: Cell[][] | HTMLTableSectionElement,
+  numbers: number[] = [],
+  caption = "",
+): HTMLElement {
+  const heads = header.map((one, k) =>
+    one === ""
+      ? make("td", {})
+      : make("th", { scope: "col", ...aligned(numbers.includes(k)) }, ...[one].flat()),
+  );
+  const body = Array.isArray(rows)
+    ? make("tbody", {}, ...rows.map((cells) => row(cells, numbers)))
+    : rows;
+  return make(
+    "div",
+    { class: "table", tabindex: "0", role: "region", "aria-label": label },
+    make(
+      "table",
+      {},
+      ...(caption ? [make("caption", {}, caption)] : []),
+      make("thead", {}, make("tr", {}, ...heads)),
+      body,
+    ),
+  );
+}
+
+const aligned = (isNumber: boolean): Record<string, string> => (isNumber ? { class: "right" } : {});
