@@ -304,7 +304,9 @@ def page_quantities() -> str:
 
     units = {row.unit for row in RIDE_METRICS} | {"kg", "kg*m^2", "N/m", "N*s/m", "rad"}
     found = {
-        "inspection": [(row.name, row.english, row.german, row.unit or "–", row.factor) for row in WHEEL_NUMBERS.values()],
+        "inspection": [
+            (row.name, row.english, row.german, row.unit or "–", row.factor) for row in WHEEL_NUMBERS.values()
+        ],
         "merits": [(row.name, row.label, *_shown(row.unit)) for row in MERITS],
         "units": {si: _shown(si) for si in sorted(units)},
         "estimates": {"decay": estimates(DecayEstimates), "stiffness": estimates(TrialStiffness)},
@@ -385,7 +387,12 @@ def tables() -> dict[str, str]:
         "inspection-methods.md": _table(
             ("method", "plates", "shipped tester", "graded values"),
             [
-                (f"`{key}`", " and ".join(row.plates), f"`{row.tester}`", ", ".join(map(_graded, row.quantities)))
+                (
+                    f"`{key}`",
+                    " and ".join(row.plates),
+                    f"`{row.tester}`",
+                    ", ".join(_graded(QUANTITIES[name]) for name in row.numbers),
+                )
                 for key, row in METHODS.items()
             ],
         ),
