@@ -3,7 +3,7 @@
 import { make, whenLeft, written } from "../page";
 import { heard, isGerman, tr } from "../words";
 import { asked, get, token, upload } from "./api";
-import { copied, InTurn, problem } from "./parts";
+import { InTurn, problem, ways } from "./parts";
 import { Refused } from "./refusals";
 
 export interface Step {
@@ -292,21 +292,6 @@ export function jobList(
       place.replaceChildren(...elements);
   });
   return place;
-}
-
-/** The same in Python and on the command line, to copy. */
-export function ways(told: {
-  python: string;
-  command: string;
-  files: Record<string, string>;
-}): HTMLElement {
-  return make(
-    "div",
-    { class: "ways" },
-    ...(told.python ? [copied("The same in Python", told.python)] : []),
-    ...(told.command ? [copied("The same on the command line", told.command)] : []),
-    ...Object.entries(told.files ?? {}).map(([name, text]) => copied(name, text)),
-  );
 }
 
 /** What a command that did its work could not write or draw. */

@@ -19,6 +19,27 @@ export function field(label: string, control: HTMLElement, note = ""): HTMLLabel
   );
 }
 
+/** A field for a short text, which is no prose. */
+export const textBox = (value = "", placeholder = ""): HTMLInputElement =>
+  make("input", { type: "text", value, placeholder, spellcheck: "false" });
+
+/** A choice between values, each said as it is or in words of its own; the first is chosen where none is. */
+export function select(
+  values: readonly string[],
+  chosen?: string,
+  words: (value: string) => string = (value) => value,
+): HTMLSelectElement {
+  return make(
+    "select",
+    {},
+    ...values.map((value) => make("option", { value, selected: value === chosen }, words(value))),
+  );
+}
+
+/** A choice that may stay open: nothing is chosen first, in words of its own. */
+export const optional = (none: string, values: readonly string[]): HTMLSelectElement =>
+  select(["", ...values], "", (value) => tr(value || none));
+
 export function problem(error: unknown): HTMLElement {
   return make(
     "p",
@@ -65,10 +86,14 @@ export function copied(title: string, text: string): HTMLElement {
   );
 }
 
-/** The same by other ways, to copy. */
-export function ways({ python, command, files }: Answer): HTMLElement[] {
+/** The same in Python and on the command line, with the files of both, to copy. */
+export function ways(same: Answer): HTMLElement {
+  return make("div", { class: "ways" }, ...copies(same));
+}
+
+function copies({ python, command, files = {} }: Answer): HTMLElement[] {
   return [
-    copied(tr("The same in Python"), python),
+    ...(python ? [copied(tr("The same in Python"), python)] : []),
     ...(command ? [copied(tr("The same on the command line"), command)] : []),
     ...Object.entries(files).map(([name, content]) => copied(name, content)),
   ];
@@ -112,7 +137,7 @@ export class Ways {
       places.forEach((place, i) => {
         if (place.textContent !== texts[i]) place.textContent = texts[i]!;
       });
-    else this.element.replaceChildren(...ways({ python, command, files }));
+    else this.element.replaceChildren(...copies({ python, command, files }));
   }
 }
 

@@ -3,9 +3,10 @@
 import { Store } from "../data";
 import { make, written } from "../page";
 import { Player } from "../player";
-import { heard, tr } from "../words";
-import { Question, ways } from "./jobs";
-import { field } from "./parts";
+import { tr } from "../words";
+import { Question } from "./jobs";
+import { field, ways } from "./parts";
+import { line, plane, svg } from "./picture";
 import { inWords } from "./quantities";
 import { advised, asSaid } from "./refusals";
 import { table } from "./table";
@@ -46,13 +47,6 @@ const USUAL = [
 
 /** Force over deflection as dots. */
 function xy(points: { x: number[]; y: number[]; count: number }): HTMLElement {
-  const svg = (name: string, attributes: Record<string, string | number>, text = "") => {
-    const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-    element.textContent = text;
-    return element;
-  };
-  const [width, height, left, foot] = [520, 300, 62, 34];
   const span = (values: number[]) => {
     let low = Math.min(0, ...values.slice(0, 1)),
       high = low;
@@ -64,49 +58,17 @@ function xy(points: { x: number[]; y: number[]; count: number }): HTMLElement {
   };
   const [x0, x1] = span(points.x),
     [y0, y1] = span(points.y);
-  const px = (value: number) => left + ((width - left - 12) * (value - x0)) / (x1 - x0),
-    py = (value: number) => height - foot - ((height - foot - 10) * (value - y0)) / (y1 - y0);
-  const picture = svg("svg", {
-    viewBox: `0 0 ${width} ${height}`,
-    class: "xy",
-    role: "img",
-    "aria-label": heard(
-      `force from ${written(y0, 3)} to ${written(y1, 3)} N over deflections from ${written(x0, 3)} to ${written(x1, 3)} mm`,
-    ),
-  });
-  picture.append(
-    svg("path", { class: "axis", d: `M${left} 6V${height - foot}H${width - 8}` }),
-    svg("path", { class: "zero", d: `M${px(0)} 6V${height - foot}M${left} ${py(0)}H${width - 8}` }),
+  const { picture, at } = plane(
+    { ends: [x0, x1], label: tr("deflection, compression positive [mm]") },
+    { ends: [y0, y1], label: tr("force, compression positive [N]") },
+    {
+      role: "img",
+      "aria-label": `force from ${written(y0, 3)} to ${written(y1, 3)} N over deflections from ${written(x0, 3)} to ${written(x1, 3)} mm`,
+    },
   );
-  for (const value of [x0, x1])
-    picture.append(
-      svg(
-        "text",
-        { x: px(value), y: height - foot + 15, "text-anchor": value === x0 ? "start" : "end" },
-        written(value, 3),
-      ),
-    );
-  for (const value of [y0, y1])
-    picture.append(
-      svg("text", { x: left - 5, y: py(value) + 5, "text-anchor": "end" }, written(value, 3)),
-    );
-  picture.append(
-    svg(
-      "text",
-      { x: (left + width) / 2, y: height - 6, "text-anchor": "middle" },
-      tr("deflection, compression positive [mm]"),
-    ),
-    svg(
-      "text",
-      { x: 13, y: height / 2, transform: `rotate(-90 13 ${height / 2})`, "text-anchor": "middle" },
-      tr("force, compression positive [N]"),
-    ),
-  );
-  let path = "";
-  points.x.forEach((x, k) => {
-    path += `M${px(x).toFixed(1)} ${py(points.y[k]!).toFixed(1)}h.01`;
-  });
-  picture.append(svg("path", { class: "dots", d: path }));
+  const dots = points.x.map((x, k) => `${line([at(x, points.y[k]!)])}h.01`).join("");
+  const axes = [line([at(0, y0), at(0, y1)]), line([at(x0, 0), at(x1, 0)])].join("");
+  picture.append(svg("path", { class: "zero", d: axes }), svg("path", { class: "dots", d: dots }));
   const holder = make("figure", {});
   holder.append(
     picture,

@@ -2,6 +2,7 @@
 
 import { colour, make, sized, whenColoursChange, written } from "../page";
 import { heard, tr } from "../words";
+import { svg } from "./picture";
 import { type Cell, table } from "./table";
 
 export interface Column {
@@ -366,11 +367,6 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
     [value(one, "at_low"), value(one, "at_high")].map((end) => (end - mean) * metric.factor),
   );
   const reach = Math.max(1e-300, ...swings.flat().filter(Number.isFinite).map(Math.abs));
-  const svg = (name: string, attributes: Record<string, string | number>) => {
-    const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, text] of Object.entries(attributes)) element.setAttribute(key, String(text));
-    return element;
-  };
   const rows = own.map((one, k) => {
     const picture = svg("svg", { viewBox: "-100 0 200 16", class: "swing", "aria-hidden": "true" });
     picture.append(svg("line", { x1: 0, x2: 0, y1: 0, y2: 16, class: "zero" }));
@@ -390,13 +386,7 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
     const told = swings[k]!.map((swing) =>
       Number.isFinite(swing) ? `${swing > 0 ? "+" : ""}${written(swing, 3)}` : "–",
     );
-    return [
-      one.number,
-      told[0]!,
-      picture as unknown as HTMLElement,
-      told[1]!,
-      written(value(one, key), 3),
-    ];
+    return [one.number, told[0]!, picture, told[1]!, written(value(one, key), 3)];
   });
   const end = (word: string): Cell => [
     make("span", { class: `key ${word}` }),

@@ -14,10 +14,10 @@ import {
   Question,
   report,
   type Step,
-  ways,
   whole,
 } from "../jobs";
-import { field, once, problem } from "../parts";
+import { field, once, problem, select, textBox, ways } from "../parts";
+import { line, svg } from "../picture";
 import { ESTIMATES } from "../quantities";
 import { type Fields, Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
@@ -75,7 +75,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   }
   const { entries } = await api.project();
   const files = entries.filter((one) => one.kind === "campaign");
-  const folder = make("input", { type: "text", value: "campaign", spellcheck: "false" }),
+  const folder = textBox("campaign"),
     told = make("div", { "aria-live": "polite" });
   const start = make("button", { type: "submit", class: "main" }, "Copy into this project");
   const form = make("form", { class: "form" }, field("Folder", folder), start);
@@ -184,7 +184,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   if (!place.isConnected) return;
   const folder = path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : "";
   const inside = (name: string) => (folder ? `${folder}/${name}` : name);
-  const out = make("input", { type: "text", value: inside("results"), spellcheck: "false" }),
+  const out = textBox(inside("results")),
     force = make("input", { type: "checkbox" });
   const told = make("div", { "aria-live": "polite" }),
     go = make("button", { type: "button", class: "main" }, "Run the campaign");
@@ -256,7 +256,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     button.addEventListener("click", () => open(file, form, given));
     return button;
   };
-  const where = make("input", { type: "text", value: inside("measured"), spellcheck: "false" });
+  const where = textBox(inside("measured"));
   const parts = found.bench
       .map((one) => part(one, found, link))
       .map((one) => ({ ...one, first: entered(one.controls) })),
@@ -488,29 +488,12 @@ function part(
 } {
   const decays = one.name === "decay",
     form = decays ? "recording" : "force-deflection";
-  const text = (value: string) => make("input", { type: "text", value });
-  const discard = text(one.discard_below ?? ""),
-    law = make(
-      "select",
-      {},
-      ...["linear", "polynomial", "power", "monotone-spline"].map((word) =>
-        make("option", word === one.law ? { value: word, selected: true } : { value: word }, word),
-      ),
-    );
-  const intercept = make(
-    "select",
-    {},
-    ...["drop", "shift", "keep"].map((word) =>
-      make(
-        "option",
-        word === one.intercept ? { value: word, selected: true } : { value: word },
-        word,
-      ),
-    ),
-  );
-  const mass = text(whole_.mass),
-    from = text(one.from ?? ""),
-    to = text(one.to ?? "");
+  const discard = textBox(one.discard_below ?? ""),
+    law = select(["linear", "polynomial", "power", "monotone-spline"], one.law);
+  const intercept = select(["drop", "shift", "keep"], one.intercept);
+  const mass = textBox(whole_.mass),
+    from = textBox(one.from ?? ""),
+    to = textBox(one.to ?? "");
   const common = {
     files: one.found,
     columns: one.columns ?? {},
@@ -626,37 +609,26 @@ function entry(
     .reverse()
     .map((one) => ({ file: String(one.file), fields: one as Partial<Fields> }));
   let reading = new Reading(file, form, given as object, form === "recording" ? like : []);
-  const kinds: [string, string][] = [
-    ["trial", "trial"],
-    ["decay", "free decay"],
-    ["spring", "spring"],
-    ["tyre", "tyre at a pressure"],
-  ];
-  const use = make(
-    "select",
-    {},
-    ...kinds.map(([value, words]) =>
-      make(
-        "option",
-        (form === "force-deflection") === (value === "spring") &&
-          (value === "trial" || value === "spring")
-          ? { value, selected: true }
-          : { value },
-        words,
-      ),
-    ),
+  const kinds: Record<string, string> = {
+    trial: "trial",
+    decay: "free decay",
+    spring: "spring",
+    tyre: "tyre at a pressure",
+  };
+  const use = select(
+    Object.keys(kinds),
+    form === "force-deflection" ? "spring" : "trial",
+    (kind) => kinds[kind]!,
   );
-  const text = (value: string, hint = "") =>
-    make("input", { type: "text", value, placeholder: hint });
-  const speed = text("2 m/s"),
-    pressure = text("", "0.31 MPa"),
+  const speed = textBox("2 m/s"),
+    pressure = textBox("", "0.31 MPa"),
     road = make(
       "select",
       {},
       ...whole_.roads.map((one) => make("option", { value: one }, one)),
       make("option", { value: "" }, "none: the support is measured"),
     );
-  const support = text("", "file with road.z"),
+  const support = textBox("", "file with road.z"),
     datum = make(
       "select",
       {},
@@ -670,7 +642,7 @@ function entry(
     make("option", { value: "fit" }, "used for the fit"),
   );
   const replace = make("input", { type: "checkbox" }),
-    discard = text("", "2 mm"),
+    discard = textBox("", "2 mm"),
     fields = make("span", { class: "sizes" });
   const offer = () => {
     const wanted =
@@ -899,33 +871,21 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
     logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
   const low = Math.min(...logs),
     high = Math.max(...logs, low + 1e-9),
-    w = 460,
-    h = 150;
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg"),
-    line = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  svg.setAttribute("viewBox", `0 0 ${w} ${h}`);
-  svg.setAttribute("class", "xy");
-  svg.setAttribute("role", "img");
-  svg.setAttribute(
-    "aria-label",
-    heard(
-      `objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`,
-    ),
-  );
-  line.setAttribute(
-    "d",
-    logs
-      .map(
-        (value, k) =>
-          `${k ? "L" : "M"}${(8 + ((w - 16) * k) / Math.max(1, logs.length - 1)).toFixed(1)} ${(8 + ((h - 16) * (high - value)) / (high - low)).toFixed(1)}`,
-      )
-      .join(""),
-  );
-  line.setAttribute("class", "search");
-  svg.append(line);
+    [width, height, edge] = [460, 150, 8];
+  const place = (value: number, k: number): [number, number] => [
+    edge + ((width - 2 * edge) * k) / Math.max(1, logs.length - 1),
+    edge + ((height - 2 * edge) * (high - value)) / (high - low),
+  ];
+  const picture = svg("svg", {
+    viewBox: `0 0 ${width} ${height}`,
+    class: "xy",
+    role: "img",
+    "aria-label": `objective from ${written(steps[0]!.objective, 4)} to ${written(last.objective, 4)} in ${steps.length} evaluations`,
+  });
+  picture.append(svg("path", { class: "search", d: line(logs.map(place)) }));
   const figure = make("figure", {});
   figure.append(
-    svg,
+    picture,
     make(
       "figcaption",
       { class: "muted" },

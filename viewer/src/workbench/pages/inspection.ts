@@ -4,8 +4,8 @@ import { make, written } from "../../page";
 import { isGerman, localised, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
-import { dropZone, Question, report, type Told, ways } from "../jobs";
-import { field } from "../parts";
+import { dropZone, Question, report, type Told } from "../jobs";
+import { field, optional, select, textBox, ways } from "../parts";
 import { WHEEL_QUANTITIES } from "../quantities";
 import { Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
@@ -121,16 +121,6 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   );
 }
 
-const select = (names: string[], chosen = "", first?: string) =>
-  make(
-    "select",
-    {},
-    ...(first === undefined ? [] : [make("option", { value: "" }, tr(first))]),
-    ...names.map((name) =>
-      make("option", name === chosen ? { value: name, selected: true } : { value: name }, tr(name)),
-    ),
-  );
-
 /** Puts names into a choice that has them not. */
 function offer(choice: HTMLSelectElement, names: string[]): void {
   const known = new Set([...choice.options].map((one) => one.value));
@@ -152,37 +142,20 @@ function evaluation(
   used: (was: Used) => void,
 ): { element: HTMLElement; here: () => (paths: string[]) => void; controls: Controls } {
   const record = select(records, chosen),
-    other = select(records, "", "none"),
+    other = optional("none", records),
     tester = select(
       choices.testers,
       choices.testers.find((one) => one.includes("egea")),
     ),
-    vehicle = select(rigs, "", "not specified");
-  const method = select(choices.methods, "", "the tester's own"),
-    text = (value: string, hint = "") =>
-      make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const store = text(stores[0] ?? "", "lane.sqlite"),
-    plate = text("", "B-AB 123"),
-    date = text(today()),
-    by = text(""),
-    language = make(
-      "select",
-      {},
-      ...[
-        ["en", "English"],
-        ["de", "Deutsch"],
-      ].map(([value, words]) =>
-        make(
-          "option",
-          {
-            value: value!,
-            lang: value!,
-            ...(isGerman && value === "de" ? { selected: true } : {}),
-          },
-          words!,
-        ),
-      ),
-    );
+    vehicle = optional("not specified", rigs);
+  const method = optional("the tester's own", choices.methods),
+    store = textBox(stores[0] ?? "", "lane.sqlite"),
+    plate = textBox("", "B-AB 123"),
+    date = textBox(today()),
+    by = textBox(),
+    languages: Record<string, string> = { en: "English", de: "Deutsch" },
+    language = select(["en", "de"], isGerman ? "de" : "en", (value) => languages[value]!);
+  for (const one of language.options) one.lang = one.value;
   const look = make("button", { type: "button" }, "View the record"),
     looked = make("div", {});
   look.addEventListener("click", () => {
@@ -372,9 +345,9 @@ function simulated(
       choices.testers,
       choices.testers.find((one) => one.includes("egea")),
     );
-  const wear = make("input", { type: "text", value: "", placeholder: "0.4" }),
-    wheel = select(["both", "left", "right"], "both"),
-    out = make("input", { type: "text", value: "simulated.csv", spellcheck: "false" });
+  const wear = textBox("", "0.4"),
+    wheel = select(["both", "left", "right"], "both", (value) => tr(value)),
+    out = textBox("simulated.csv");
   const controls = { rig, tester, wear, wheel, out };
   let was: Used = {};
   const question = new Question(
@@ -442,13 +415,11 @@ interface Stored {
 }
 
 function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
-  const text = (hint: string) =>
-    make("input", { type: "text", placeholder: hint, spellcheck: "false" });
-  const plate = text("B-AB*"),
-    verdict = select(["pass", "advise", "fail", "not graded"], "", "any"),
-    tester = select(choices.testers, "", "any"),
-    since = text("2026-01-31"),
-    until = text("2026-12-31");
+  const plate = textBox("", "B-AB*"),
+    verdict = optional("any", ["pass", "advise", "fail", "not graded"]),
+    tester = optional("any", choices.testers),
+    since = textBox("", "2026-01-31"),
+    until = textBox("", "2026-12-31");
   const history = make("div", { "aria-live": "polite" });
   const question = new Question(
     "Search",

@@ -314,7 +314,7 @@ function history(kept: Kept[]): HTMLElement {
         const store = inWords(Store.of(answer));
         out.replaceChildren(
           new Player(store.content.viewers[0]!, store).element,
-          make("div", { class: "ways" }, ...ways(store.content as unknown as api.Answer)),
+          ways(store.content as unknown as api.Answer),
         );
       },
       (error) => out.replaceChildren(problem(error)),

@@ -16,10 +16,10 @@ import {
   report,
   titled,
   undone,
-  ways,
   whole,
 } from "../jobs";
-import { field, once, problem } from "../parts";
+import { field, once, problem, select, textBox, ways } from "../parts";
+import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
 import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
@@ -70,15 +70,6 @@ const told = (text: string | null): Record<string, number | string> => {
     return {};
   }
 };
-const select = (names: string[], chosen = "") =>
-  make(
-    "select",
-    {},
-    ...names.map((name) =>
-      make("option", name === chosen ? { value: name, selected: true } : { value: name }, name),
-    ),
-  );
-
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
   if (id) {
@@ -102,10 +93,8 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   const vehicle = select(rigs, values.get("vehicle") ?? "audi-a6-quarter-car"),
     road = select(roads, values.get("road") ?? "iso:C"),
     changes = told(values.get("set"));
-  const text = (value: string, hint = "") =>
-    make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
-  const speed = text(values.get("speed") ?? "20 m/s"),
-    duration = text(values.get("duration") ?? "20 s"),
+  const speed = textBox(values.get("speed") ?? "20 m/s"),
+    duration = textBox(values.get("duration") ?? "20 s"),
     seed = make("input", { type: "number", min: "0", value: "0" });
   const controls = make(
     "fieldset",
@@ -252,12 +241,7 @@ function overlay(): HTMLElement {
     chosen = new Map<string, One>(),
     offered = new Set<string>();
   const none = make("p", { class: "empty" }, "No finished ride yet: drive first."),
-    over = make(
-      "select",
-      {},
-      make("option", { value: "0" }, tr("time")),
-      make("option", { value: "1" }, "frequency (spectra)"),
-    );
+    over = select(["0", "1"], "0", (value) => tr(value === "0" ? "time" : "frequency (spectra)"));
   let draw = (): void => {};
   over.addEventListener("change", () => draw());
   const question = new Question<Drawn>(
@@ -345,19 +329,17 @@ function pareto(
   state: () => Searched;
   restore: (was: Searched) => Promise<void>;
 } {
-  const text = (value: string, hint = "") =>
-    make("input", { type: "text", value, placeholder: hint, spellcheck: "false" });
   const vehicle = select(rigs, "audi-a6-quarter-car"),
     road = select(
       roads.filter((one) => one.startsWith("iso:")),
       "iso:C",
     ),
-    speed = text("20 m/s"),
+    speed = textBox("20 m/s"),
     points = make("input", { type: "number", min: "2", max: "200", value: "12" });
   const rows = make("div", {}),
     paths = make("datalist", { id: "paths-that-are-free" }),
     said = make("div", { "aria-live": "polite" });
-  const limit = text("", "20 mm");
+  const limit = textBox("", "20 mm");
   const more = make("button", { type: "button" }, "Add a parameter"),
     go = make("button", { type: "button", class: "main" }, "Search");
   let numbers: api.RigNumber[] = [];
@@ -599,77 +581,30 @@ function front(found: Front, asked: Record<string, unknown>): HTMLElement[] {
       room = 0.06 * (high - low || 1);
     return [low - room, high + room] as const;
   };
-  const [x0, x1] = ends(points.map((one) => one.comfort)),
-    [y0, y1] = ends(points.map((one) => one.holding)),
-    [w, h, left, foot] = [560, 340, 66, 40];
-  const svg = (name: string, attributes: Record<string, string | number>, content = "") => {
-    const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-    element.textContent = content;
-    return element;
+  const axis = (role: "comfort" | "holding") => {
+    const [unit, factor] = shownUnit(found.units[role]!);
+    return {
+      ends: ends(points.map((one) => one[role])),
+      label: `${found.metrics[role]} [${unit}]`,
+      factor,
+    };
   };
-  const px = (value: number) => left + ((w - left - 12) * (value - x0)) / (x1 - x0),
-    py = (value: number) => h - foot - ((h - foot - 10) * (value - y0)) / (y1 - y0);
-  const picture = svg("svg", {
-    viewBox: `0 0 ${w} ${h}`,
-    class: "xy",
+  const { picture, at } = plane(axis("comfort"), axis("holding"), {
     role: "group",
     "aria-label": "Pareto front",
   });
-  picture.append(svg("path", { class: "axis", d: `M${left} 6V${h - foot}H${w - 8}` }));
-  for (const value of [x0, x1])
-    picture.append(
-      svg(
-        "text",
-        { x: px(value), y: h - foot + 16, "text-anchor": value === x0 ? "start" : "end" },
-        written(value * shownUnit(found.units.comfort!)[1], 3),
-      ),
-    );
-  for (const value of [y0, y1])
-    picture.append(
-      svg(
-        "text",
-        { x: left - 5, y: py(value) + (value === y0 ? 0 : 10), "text-anchor": "end" },
-        written(value * shownUnit(found.units.holding!)[1], 3),
-      ),
-    );
+  const front = points.filter((one) => one.on).sort((a, b) => a.comfort - b.comfort);
   picture.append(
-    svg(
-      "text",
-      { x: (left + w) / 2, y: h - 8, "text-anchor": "middle" },
-      `${found.metrics.comfort} [${shownUnit(found.units.comfort!)[0]}]`,
-    ),
-    svg(
-      "text",
-      { x: 13, y: h / 2, transform: `rotate(-90 13 ${h / 2})`, "text-anchor": "middle" },
-      `${found.metrics.holding} [${shownUnit(found.units.holding!)[0]}]`,
-    ),
-  );
-  picture.append(
-    svg("path", {
-      class: "search",
-      d: points
-        .filter((one) => one.on)
-        .sort((a, b) => a.comfort - b.comfort)
-        .map(
-          (one, k) => `${k ? "L" : "M"}${px(one.comfort).toFixed(1)} ${py(one.holding).toFixed(1)}`,
-        )
-        .join(""),
-    }),
+    svg("path", { class: "search", d: line(front.map((one) => at(one.comfort, one.holding))) }),
   );
   for (const one of points) {
     const link = svg("a", { href: opened(one), "aria-label": `open ${one.name} as a ride` });
+    const [x, y] = at(one.comfort, one.holding);
     link.append(
       svg("title", {}, `${one.name}: open as a ride`),
       one.on
-        ? svg("circle", { cx: px(one.comfort), cy: py(one.holding), r: 6, class: "on" })
-        : svg("rect", {
-            x: px(one.comfort) - 5,
-            y: py(one.holding) - 5,
-            width: 10,
-            height: 10,
-            class: "off",
-          }),
+        ? svg("circle", { cx: x, cy: y, r: 6, class: "on" })
+        : svg("rect", { x: x - 5, y: y - 5, width: 10, height: 10, class: "off" }),
     );
     picture.append(link);
   }

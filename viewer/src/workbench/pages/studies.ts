@@ -4,9 +4,9 @@ import { make, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
-import { begin, follow, JobCard, jobList, report, type Whole, ways, whole } from "../jobs";
+import { begin, follow, JobCard, jobList, report, type Whole, whole } from "../jobs";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, once, problem } from "../parts";
+import { field, once, problem, select, textBox, ways } from "../parts";
 import { advised, asSaid } from "../refusals";
 import { address, type Page, type Values, VEHICLES } from "../shell";
 import { row, table } from "../table";
@@ -126,20 +126,10 @@ const SPREADS: Record<string, [string, string[]]> = {
 };
 async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   if (!rigs.length) return make("p", { class: "empty" }, "No rig in this project yet.");
-  const rig = make(
-    "select",
-    {},
-    ...rigs.map((name) =>
-      make("option", name === chosen ? { value: name, selected: true } : { value: name }, name),
-    ),
-  );
+  const rig = select(rigs, chosen);
   const rows = make("tbody", {}),
     paths = make("datalist", { id: "paths-of-the-rig" });
-  const design = make(
-    "select",
-    {},
-    ...Object.entries(DESIGNS).map(([kind, [words]]) => make("option", { value: kind }, words)),
-  );
+  const design = select(Object.keys(DESIGNS), "sobol", (kind) => DESIGNS[kind]![0]);
   const count = make("input", { type: "number", min: "1", value: "256" }),
     seed = make("input", { type: "number", min: "0", value: "0" });
   const metrics = make("input", {
@@ -147,19 +137,14 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     size: "34",
     value: "rms sprung.az, max strut.deflection",
   });
-  const road = make(
-    "select",
-    {},
-    ...Object.keys(OBSTACLES).map((one) =>
-      make("option", { value: one }, tr(one.replace("-", " "))),
-    ),
-    make("option", { value: "iso" }, "random road (ISO 8608)"),
+  const road = select([...Object.keys(OBSTACLES), "iso"], undefined, (one) =>
+    one === "iso" ? "random road (ISO 8608)" : tr(one.replace("-", " ")),
   );
   const sizes = make("span", { class: "sizes" });
-  const speed = make("input", { type: "text", value: "2 m/s" }),
-    duration = make("input", { type: "text", value: "1.5 s" });
-  const name = make("input", { type: "text", value: "study.toml", spellcheck: "false" }),
-    out = make("input", { type: "text", value: "swept", spellcheck: "false" });
+  const speed = textBox("2 m/s"),
+    duration = textBox("1.5 s");
+  const name = textBox("study.toml"),
+    out = textBox("swept");
   const told = make("div", { "aria-live": "polite" });
   name.addEventListener("change", () => {
     out.value = `${name.value.replace(/\.toml$/, "")}-swept`;
@@ -242,27 +227,12 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     offer();
     rows.append(row);
   };
+  const classes = select([..."ABCDEFGH"], "C");
+  classes.name = "class";
   const offerRoad = () =>
     sizes.replaceChildren(
       ...(road.value === "iso"
-        ? [
-            field(
-              "Class",
-              make(
-                "select",
-                { name: "class" },
-                ..."ABCDEFGH"
-                  .split("")
-                  .map((one) =>
-                    make(
-                      "option",
-                      one === "C" ? { value: one, selected: true } : { value: one },
-                      one,
-                    ),
-                  ),
-              ),
-            ),
-          ]
+        ? [field("Class", classes)]
         : OBSTACLES[road.value]!.map((one) =>
             field(
               one[0]!.toUpperCase() + one.slice(1),

@@ -5,7 +5,18 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import { OBSTACLES, USUAL } from "../obstacles";
-import { field, Live, Outdated, once, problem, Sliders, Steps } from "../parts";
+import {
+  field,
+  Live,
+  Outdated,
+  once,
+  optional,
+  problem,
+  Sliders,
+  Steps,
+  select,
+  textBox,
+} from "../parts";
 import { Phase } from "../phase";
 import { address, choose, type Page, setLive, type Values, VEHICLES } from "../shell";
 
@@ -37,13 +48,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   }
   const [rig, { entries, folder }] = await Promise.all([api.rig(name), api.project()]);
   if (!place.isConnected) return;
-  const kind = make(
-    "select",
-    {},
-    ...Object.keys(OBSTACLES).map((one) =>
-      make("option", { value: one }, tr(one.replace("-", " "))),
-    ),
-  );
+  const kind = select(Object.keys(OBSTACLES), undefined, (one) => tr(one.replace("-", " ")));
   const sizes = make("span", { class: "sizes" });
   const road = told<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
   if (road.kind && road.kind in OBSTACLES) kind.value = road.kind;
@@ -79,31 +84,15 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
       ),
     },
   });
-  const look = make(
-    "select",
-    {},
-    ...(
-      [
-        ["time", tr("time")],
-        ["spectra", tr("frequency (spectra)")],
-      ] as const
-    ).map(([value, words]) => make("option", { value }, words)),
+  const look = select(["time", "spectra"], "time", (value) =>
+    tr(value === "time" ? "time" : "frequency (spectra)"),
   );
-  const measured = make(
-    "select",
-    {},
-    make("option", { value: "" }, tr("none")),
-    ...entries
-      .filter((one) => one.kind === "record")
-      .map(({ path }) =>
-        make(
-          "option",
-          { value: path, ...(path === values.get("record") ? { selected: true } : {}) },
-          path,
-        ),
-      ),
+  const measured = optional(
+    "none",
+    entries.filter((one) => one.kind === "record").map(({ path }) => path),
   );
-  const begins = make("input", { type: "text", value: "0 s" }),
+  measured.value = values.get("record") ?? "";
+  const begins = textBox("0 s"),
     since = field(tr("Start of the recording"), begins);
   const offset = () => {
     since.hidden = !measured.value;
