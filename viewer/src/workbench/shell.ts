@@ -17,6 +17,15 @@ export const RIGS = ["rig"],
 export const address = (page: string, values: Record<string, string> = {}) =>
   `#/${page}?${new URLSearchParams(values)}`;
 
+/** A value of an address as JSON; nothing where it is none. */
+export function given<T extends object>(text: string | null): T {
+  try {
+    return (JSON.parse(text ?? "{}") ?? {}) as T;
+  } catch {
+    return {} as T;
+  }
+}
+
 /** Goes to another page, unless the one that asked was left meanwhile: an answer that comes late takes nobody from where they are. */
 export function goTo(from: Node, page: string, values: Record<string, string> = {}): void {
   if (from.isConnected) location.hash = address(page, values);

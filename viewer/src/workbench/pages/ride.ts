@@ -22,7 +22,7 @@ import { field, once, problem, select, textBox, ways } from "../parts";
 import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
-import { address, carry, goTo, type Page, type Values, VEHICLES } from "../shell";
+import { address, carry, given, goTo, type Page, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
 import type { Choices } from "./inspection";
 
@@ -63,13 +63,6 @@ interface Front {
   driven: string;
   findings: { severity: string; message: string }[];
 }
-const told = (text: string | null): Record<string, number | string> => {
-  try {
-    return (JSON.parse(text ?? "{}") ?? {}) as Record<string, number>;
-  } catch {
-    return {};
-  }
-};
 async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
   if (id) {
@@ -92,7 +85,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   ];
   const vehicle = select(rigs, values.get("vehicle") ?? "audi-a6-quarter-car"),
     road = select(roads, values.get("road") ?? "iso:C"),
-    changes = told(values.get("set"));
+    changes = given<Record<string, number | string>>(values.get("set"));
   const speed = textBox(values.get("speed") ?? "20 m/s"),
     duration = textBox(values.get("duration") ?? "20 s"),
     seed = make("input", { type: "number", min: "0", value: "0" });

@@ -18,7 +18,7 @@ import {
   textBox,
 } from "../parts";
 import { Phase } from "../phase";
-import { address, choose, type Page, setLive, type Values, VEHICLES } from "../shell";
+import { address, choose, given, type Page, setLive, type Values, VEHICLES } from "../shell";
 
 export const trial: Page = { label: "Trial", show };
 
@@ -50,7 +50,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
   if (!place.isConnected) return;
   const kind = select(Object.keys(OBSTACLES), undefined, (one) => tr(one.replace("-", " ")));
   const sizes = make("span", { class: "sizes" });
-  const road = told<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
+  const road = given<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
   if (road.kind && road.kind in OBSTACLES) kind.value = road.kind;
   const speed = make("input", {
       type: "text",
@@ -69,7 +69,7 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     rig,
     FIRST,
     () => void curves.ask(),
-    told<Record<string, number>>(values.get("set")),
+    given<Record<string, number>>(values.get("set")),
   );
   const asked = () => ({
     rig: name,
@@ -225,13 +225,4 @@ async function show(place: HTMLElement, values: Values): Promise<void> {
     ),
   );
   await curves.ask();
-}
-
-/** What stands in an address as JSON; nothing where it is none. */
-function told<T extends object>(text: string | null): T {
-  try {
-    return (JSON.parse(text ?? "{}") ?? {}) as T;
-  } catch {
-    return {} as T;
-  }
 }
