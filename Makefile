@@ -17,7 +17,7 @@
 #   make viewer    bundle the viewer of reports from viewer/ (needs node and npm)
 #   make check-viewer  is the committed bundle what its sources make? (skipped without node and npm)
 #   make validation  what tests find against sources outside of jounce, written for the page that says it
-#   make faces     write stubs and JSON schemas from the registries
+#   make faces     write stubs, JSON schemas and the quantities of pages from the registries
 #   make figures   print how large, dense and plain the code is; PACKAGE=ride for one package
 #   make pins      compile requirements/*.txt again (needs uv)
 #   make audit     known vulnerabilities of what is pinned; where no service can be reached, those of a list
