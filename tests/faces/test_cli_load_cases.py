@@ -53,7 +53,7 @@ def test_forces_are_those_of_python_in_table_file_json_and_picture(cli, tmp_path
 def test_usual_cases_are_shown_and_what_the_spring_cannot_carry_is_told(cli) -> None:
     outcome = cli("load-cases", RIG, *GIVEN)
     assert outcome.exit_code == 0
-    for text in ("static", "cornering 1 g", "upper ball joint, size", "cannot carry it within 100 mm"):
+    for text in ("static", "cornering 1 g", "Sizes of forces at hardpoints", "cannot carry it within 100 mm"):
         assert text in outcome.out
 
 

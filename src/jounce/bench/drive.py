@@ -16,6 +16,7 @@ from jounce.core.errors import DescriptionError, FitError
 from jounce.core.findings import Finding
 from jounce.core.operation import Count, MadeBy, Number, operation
 from jounce.core.serialise import Plain, to_plain
+from jounce.core.typed import LONGEST
 from jounce.core.units import (
     Frequency,
     NonNegativeDampingCoefficient,
@@ -27,7 +28,6 @@ from jounce.core.units import (
     to_si,
 )
 from jounce.identify.estimate import Estimate, estimate
-from jounce.parts.options import LONGEST_BARE
 
 AngularSpeed = Annotated[float, Unit("rad/s", above=0.0)]
 Power = Annotated[float, Unit("W", above=0.0)]
@@ -537,9 +537,7 @@ def find_belt_speed(
         float | str | None, Number("Counting time of the pulses.", "VALUE", "s", is_positive=True)
     ] = None,
     pulses_per_revolution: Annotated[int, Count("Marks on the cylinder.")] = 1,
-    radius_error: Annotated[
-        float | str, Number("Standard error of the radius.", "VALUE", "m", most=LONGEST_BARE)
-    ] = 0.0,
+    radius_error: Annotated[float | str, Number("Standard error of the radius.", "VALUE", "m", most=LONGEST)] = 0.0,
 ) -> BeltSpeeds:
     """Find the belt speed from the inverter frequency or from photo-sensor pulses, or the frequency for a speed.
 

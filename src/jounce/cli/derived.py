@@ -17,10 +17,7 @@ from jounce.operations.index import Operation, Parameter, operations, resolve
 from jounce.operations.request import Request
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
     from rich.console import Console
-
-    from jounce.report import Page
 
 
 def add_commands(app: typer.Typer, group: str) -> None:
@@ -99,21 +96,8 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
         say(operation.doing)
         result = request.call(values, made, say)
     title = operation.title.format(**_stems(operation, typed), result=result)
-
-    def page() -> Page:
-        drawn: Page = resolve(operation.page)(result, title=title)
-        return drawn
-
     plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
-
-    def figure() -> Figure:
-        from jounce.plots import figure_of
-
-        drawn: Figure = resolve(operation.figure)(result, title=title) if operation.figure else figure_of(result)
-        return drawn
-
-    comment = operation.comment.format(**typed, result=result)
-    answered = Answered(result, plain, page, figure, title, comment)
+    answered = Answered(operation, result, plain, title, operation.comment.format(**typed, result=result))
     missing = files.write(answered)
     written = {name: plain[name] for name in ("out", "figure", "report") if name in plain}
     if not operation.names_files:
@@ -122,7 +106,7 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     def draw(console: Console) -> None:
         from jounce.cli.terminal import show_page
 
-        show_page(console, page())
+        show_page(console, answered.page())
         show_written(console, written)
 
     return Reply(plain, draw, given["as_json"], _exit_code(result), missing)
@@ -148,9 +132,11 @@ def _echo(operation: Operation, read: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _exit_code(result: Any) -> int:
-    """Say why a result is not whole; give the exit code."""
-    stopped = getattr(result, "stopped", "")
+    """Say on stderr why a result is not whole, or what else is to be known of it; give the exit code."""
+    stopped, remark = getattr(result, "stopped", ""), getattr(result, "remark", "")
     if stopped:
-        tell(f"{stopped}. The poses before that are kept.")
+        tell(f"{stopped}.")
         return REFUSED
+    if remark:
+        tell(remark)
     return DONE if getattr(result, "is_met", True) else FAILED

@@ -17,17 +17,14 @@ import typer
 from jounce.cli import (
     bench,
     campaign,
-    clearances,
     design,
     exchange,
     files,
     fit,
     inspection,
     kinematics,
-    load_cases,
     pictures,
     serve,
-    steering_effort,
     study,
     sweep,
 )
@@ -88,11 +85,11 @@ def _panels() -> dict[str, dict[str, Any]]:
             "iri": derived("iri"),
         },
         "Kinematics and design": {
-            "kinematics": kinematics.kinematics,
+            "kinematics": derived("kinematics"),
             "adjust": kinematics.adjust,
-            "load-cases": load_cases.load_cases,
-            "clearances": clearances.clearances,
-            "steering-effort": steering_effort.steering_effort,
+            "load-cases": derived("load-cases"),
+            "clearances": derived("clearances"),
+            "steering-effort": derived("steering-effort"),
             "design": design.app,
         },
         "Files and pictures": {

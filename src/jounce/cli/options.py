@@ -11,11 +11,9 @@ import typer
 
 from jounce.cli.reply import tell
 from jounce.core.findings import not_drawn
-from jounce.core.typed import bare_number, pairs, positive_quantity, quantity, toml_value
+from jounce.core.typed import pairs, positive_quantity, quantity, toml_value
 
 if TYPE_CHECKING:
-    from pydantic import BaseModel
-
     from jounce.core.findings import Finding
     from jounce.parts import Rig
     from jounce.report import Page
@@ -146,21 +144,6 @@ def files(names: Sequence[str], option: str) -> list[Path]:
             raise RecordingError("no file matches", where=option, found=name, hint="Check the folder and the pattern.")
         found += matches
     return found
-
-
-def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]) -> dict[str, str | float]:
-    """Values of the fields of a description as it takes them; numbers without a unit are refused as in `quantity`.
-
-    ``option`` names the place of a field.
-    """
-    from jounce.core.units import Unit, bare_si
-
-    given = {name: bare_number(text) for name, text in texts.items()}
-    for name, value in given.items():
-        units = [item.si for item in getattr(kind.model_fields.get(name), "metadata", ()) if isinstance(item, Unit)]
-        if units and isinstance(value, float):
-            bare_si(value, units[0], where=option(name), most=LENGTH if units[0] == "m" else None)
-    return given
 
 
 StrokeSign = Annotated[

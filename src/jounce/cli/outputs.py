@@ -22,6 +22,7 @@ from jounce.cli.options import (
     write_rig,
 )
 from jounce.core.findings import not_drawn
+from jounce.operations.index import Operation, resolve
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -32,14 +33,27 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Answered:
-    """A result with what its files need beside it."""
+    """A result of an operation, with what its files need beside it: the plain answer, a title, a comment."""
 
+    operation: Operation
     result: Any
     plain: dict[str, Any]
-    page: Callable[[], Page]
-    draw: Callable[[], Figure]
     title: str
     comment: str
+
+    def page(self) -> Page:
+        """Put the result on a page."""
+        page: Page = resolve(self.operation.page)(self.result, title=self.title)
+        return page
+
+    def figure(self) -> Figure:
+        """Draw the result: by the function of the operation, or by that of the result's type."""
+        from jounce.plots import figure_of
+
+        if not self.operation.figure:
+            return figure_of(self.result)
+        figure: Figure = resolve(self.operation.figure)(self.result, title=self.title)
+        return figure
 
 
 Missing = Sequence["Finding"]
@@ -104,12 +118,12 @@ def _table(answered: Answered, file: Path, force: bool) -> Missing:
 
 
 def _figure(answered: Answered, file: Path, force: bool) -> Missing:
-    return write_picture(answered.draw, file, answered.title, force=force)[1]
+    return write_picture(answered.figure, file, answered.title, force=force)[1]
 
 
 def _figures(answered: Answered, folder: Path, force: bool) -> Missing:
     try:
-        answered.result.write_figures(folder, force=force)
+        resolve(answered.operation.figure)(answered.result, folder, force=force)
     except Exception as error:  # noqa: BLE001 - whatever it is, the result is answered
         return [not_drawn(str(folder), error)]
     return ()

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from importlib import import_module
 from typing import Any, ClassVar, Literal, TypeVar
 
 Offer = Literal["rig", "recording", "numbers", "sweep", "table", "figure", "figures", "folder", "report"]
@@ -41,6 +42,10 @@ class Mark:
     def texts(self, given: Any) -> list[str]:
         """Write what was given as values of the option, one for each time that it is repeated."""
         return [str(given)]
+
+    def python(self, given: Any, where: str) -> str:
+        """Write what was given as Python."""
+        return repr(self.read(given, where))
 
 
 @dataclass(frozen=True)
@@ -130,6 +135,26 @@ class Pairs(Mark):
 
 
 @dataclass(frozen=True)
+class Described(Pairs):
+    """Fields of a description, ``module:class``."""
+
+    of: str = ""
+
+    def read(self, given: Any, where: str) -> Any:
+        """Build the description; bare numbers must be plausible in SI."""
+        from jounce.core.typed import bare_numbers
+
+        module, _, name = self.of.partition(":")
+        kind = getattr(import_module(module), name)
+        return kind.from_table(bare_numbers(kind, super().read(given, where), f"{where} {{}}".format), where=where)
+
+    def python(self, given: Any, where: str) -> str:
+        """Write the description by its fields."""
+        fields = ", ".join(f"{name}={text!r}" for name, text in super().read(given, where).items())
+        return f"jn.{self.of.partition(':')[2]}({fields})"
+
+
+@dataclass(frozen=True)
 class Columns(Pairs):
     """Columns by quantity, one or several pairs in each text; or all names of a file without a header in one text."""
 
@@ -184,7 +209,7 @@ class Band(Mark):
         return tuple(quantity(str(end), self.unit, where) for end in pair)
 
 
-_KINDS = (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Columns, Ranges, Settings, Band)
+_KINDS = (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Described, Columns, Ranges, Settings, Band)
 MARKS: Mapping[str, type[Mark]] = {kind.__name__: kind for kind in _KINDS}
 
 
@@ -252,8 +277,9 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
     Notes
     -----
     A parameter ``progress`` is no option: faces pass a function that shows a text. The result has ``to_dict``. Where
-    it is not whole, ``stopped`` says why (exit code 2); where it is not what was wanted, ``is_met`` is false (exit
-    code 1). What it can be written as asks for more: ``rig``, ``recording()``, ``rows()``, ``data``, ``table()``.
+    it is not whole, ``stopped`` says why (exit code 2); ``remark`` is what else to say on stderr; where it is not what
+    was wanted, ``is_met`` is false (exit code 1). What it can be written as asks for more: ``rig``, ``recording()``,
+    ``rows()``, ``data``, ``table()``.
     """
 
     def register(function: _F) -> _F:

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from jounce.core.errors import DescriptionError
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+LONGEST = 10.0
+"""Length (m) above which a bare number is taken for millimetres: no part of a suspension is longer."""
 
 
 def quantity(text: str, unit: str, where: str, *, most: float | None = None) -> float:
@@ -89,3 +95,18 @@ def toml_value(text: str) -> Any:
         return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
     except OverflowError:  # refused where it is read as a size
         return value
+
+
+def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]) -> dict[str, str | float]:
+    """Values of the fields of a description as it takes them; numbers without a unit are refused as in `quantity`.
+
+    ``option`` names the place of a field.
+    """
+    from jounce.core.units import Unit, bare_si
+
+    given = {name: bare_number(text) for name, text in texts.items()}
+    for name, value in given.items():
+        units = [item.si for item in getattr(kind.model_fields.get(name), "metadata", ()) if isinstance(item, Unit)]
+        if units and isinstance(value, float):
+            bare_si(value, units[0], where=option(name), most=LONGEST if units[0] == "m" else None)
+    return given

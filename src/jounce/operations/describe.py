@@ -16,9 +16,9 @@ from pydantic.fields import FieldInfo
 from jounce.core.description import Description
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.operation import REGISTERED, Count, Field, MadeBy, Mark, Registration, Switch
+from jounce.core.typed import LONGEST
 from jounce.core.units import Unit
 from jounce.operations.index import Operation, Parameter, resolve
-from jounce.parts.options import LONGEST_BARE
 
 MODULES = (
     "jounce.bench.drive",
@@ -26,6 +26,10 @@ MODULES = (
     "jounce.bench.springs",
     "jounce.design.pareto",
     "jounce.design.springs",
+    "jounce.kinematics.swept",
+    "jounce.kinematics.axle_loads",
+    "jounce.kinematics.clearance_study",
+    "jounce.kinematics.steering_loads",
     "jounce.ride.drives",
     "jounce.ride.measured",
     "jounce.ride.modal",
@@ -94,7 +98,7 @@ def _fields(kind: type[Description], registration: Registration, made: str) -> I
         if name in registration.python_only:
             continue
         unit = next((item.si for item in field.metadata if isinstance(item, Unit)), "")
-        most = LONGEST_BARE if unit == "m" else None
+        most = LONGEST if unit == "m" else None
         mark = Field(f"{documented[name]}{_default_of(field, unit)}", "VALUE", unit, most)
         option = registration.named.get(name, name)
         yield Parameter(name, option, mark, made=made, source=f"{kind.__module__}:{kind.__name__}")

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import JounceError
 from jounce.operations.index import Operation, Parameter, resolve
 
-_NOTHING: tuple[Any, ...] = (None, "", [], {})
+_NOTHING: tuple[Any, ...] = (None, [], {})
 Values: TypeAlias = "Sequence[tuple[Parameter, Any]]"
 
 
@@ -33,7 +34,8 @@ class Request:
         for parameter in self.operation.parameters:
             value = self.given.get(parameter.option)
             value = parameter.default if value in _NOTHING and not parameter.is_required else value
-            if value not in _NOTHING or parameter.is_required:
+            is_given = value not in _NOTHING and not value == parameter.default == ""
+            if is_given or parameter.is_required:
                 yield parameter, value
 
     def read(self) -> Values:
@@ -57,7 +59,8 @@ class Request:
         """Call the function with values that were read and made; ``say`` shows a text while it runs."""
         arguments = {**made, **{parameter.name: value for parameter, value in values if not parameter.made}}
         progress = {"progress": say} if self.operation.has_progress else {}
-        return resolve(self.operation.function)(**arguments, **progress)
+        with naming_options(self.operation.parameters):
+            return resolve(self.operation.function)(**arguments, **progress)
 
     def words(self) -> list[str]:
         """Write the request as words of a command; an equals sign keeps each value with its option."""
@@ -87,8 +90,8 @@ class Request:
             if parameter.made:
                 continue
             is_text = parameter.takes_text and isinstance(value, str)
-            written = value if is_text else parameter.mark.read(value, parameter.place)
-            arguments.append(f"{parameter.name}={written!r}")
+            written = repr(value) if is_text else parameter.mark.python(value, parameter.place)
+            arguments.append(f"{parameter.name}={written}")
         lines = "".join(f"    {argument},\n" for argument in arguments)
         return f"jn.{name}(\n{lines})"
 
@@ -102,14 +105,21 @@ def _in_python(maker: Callable[..., Any], options: Mapping[str, Any]) -> str:
 
 
 def _made(maker: Callable[..., Any], options: Values) -> Any:
-    """Call a maker; what a description refuses of its fields is an error of their options."""
-    try:
+    """Call a maker."""
+    with naming_options([parameter for parameter, _ in options]):
         return maker(**{parameter.name: value for parameter, value in options})
-    except DescriptionError as error:
-        flags = {parameter.name: parameter.flag for parameter, _ in options}
-        if error.where not in flags:
+
+
+@contextmanager
+def naming_options(parameters: Iterable[Parameter]) -> Iterator[None]:
+    """Let errors about a parameter name its option."""
+    try:
+        yield
+    except JounceError as error:
+        places = {parameter.name: parameter.place for parameter in parameters}
+        name, colon, rest = error.where.partition(": ")
+        if name not in places:
             raise
-        where = flags[error.where]
-        raise DescriptionError(
-            error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
-        ) from None
+        where = f"{places[name]}{colon}{rest}"
+        kind = type(error)
+        raise kind(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Annotated, Any, TypeAlias
 
 from jounce.core.operation import File, MadeBy, Settings
+from jounce.core.typed import LONGEST
 from jounce.parts.files import load
 from jounce.parts.rig import Rig, unit_of
 
@@ -18,8 +19,6 @@ MaybeRig: TypeAlias = Annotated[
     Rig | str | Path | None, MadeBy("jounce.parts.options:chosen_vehicle", "jounce.parts.options:vehicle_in_python")
 ]
 """A rig that a command may do without, named by an option."""
-LONGEST_BARE = 10.0
-"""Length (m) above which a bare number is taken for millimetres: no part of a suspension is longer."""
 
 
 def chosen_rig(
@@ -75,4 +74,4 @@ def refuse_implausible(rig: Rig, changes: Mapping[str, Any]) -> None:
     for path, value in changes.items():
         if path in known and isinstance(value, float):
             unit = unit_of(rig, path)
-            bare_si(value, unit, where=f"--set {path}", most=LONGEST_BARE if unit == "m" else None)
+            bare_si(value, unit, where=f"--set {path}", most=LONGEST if unit == "m" else None)

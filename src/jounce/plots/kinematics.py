@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.kinematics.clearance_study import ClearanceStudy
+    from jounce.kinematics.swept import Swept
+
 _GRADIENTS = ("roll_steer", "roll_camber", "roll_caster", "kingpin_inclination_gain", "camber_per_steer")
 _HANDWHEEL = ("steering_ratio", "c_factor", "handwheel_angle", "rack_force", "handwheel_torque")
 _ROCKER = ("rocker_angle", "pushrod_angle", "rocker_spring_angle")
@@ -172,6 +175,23 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
         _draw(axes, sweeps, name)
     _finish(figure, grid, next(iter(sweeps.values())), len(names))
     return figure
+
+
+def steering_effort(found: Swept, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
+    """Draw force on the rack and torques of the column over a sweep, as far as they are known."""
+    names = ("rack_force", "pinion_torque", "handwheel_torque")
+    return kinematic_curves(found.data, [name for name in names if name in found.data])
+
+
+def clearances(found: ClearanceStudy, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
+    """Draw every distance over travel and rack."""
+    assert found.data is not None
+    return kinematic_curves(found.data, list(map(str, found.data.data_vars)))
+
+
+def write_swept(found: Swept, folder: Path | str, *, force: bool = False) -> list[Path]:
+    """Draw every quantity of a sweep into a folder, as :func:`write_kinematics` does."""
+    return write_kinematics(found.data, folder, force=force)
 
 
 def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:

@@ -8,7 +8,6 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.plots.display import number
-from jounce.plots.mechanisms.load_cases import load_case
 from jounce.report.page import Block, Findings, Page, Picture, Section, Subsection, Table, slug
 
 if TYPE_CHECKING:
@@ -17,6 +16,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.core.findings import Finding
+    from jounce.kinematics.axle_loads import AxleLoads
     from jounce.parts.corners import Corner
 
 
@@ -67,12 +67,20 @@ def load_cases_page(rig: Corner, found: xr.Dataset, findings: Sequence[Finding],
     })  # fmt: skip
     answer: list[Block] = [Findings(tuple(findings))] if findings else []
     answer += [wheels, links, pickups]
+    drawn = Section("Drawn", lambda: tuple(_drawn(rig, found, case) for case in cases))
+    return Page(title, (Section("Answer", tuple(answer)), drawn), "Load cases")
+
+
+def axle_loads_page(found: AxleLoads, *, title: str) -> Page:
+    """Put the loads of an axle on a page, as :func:`load_cases_page` does."""
+    return load_cases_page(found.rig, found.data, found.findings, title=title)
+
+
+def _drawn(rig: Corner, found: xr.Dataset, case: str) -> Subsection:
+    from jounce.plots.mechanisms.load_cases import load_case
+
     words = "Forces of the road on the wheels (red) and of the suspension on the body (blue), front and top view."
-    drawn = tuple(
-        Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, found, case), slug(case), words, words),))
-        for case in cases
-    )
-    return Page(title, (Section("Answer", tuple(answer)), Section("Drawn", drawn)), "Load cases")
+    return Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, found, case), slug(case), words, words),))
 
 
 def _table(caption: str, cases: Sequence[str], found: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]) -> Table:

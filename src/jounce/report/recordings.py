@@ -93,8 +93,8 @@ def recordings_page(
         answer.append(Details("All other channels", (_extremes(named, axis, unit, others, units),)))
     if findings:
         answer.append(Findings(tuple(findings)))
-    curves = curve_blocks({"": named}, first, title=title, rig=rig, trial=trial)
-    sections = (Section("Extremes", tuple(answer)), Section("Curves", curves))
+    curves = Section("Curves", lambda: curve_blocks({"": named}, first, title=title, rig=rig, trial=trial))
+    sections = (Section("Extremes", tuple(answer)), curves)
     return Page(title or ", ".join(named), sections, subtitle)
 
 

@@ -522,7 +522,8 @@ def doing_of(task: AnyTask, project: Project) -> Doing:
 
 
 def _request(command: str, given: Mapping[str, Any]) -> Request:
-    return Request(operations()[command], given)
+    """Give a request; fields that a page leaves empty have their defaults."""
+    return Request(operations()[command], {name: value for name, value in given.items() if value != ""})
 
 
 def _file(project: Project, path: str) -> str:

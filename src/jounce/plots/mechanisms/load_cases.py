@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.kinematics.axle_loads import AxleLoads
     from jounce.parts.corners import Corner
 
 _Drawn: TypeAlias = "tuple[Scene, Pose, xr.Dataset]"
@@ -224,6 +225,11 @@ def _beside(room: Array, away: Array) -> Iterator[tuple[float, float]]:
         for height in (up, down) if away[1] >= 0.0 else (down, up):
             for side in across:
                 yield side, height
+
+
+def write_loaded(found: AxleLoads, folder: Path | str, *, force: bool = False) -> list[Path]:
+    """Draw every case of an axle into a folder, as :func:`write_load_cases` does."""
+    return write_load_cases(found.rig, found.data, folder, force=force)
 
 
 def write_load_cases(rig: Corner, found: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:

@@ -1,0 +1,24 @@
+"""Clearances of a corner as a page: the least distance of each pair of bodies, and lengths of links."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jounce.report.page import Block, Column, Findings, Page, Section, table_of
+
+if TYPE_CHECKING:
+    from jounce.kinematics.clearance_study import ClearanceStudy
+
+
+def clearances_page(found: ClearanceStudy, *, title: str) -> Page:
+    """Put least distances and lengths of links on a page."""
+    least, blocks = found.least, list[Block]()
+    if least:
+        columns = {"clearance": "least clearance", "wheel_travel": "at travel", "rack_travel": "at rack"}
+        numbers = (Column(label, [one[key] for one in least.values()], "m") for key, label in columns.items())
+        blocks.append(table_of("Clearances, negative where bodies overlap", (Column("between", [*least]), *numbers)))
+    lengths = (Column("between", [*found.lengths]), Column("length", [*found.lengths.values()], "m"))
+    blocks.append(table_of("Lengths of links at design", lengths))
+    if found.findings:
+        blocks.append(Findings(found.findings))
+    return Page(title, (Section("Answer", tuple(blocks)),))
