@@ -166,8 +166,8 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
                 findings.append(remark(where, "warning", "not_a_date", date=found[key]))
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
                 near = nearest_name(key, known)
-                severity, code = ("warning", "unknown_key_near") if near else ("note", "unknown_key")
-                findings.append(remark(where, severity, code, key=key, near=near))
+                code = "unknown_key_near" if near else "unknown_key"
+                findings.append(remark(where, "warning" if near else "note", code, key=key, near=near))
     return found, findings
 
 

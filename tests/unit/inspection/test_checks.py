@@ -272,8 +272,8 @@ def test_values_that_are_no_numbers_are_counted() -> None:
     values = np.where(np.isin(np.arange(100), (30, 31)), np.nan, 1.0)
     one = np.where(np.arange(100) == 7, np.inf, 1.0)
     found = checks.check_finite({"a": values, "b": one, "c": time}, time)
-    assert [(f.place, f.words["count"], f.words["time"], f.words["plural"]) for f in found] == [
-        ("a", 2, pytest.approx(0.3), "s are"), ("b", 1, pytest.approx(0.07), " is"),
+    assert [(f.place, f.words["count"], f.words["time"], f.code) for f in found] == [
+        ("a", 2, pytest.approx(0.3), "samples_missing"), ("b", 1, pytest.approx(0.07), "sample_missing"),
     ]  # fmt: skip
 
 
