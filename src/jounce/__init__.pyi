@@ -41,6 +41,7 @@ from .core.findings import Finding as Finding
 from .core.serialise import Plain as Plain
 from .core.serialise import plain_table as plain_table
 from .core.writing import write_files as write_files
+from .design.adjustment import adjust_rig as adjust_rig
 from .design.adjustments import adjust_report as adjust_report
 from .design.adjustments import adjusted as adjusted
 from .design.adjustments import lengths_for as lengths_for

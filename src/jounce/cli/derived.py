@@ -97,7 +97,8 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
         result = request.call(values, made, say)
     title = operation.title.format(**_stems(operation, typed), result=result)
     plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
-    answered = Answered(operation, result, plain, title, operation.comment.format(**typed, result=result))
+    subject = str(typed.get(operation.subject, ""))
+    answered = Answered(operation, subject, result, plain, title, operation.comment.format(**typed, result=result))
     missing = files.write(answered)
     written = {name: plain[name] for name in ("out", "figure", "report") if name in plain}
     if not operation.names_files:

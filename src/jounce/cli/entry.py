@@ -22,7 +22,6 @@ from jounce.cli import (
     files,
     fit,
     inspection,
-    kinematics,
     pictures,
     serve,
     study,
@@ -86,7 +85,7 @@ def _panels() -> dict[str, dict[str, Any]]:
         },
         "Kinematics and design": {
             "kinematics": derived("kinematics"),
-            "adjust": kinematics.adjust,
+            "adjust": derived("adjust"),
             "load-cases": derived("load-cases"),
             "clearances": derived("clearances"),
             "steering-effort": derived("steering-effort"),

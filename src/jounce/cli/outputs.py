@@ -33,9 +33,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Answered:
-    """A result of an operation, with what its files need beside it: the plain answer, a title, a comment."""
+    """A result of an operation, with what its files need beside it: the argument, the answer, a title, a comment."""
 
     operation: Operation
+    subject: str
     result: Any
     plain: dict[str, Any]
     title: str
@@ -76,6 +77,16 @@ def _out(text: str, metavar: str | None = None) -> Any:
 
 def _rig(answered: Answered, file: Path, force: bool) -> Missing:
     write_rig(answered.result.rig, file, answered.comment, force=force)
+    return ()
+
+
+def _changed_rig(answered: Answered, file: Path, force: bool) -> Missing:
+    from jounce.core.writing import write_atomically
+    from jounce.parts import rig_path
+    from jounce.parts.files import updated_text
+
+    text = rig_path(answered.subject).read_text(encoding="utf-8")
+    write_atomically(file, updated_text(text, answered.result.rig), force=force)
     return ()
 
 
@@ -135,6 +146,12 @@ def _report(answered: Answered, file: Path, force: bool) -> Missing:
 
 OUTPUTS: Mapping[str, Output] = {
     "rig": Output("out", RigFile, lambda file, force: check_outputs(rig=file, force=force), _rig),
+    "changed_rig": Output(
+        "out",
+        _out("Write the changed rig, with its comments: RIG.toml."),
+        lambda file, force: check_outputs(rig=file, force=force),
+        _changed_rig,
+    ),
     "recording": Output(
         "out",
         _out("Write the recording: .nc, .csv, .mat, .mf4, .parquet or .xlsx."),

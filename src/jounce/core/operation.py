@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any, ClassVar, Literal, TypeVar
 
-Offer = Literal["rig", "recording", "numbers", "sweep", "table", "figure", "figures", "folder", "report"]
+Offer = Literal["rig", "changed_rig", "recording", "numbers", "sweep", "table", "figure", "figures", "folder", "report"]
 """What a result can be written as: see `jounce.cli.outputs`."""
 
 

@@ -15,6 +15,10 @@ AnyRig: TypeAlias = Annotated[
     Rig | str | Path, MadeBy("jounce.parts.options:chosen_rig", "jounce.parts.options:rig_in_python")
 ]
 """A rig, its file or its name in the library; faces ask for the file or name, and for changes."""
+RigAlone: TypeAlias = Annotated[
+    Rig | str | Path, MadeBy("jounce.parts.options:rig_alone", "jounce.parts.options:rig_in_python")
+]
+"""A rig, its file or its name in the library, without changes."""
 MaybeRig: TypeAlias = Annotated[
     Rig | str | Path | None, MadeBy("jounce.parts.options:chosen_vehicle", "jounce.parts.options:vehicle_in_python")
 ]
@@ -40,6 +44,13 @@ def chosen_rig(
     loaded, wanted = load(rig), dict(changes or {})
     refuse_implausible(loaded, wanted)
     return loaded.with_changes(wanted) if wanted else loaded
+
+
+def rig_alone(
+    rig: Annotated[str, File("A rig file, or a name of `jounce library`.", shipped=("parts",))],
+) -> Rig:
+    """Load a rig."""
+    return load(rig)
 
 
 def chosen_vehicle(

@@ -1,0 +1,90 @@
+"""Adjustments as a page: the wheel before and after, what each setting does, and quantities over travel."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from jounce.core.display import DisplayUnit, display_unit
+from jounce.design.adjustments import OVER_TRAVEL, QUANTITIES, shown
+from jounce.plots.display import SMALLEST, number
+from jounce.report.page import Block, Fact, Facts, Findings, Page, Section, Table
+
+if TYPE_CHECKING:
+    from jounce.design.adjustment import Adjustment
+    from jounce.design.adjustments import AdjustReport, WheelState
+
+_NOTHING = 1e-6
+"""Changes per mm, degree or N below which rounding is left of nothing."""
+
+
+def adjustment_page(found: Adjustment, *, title: str) -> Page:
+    """Put what adjustments do to a rig on a page."""
+    report, is_changed = found.report, bool(found.report.settings)
+    states = {"before": report.before, "after": report.after} if is_changed else {"present": report.before}
+    answer: list[Block] = [_states(states)]
+    if not is_changed:
+        answer.append(_effects(report))
+    answer.append(_over_travel(report, is_changed=is_changed))
+    if found.lengths is not None:
+        reached = f"camber {shown(found.lengths.camber, 'rad')}, toe {shown(found.lengths.toe, 'rad')}"
+        answer.append(Facts((Fact("reached", reached),)))
+    if found.findings:
+        answer.append(Findings(found.findings))
+    return Page(title, (Section("Answer", tuple(answer)),))
+
+
+def _cell(value: float | None, si: str, unit: DisplayUnit) -> str:
+    """Write a value (SI); what rounding leaves of nothing is nothing."""
+    settled = 0.0 if value is not None and abs(value) < SMALLEST.get(si, 0.0) else value
+    return number(None if settled is None else settled * unit.factor)
+
+
+def _states(states: dict[str, WheelState]) -> Table:
+    rows = []
+    for name, si in QUANTITIES.items():
+        unit = display_unit(si)
+        values = (getattr(state, name) for state in states.values())
+        rows.append((name.replace("_", " "), unit.name or "–", *(_cell(value, si, unit) for value in values)))
+    return Table("The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states))
+
+
+def _effects(report: AdjustReport) -> Table:
+    """Write what each setting changes at both ends of its range, and per mm, degree or N."""
+    units = {name: display_unit(si) for name, si in QUANTITIES.items()}
+    rows: list[tuple[str, ...]] = []
+    for effect in report.effects:
+        own = display_unit(effect.unit)
+        rows.append((effect.setting, *([""] * len(units))))
+        for value, state in ((effect.lowest, effect.at_lowest), (effect.highest, effect.at_highest)):
+            cells = (_cell(getattr(state, name, None), QUANTITIES[name], unit) for name, unit in units.items())
+            rows.append((f"    {value * own.factor:.4g} {own.name}", *cells))
+        slopes = (_slope(effect.per_unit[name], unit.factor / own.factor) for name, unit in units.items())
+        rows.append((f"    per {own.name}", *slopes))
+    header = ("setting", *(unit.label(name.replace("_", " ")) for name, unit in units.items()))
+    caption = "Effect of each setting: at both ends of its range, and per unit"
+    return Table(caption, header, tuple(rows), "l" + "r" * len(units))
+
+
+def _slope(value: float | None, factor: float) -> str:
+    """Write a change per unit; what rounding leaves of nothing is nothing."""
+    shown_value = None if value is None else value * factor
+    return number(0.0 if shown_value is not None and abs(shown_value) < _NOTHING else shown_value)
+
+
+def _over_travel(report: AdjustReport, *, is_changed: bool) -> Table:
+    """Write quantities over travel, each before and after."""
+    found, along = report.over_travel, display_unit("m")
+    when = ("before", "after") if is_changed else ("",)
+    rows = tuple(row for name in found.before for row in _rows(report, name, when))
+    places = (f"{travel * along.factor:.4g} {along.name}" for travel in found.travel)
+    caption = "Over wheel travel, bump positive"
+    return Table(caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(found.travel))
+
+
+def _rows(report: AdjustReport, name: str, when: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    si = OVER_TRAVEL[name]
+    unit = display_unit(si)
+    for label, values in zip(when, (report.over_travel.before, report.over_travel.after), strict=False):
+        words = ("", "") if label == "after" else (name.replace("_", " "), unit.name or "–")
+        yield (*words, label, *(_cell(value, si, unit) for value in values[name]))
