@@ -172,7 +172,7 @@ def belt_speed(drive: BenchDrive, inverter_frequency: float) -> BeltSpeed:
 
 
 def inverter_frequency_for(drive: BenchDrive, speed: float) -> float:
-    """Give the inverter frequency [Hz] at which the belt runs at ``speed`` [m/s].
+    """Return the inverter frequency [Hz] at which the belt runs at ``speed`` [m/s].
 
     Examples
     --------
@@ -508,7 +508,7 @@ class BeltSpeeds(Plain):
         return _together(self.inverter, self.photo_sensor)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         both = {"inverter": _without_findings(self.inverter), "photo_sensor": _without_findings(self.photo_sensor)}
         return {"speed": self.speed, **both, "findings": to_plain(self.findings)}
 
@@ -623,7 +623,7 @@ class DriveAssessment(Plain):
         return _together(self.margin, self.attainable)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         margin, attainable = _without_findings(self.margin) or {}, _without_findings(self.attainable)
         return {**margin, "attainable": attainable, "findings": to_plain(self.findings)}
 
@@ -686,7 +686,7 @@ def assess_drive(
 
 
 def _without_findings(result: Any) -> dict[str, Any] | None:
-    """Give a part of a result as plain data; findings are listed once for the whole."""
+    """Return a part of a result as plain data; findings are listed once for the whole."""
     return None if result is None else {key: item for key, item in to_plain(result).items() if key != "findings"}
 
 

@@ -19,7 +19,7 @@ Density = Annotated[float, Unit("kg/m^3", above=0.0)]
 
 
 def scaled_mass(mass: float, factor: float, *, density_ratio: float = 1.0) -> float:
-    """Give the mass (kg) of a block whose edges are divided by a factor: mass * density_ratio / factor^3.
+    """Return the mass (kg) of a block whose edges are divided by a factor: mass * density_ratio / factor^3.
 
     ``density_ratio`` is the density of the reduced block over that of the full-size one (1).
 
@@ -199,29 +199,29 @@ def _factor(name: str, factor: float, prototype: float | None, unit: str) -> Sca
 
 def _violations(case: Similitude, frequency: float, density: float) -> tuple[str, ...]:
     """Say what is not similar, where the deviation exceeds five per cent."""
-    found = []
+    violations = []
     if abs(case.mass_factor / case.geometry_factor - 1.0) > 0.05:
-        found.append(
+        violations.append(
             f"two length factors: geometry is reduced by {case.geometry_factor:g}, the edges of the mass by "
             f"{case.mass_factor:g}; one prototype has only one scale."
         )
     by_geometry = scaled_mass(case.reference_mass, case.geometry_factor, density_ratio=density)
     if abs(case.prototype_mass / by_geometry - 1.0) > 0.05:
-        found.append(
+        violations.append(
             f"mass: reduced like the geometry it would be {by_geometry:.3g} kg, built are {case.prototype_mass:.3g} kg."
         )
     similar = case.reference_frequency * math.sqrt(case.geometry_factor)
     if abs(frequency / similar - 1.0) > 0.05:
         rate = (2.0 * math.pi * similar) ** 2 * case.prototype_mass
-        found.append(
+        violations.append(
             f"frequency: body bounce is {frequency:.3g} Hz, {frequency / similar:.2g} times the {similar:.3g} Hz that "
             f"{case.reference_frequency:g} Hz at full size asks for (ride rate {rate:.3g} N/m)."
         )
     deflection = GRAVITY * case.prototype_mass / case.prototype_wheel_rate
     wanted = GRAVITY / (2.0 * math.pi * case.reference_frequency) ** 2 / case.geometry_factor
     if abs(deflection / wanted - 1.0) > 0.05:
-        found.append(
+        violations.append(
             f"static deflection: {1e3 * deflection:.3g} mm at the wheel instead of about {1e3 * wanted:.3g} mm, so "
             "friction, free play and travel weigh otherwise than at full size."
         )
-    return tuple(found)
+    return tuple(violations)

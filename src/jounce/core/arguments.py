@@ -44,7 +44,7 @@ _KINDS = {
 
 
 def guarded(function: Function, name: str) -> Function:
-    """Give a public function whose failures name the argument that does not fit its annotation.
+    """Return a public function whose failures name the argument that does not fit its annotation.
 
     A call that succeeds, an error of ours and an error with fitting arguments are left as they are, so nothing that
     works is refused; only options that are neither True nor False are refused before. The function counts as that of
@@ -107,12 +107,12 @@ def misfit(
 def _hints(function: Callable[..., Any]) -> dict[str, Any]:
     """Annotations of a function or class as types; those whose names cannot be looked up are left out."""
     space = _Names(vars(sys.modules[function.__module__]))
-    found: dict[str, Any] = {}
+    hints: dict[str, Any] = {}
     for name, annotation in inspect.get_annotations(function).items():
         holder = types.SimpleNamespace(__annotations__={name: annotation})
         with suppress(NameError, AttributeError, TypeError):
-            found |= typing.get_type_hints(holder, {}, space)
-    return found
+            hints |= typing.get_type_hints(holder, {}, space)
+    return hints
 
 
 class _Names(dict[str, Any]):
@@ -259,8 +259,8 @@ def _is_number(value: Any, kind: type) -> bool:
 
 def _dimensions(value: Any, usual: int = 1) -> int:
     """Of an array; the usual number for what is none."""
-    found = getattr(value, "ndim", usual)
-    return found if isinstance(found, int) else usual
+    dimensions = getattr(value, "ndim", usual)
+    return dimensions if isinstance(dimensions, int) else usual
 
 
 def _words(hint: Any) -> list[tuple[str, str]]:

@@ -63,7 +63,7 @@ def catalogue_of(package: str) -> Catalogue:
 
 
 def row_of(code: str) -> Row | None:
-    """Give the row of a code such as ``parts.steep_strut``; None where no catalogue has it, as of a newer jounce."""
+    """Return the row of a code such as ``parts.steep_strut``; None for unknown codes, e.g. of a newer jounce."""
     return catalogue_of(_package(code)).rows.get(code.rpartition(".")[2])
 
 

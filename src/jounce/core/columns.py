@@ -88,13 +88,13 @@ class Column:
         return self.fault is not None and (self.fault.what == _BLANK or self.fault.hint == NO_NUMBER)
 
     def readable(self) -> Column:
-        """Give the column itself; raise its fault where it has one."""
+        """Return the column itself; raise its fault where it has one."""
         if self.fault is not None:
             raise self.fault
         return self
 
     def in_si(self, si: str) -> Array:
-        """Give the values in ``si`` (e.g. ``"m"``; ``"1"`` for plain numbers); refuse a missing or unfitting unit."""
+        """Return the values in ``si`` (e.g. ``"m"``; ``"1"`` for plain numbers); refuse a missing or unfitting unit."""
         self.readable()
         if not self.unit and si != "1":
             raise RecordingError(
@@ -105,7 +105,7 @@ class Column:
         return self.scaled(conversion_factor(self.unit, si, where=self.where))
 
     def scaled(self, factor: float) -> Array:
-        """Give the values times a factor; refuse sizes that nothing has: their squares are no numbers any more."""
+        """Return the values times a factor; refuse sizes that nothing has: their squares are no numbers any more."""
         with np.errstate(over="ignore"):
             values = np.asarray(self.readable().values * factor, dtype=float)
             most = float(np.fmax.reduce(np.abs(values), initial=0.0))
@@ -141,16 +141,19 @@ class ColumnTable:
         if isinstance(key, int):
             return self.columns[key].readable()
         by_label = [column for column in self.columns if key in (column.label, column.written)]
-        found = by_label or [column for column in self.columns if key == column.name]
-        if any(other.unit != found[0].unit or not np.array_equal(other.values, found[0].values) for other in found[1:]):
+        matches = by_label or [column for column in self.columns if key == column.name]
+        if any(
+            other.unit != matches[0].unit or not np.array_equal(other.values, matches[0].values)
+            for other in matches[1:]
+        ):
             raise RecordingError(
-                f"{len(found)} columns are named {key!r}",
+                f"{len(matches)} columns are named {key!r}",
                 where=self.file,
-                found=", ".join(column.label for column in found),
+                found=", ".join(column.label for column in matches),
                 hint="Rename or remove all but one of them.",
             )
-        if found:
-            return found[0].readable()
+        if matches:
+            return matches[0].readable()
         raise RecordingError(
             f"no column {key!r}",
             where=self.file,
@@ -659,7 +662,7 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
         return None
     if _OF_DAY.fullmatch(cells[0]):
         times = [_OF_DAY.fullmatch(cell) for cell in cells]
-        parts = [one.groups() for one in times if one is not None]
+        parts = [time.groups() for time in times if time is not None]
         if len(parts) < len(cells) or any(int(h) > 24 or int(m) > 59 for _, h, m, _ in parts):
             return None
         seconds = np.array([_DAY * int(d or 0) + 3600 * int(h) + 60 * int(m) for d, h, m, _ in parts], dtype=float)
@@ -670,7 +673,7 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     if not _OF_CALENDAR.fullmatch(cells[0]):
         return None
     instants = [_OF_CALENDAR.fullmatch(cell) for cell in cells]
-    told = [one.groups(default="") for one in instants if one is not None]
+    told = [instant.groups(default="") for instant in instants if instant is not None]
     has_zone = {bool(utc or hours) for _, _, utc, hours, _ in told}
     if len(told) < len(cells) or len(has_zone) > 1:
         return None

@@ -89,7 +89,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return DescriptionError("descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Give a copy; a field that does not exist or a value of another kind is read as that of a new description."""
+        """Return a copy; unknown fields and values of another kind are treated as those of a new description."""
         kinds = type(self).model_fields
         if all(name in kinds and fits(value, kinds[name].annotation) for name, value in (update or {}).items()):
             return super().model_copy(update=update, deep=deep)
@@ -136,7 +136,7 @@ def description_text(path: Path | str) -> str:
 
 
 def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
-    """Read a TOML file; give its table and its text. What is missing, empty or not TOML (with the line) is refused."""
+    """Read a TOML file; return its table and text. Refuse a missing or empty file, and invalid TOML with its line."""
     file = existing_file(path)
     try:
         text = description_text(file)
@@ -201,22 +201,22 @@ _SCHEMA = re.compile(r"""^[ \t]*(["']?)schema\1[ \t]*=[ \t]*(["'])(?P<name>.*?)\
 
 
 def schema_told(path: Path) -> str:
-    """Give the schema that a file of TOML names, empty where it names none: also of one that is not sound yet."""
+    """Return the schema that a file of TOML names, empty where it names none: also of one that is not sound yet."""
     if path.suffix != ".toml" or not path.is_file():
         return ""
-    found = _SCHEMA.search(path.read_text(encoding="utf-8", errors="replace"))
-    return found["name"] if found else ""
+    result = _SCHEMA.search(path.read_text(encoding="utf-8", errors="replace"))
+    return result["name"] if result else ""
 
 
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
-    """Give the kind and version of a file; refuse others than the expected ones."""
-    found = table.get("schema")
-    if found in expected:
-        return str(found)
+    """Return the kind and version of a file; refuse others than the expected ones."""
+    schema = table.get("schema")
+    if schema in expected:
+        return str(schema)
     raise DescriptionError(
         "the schema line is missing or another one",
         where=where,
-        found=found,
+        found=schema,
         allowed=" or ".join(f'schema = "{name}"' for name in expected),
         hint="Is this the right kind of file?",
     )
@@ -365,18 +365,18 @@ def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tup
     if item["type"] == "union_tag_invalid":
         tags = [tag.strip(" '") for tag in item["ctx"]["expected_tags"].split(",")]
         named = item["ctx"]["discriminator"].strip("'")
-        key, found = "kind" if named.endswith("()") else named, item["ctx"]["tag"]
-        return start, f"unknown {key} {shown(found)}; allowed: {', '.join(tags)}. {nearest(found, tags)}".rstrip()
+        key, tag = "kind" if named.endswith("()") else named, item["ctx"]["tag"]
+        return start, f"unknown {key} {shown(tag)}; allowed: {', '.join(tags)}. {nearest(tag, tags)}".rstrip()
     if item["type"] == "union_tag_not_found":
         return start, f"the key {item['ctx']['discriminator']} is missing; it says what this is"
     if item["type"] in ("physical_value", "out_of_range", "misplaced"):
         return start, f"{item['msg']}".rstrip()
     message = item["msg"].removeprefix("Value error, ")
-    found = "" if item["type"] == "value_error" else f"; found {shown(item['input'])}"
+    value = "" if item["type"] == "value_error" else f"; found {shown(item['input'])}"
     if item["type"] == "literal_error" and isinstance(item["input"], str):
         hint = nearest(item["input"], re.findall(r"'([^']*)'", item["ctx"]["expected"]))
-        found += f". {hint}" if hint else ""
-    return start, f"{message[0].lower()}{message[1:]}{found}"
+        value += f". {hint}" if hint else ""
+    return start, f"{message[0].lower()}{message[1:]}{value}"
 
 
 def _walked(kind: type[BaseModel], loc: tuple[str | int, ...]) -> tuple[tuple[str | int, ...], list[type[BaseModel]]]:
@@ -413,4 +413,4 @@ def _models_of(annotation: Any) -> list[type[BaseModel]]:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         family = vars(annotation).get("kinds")
         return [*family.values()] if isinstance(family, Kinds) else [annotation]
-    return [found for part in getattr(annotation, "__args__", ()) for found in _models_of(part)]
+    return [models for part in getattr(annotation, "__args__", ()) for models in _models_of(part)]

@@ -34,11 +34,11 @@ class DisplayUnit:
     factor: float
 
     def label(self, words: str) -> str:
-        """Give an axis label such as ``displacement [mm]``; plain numbers carry ``[–]``."""
+        """Return an axis label such as ``displacement [mm]``; plain numbers carry ``[–]``."""
         return f"{words} [{self.name or '–'}]"
 
     def behind(self, number: str) -> str:
-        """Give a number with its unit: ``22 N/mm``, but ``26°``."""
+        """Return a number with its unit: ``22 N/mm``, but ``26°``."""
         return f"{number}{'' if self.name == '°' else ' '}{self.name}".strip()
 
 

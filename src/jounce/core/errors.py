@@ -39,8 +39,8 @@ class JounceError(Exception):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Go to another process as text and facts, whatever the constructor of a subclass takes."""
-        found = self.found if isinstance(self.found, (str, int, float, type(None))) else shown(self.found)
-        return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": found}  # type: ignore[attr-defined]
+        plain = self.found if isinstance(self.found, (str, int, float, type(None))) else shown(self.found)
+        return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
     def _text(self) -> str:
         what = shortened(self.what, _LONGEST)
@@ -161,7 +161,7 @@ def reason(error: Exception) -> str:
     Raises
     ------
     ResourceError
-        Where the system lacks something: it would be wrong of all others, too, and is no reason to leave this one out.
+        If the system lacks something: it would be wrong of all others, too, and is no reason to leave this one out.
     """
     if is_of_system(error):
         raise resource_error(error) from error
@@ -169,7 +169,7 @@ def reason(error: Exception) -> str:
 
 
 def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:
-    """The error itself where it is one of ours, otherwise what is told of it where the work goes on without the file.
+    """The error itself if it is one of jounce, otherwise the report of it when work continues without the file.
 
     >>> str(unforeseen(KeyError("x"), "a.mat"))
     "a.mat: this cannot be used, for a reason that was not foreseen (KeyError: 'x'). Please report it with the file."

@@ -15,7 +15,7 @@ from jounce.core.errors import DescriptionError, DiskError, JounceError, is_of_s
 
 
 def existing_file(path: Path | str, error: type[JounceError] = DescriptionError) -> Path:
-    """Give the path of a file; where there is none, the error says so."""
+    """Return the path of a file; where there is none, the error says so."""
     file = Path(path)
     root = _ROOT.get() or _ALWAYS.get("root")
     if root is not None and not _lies_in(file, root):
@@ -89,15 +89,15 @@ def state_of(file: Path) -> State:
     Dates of content can be set, and clocks stand still or jump; the system's own date of the last change, and which
     file it is, tell what they do not.
     """
-    found = file.stat()
-    return found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
+    state = file.stat()
+    return state.st_ino, state.st_size, state.st_mtime_ns, state.st_ctime_ns
 
 
 _LARGEST = 1_000_000_000  # bytes
 
 
 def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *, most: int = _LARGEST) -> bytes:
-    """Give what a regular file of ``most`` bytes holds.
+    """Return what a regular file of ``most`` bytes holds.
 
     It is opened before it is looked at: a pipe keeps nobody waiting.
     """

@@ -27,7 +27,7 @@ def leave(number: int, _: FrameType | None) -> NoReturn:
 
 
 def signal_of(error: BaseException) -> int:
-    """Give the number of the signal that an interrupt is the answer to."""
+    """Return the number of the signal that an interrupt is the answer to."""
     return next((number for number in error.args if number in _SIGNALS), signal.SIGINT)
 
 

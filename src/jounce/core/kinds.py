@@ -98,7 +98,7 @@ class Kinds(Rows[type[Any]]):
         return self._adapter[1]
 
     def core_schema(self, base: type[BaseModel]) -> CoreSchema:
-        """How a field of the base's type is read: a member as it is, a table by its ``key``."""
+        """How a field of the base's type is read: a member unchanged, a table by its ``key``."""
 
         def read(value: object) -> object:
             return value if isinstance(value, base) else self.adapter().validate_python(value)

@@ -32,7 +32,7 @@ def require(module: str, extra: str) -> ModuleType:
 
 
 def how_to_install(extra: str) -> str:
-    """Give the command that brings an extra: of the folder that jounce was installed from, else package by package.
+    """Return the command that installs an extra: from the folder jounce was installed from, else package by package.
 
     An index need not have jounce, and may have something else of that name.
     """

@@ -20,14 +20,14 @@ class ForeignError(OSError):
 
 
 def read_own(file: Path) -> bytes:
-    """Give what a file holds.
+    """Return what a file holds.
 
     Raises
     ------
     ForeignError
         Where another user could have written it.
     OSError
-        Where there is no such regular file that can be read.
+        If there is no such regular file that can be read.
     """
     place = _walked(file)
     # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
@@ -48,7 +48,7 @@ def own_folder(folder: Path) -> Path:
     ForeignError
         Where somebody else can.
     OSError
-        Where it cannot be made.
+        If it cannot be made.
     """
     for one in (*reversed(folder.parents), folder):
         one.mkdir(mode=0o755, exist_ok=True)  # whatever the mask is
@@ -123,7 +123,7 @@ def _is_private(group: int, user: int) -> bool:
     import pwd
 
     try:
-        found, owner = grp.getgrgid(group), pwd.getpwuid(user)
+        private, owner = grp.getgrgid(group), pwd.getpwuid(user)
     except KeyError:
         return False
-    return found.gr_name == owner.pw_name and owner.pw_gid == group and set(found.gr_mem) <= {owner.pw_name}
+    return private.gr_name == owner.pw_name and owner.pw_gid == group and set(private.gr_mem) <= {owner.pw_name}

@@ -75,7 +75,7 @@ class Recent(Generic[Found]):
         self._own, self._kept = own, OrderedDict[Hashable, Found]()
 
     def of(self, key: Hashable, make: Callable[[], Found]) -> Found:
-        """Give what belongs to a key; where several threads want it, the first makes it and the others wait."""
+        """Return what belongs to a key; where several threads want it, the first makes it and the others wait."""
         value = self._recall(key)
         if value is _NOTHING:
             with turn((id(self), key)):

@@ -96,7 +96,7 @@ def _words(value: Any) -> str:
 
 
 def marks_of(kind: Any) -> Mapping[str, Shows]:
-    """Give the marks of a class and of those it inherits from: of its fields, then of its properties."""
+    """Return the marks of a class and of those it inherits from: of its fields, then of its properties."""
     return _marks(kind)
 
 
@@ -153,7 +153,7 @@ class _Unknown(metaclass=_Unknowns):
 
 
 def fields_of(result: Any, *names: str) -> list[ResultField]:
-    """Give the marked fields of a result, or those that are named, with their values.
+    """Return the marked fields of a result, or those that are named, with their values.
 
     Examples
     --------

@@ -14,7 +14,7 @@ from jounce.core.units import conversion_factor, to_si
 
 
 def as_samples(values: object, si: str = "", *, where: str, error: type[JounceError] = RecordingError) -> Array:
-    """Give numbers of any library as an array of floats in ``si``; without it, in the unit that they have.
+    """Return numbers of any library as an array of floats in ``si``; without it, in the unit that they have.
 
     Bare numbers are in ``si``. A unit that the values carry is converted: that of a quantity (Pint, Astropy), or the
     attribute ``units`` (xarray, netCDF). Durations become seconds, instants seconds since the first one. An ``error``
@@ -32,7 +32,7 @@ def as_samples(values: object, si: str = "", *, where: str, error: type[JounceEr
 
 
 def as_values(values: object, si: str, *, where: str) -> Array:
-    """Give values in ``si``, shape (n,) for n of them: an array as above, or numbers and texts with units in a list.
+    """Return values in ``si``, shape (n,) for n of them: an array as above, or numbers and texts with units in a list.
 
     >>> as_values(["-4 cm", 0.0, "40 mm"], "m", where="travel").tolist()
     [-0.04, 0.0, 0.04]
@@ -48,7 +48,7 @@ def as_values(values: object, si: str, *, where: str) -> Array:
 
 
 def listed(values: object) -> object:
-    """Give an array or a column of any library as a list of numbers, or texts with its unit; other things as they are.
+    """Return an array or column of any library as a list of numbers, or texts with its unit; other objects unchanged.
 
     >>> listed(np.array([0, 500], "m8[ms]"))
     ['0.0 s', '0.5 s']

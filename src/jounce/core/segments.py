@@ -66,11 +66,11 @@ class Segments:
         return float(np.max(np.abs(self.coefficients[self.kind == SINE, 2]) * self.rate, initial=0.0))
 
     def in_time(self, speed: float) -> Segments:
-        """Give the same heights against time for a constant ``speed`` in m/s."""
+        """Return the same heights against time for a constant ``speed`` in m/s."""
         return replace(self, edges=self.edges / speed, rate=self.rate * speed)
 
     def times(self, factor: float) -> Segments:
-        """Give the same pieces with heights multiplied by a factor (1)."""
+        """Return the same pieces with heights multiplied by a factor (1)."""
         if factor == 1.0:
             return self
         scaled = {POLYNOMIAL: (0, 1, 2, 3), SINE: (0, 1), CIRCLE: (0, 3)}
@@ -110,7 +110,7 @@ class Segments:
         return np.asarray(self.on_pieces(pieces[1:], inner)[0] - self.on_pieces(pieces[:-1], inner)[0])
 
     def with_ramps(self, shortest: float) -> Segments:
-        """Give the same signal with a ramp just before each jump, no shorter than ``shortest`` (the unit of ``x``).
+        """Return the same signal with a ramp just before each jump, no shorter than ``shortest`` (the unit of ``x``).
 
         What follows the rate of the signal, as the damper of a tyre does, gets the blow of the jump from it, over 1e-5
         of its height.
@@ -133,7 +133,7 @@ class Segments:
         )
 
     def with_finite_slopes(self) -> Segments:
-        """Give the same signal with a short chord wherever a circle begins or ends upright.
+        """Return the same signal with a short chord wherever a circle begins or ends upright.
 
         The slope of a circle is infinite there; a damper that sees it gets the same impulse from the chord, over
         1e-5 of the radius.

@@ -34,7 +34,7 @@ class Plain(Shown):
     also: ClassVar[tuple[str, ...]] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         fields = (field.name for field in dataclasses.fields(cast("Any", self)))
         names = [*(name for name in fields if name not in self.left_out), *self.also]
         return plain_table({name: getattr(self, name) for name in names})

@@ -55,5 +55,5 @@ def meant(name: str, options: Iterable[str]) -> str:
     """
     spelt = {option.lower(): option for option in options}
     near = difflib.get_close_matches(name.lower()[:100], spelt, n=1, cutoff=0.6)
-    found = SYNONYMS.get(name.lower()) or [spelt[one] for one in near]
-    return f"Did you mean {' or '.join(map(repr, found))}?" if found else ""
+    result = SYNONYMS.get(name.lower()) or [spelt[one] for one in near]
+    return f"Did you mean {' or '.join(map(repr, result))}?" if result else ""

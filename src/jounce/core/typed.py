@@ -40,7 +40,7 @@ def _plausible(text: str, unit: str, where: str, most: float | None) -> str | fl
 
 
 def bare_number(text: str) -> str | float:
-    """Give the number when the text is one, otherwise the text."""
+    """Return the number when the text is one, otherwise the text."""
     try:
         return float(text)
     except ValueError:

@@ -79,11 +79,11 @@ def _parsed(unit: str) -> Any:
     if not plain or not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
         raise ValueError(f"{unit[:_LONGEST_UNIT]!r} is not a unit")
     try:
-        found = _registry().Unit(plain)
-        _registry().Quantity(1.0, found).to_root_units()
+        result = _registry().Unit(plain)
+        _registry().Quantity(1.0, result).to_root_units()
     except Exception as error:
         raise ValueError(f"{unit!r} is not a unit") from error
-    return found
+    return result
 
 
 @lru_cache(maxsize=20_000)  # the library takes half a millisecond to find that a word is no unit
@@ -183,7 +183,7 @@ def _has_dimensions(unit: Any) -> bool:
 
 
 def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
-    """Give the SI value of one ``unit``, in ``si`` (``"1"``: a plain number).
+    """Return the SI value of one ``unit``, in ``si`` (``"1"``: a plain number).
 
     The unit is as the user writes it, e.g. ``"mm"``, ``"N*s/m"``, or ``"g"`` for standard gravity where ``si`` is
     m/s^2 (``"mg"`` and ``"milli-g"``: a thousandth of it). Spellings of test benches are read, too: ``m/s2``, ``Nm``,
@@ -223,7 +223,7 @@ def base_units(si: str) -> dict[str, int]:
 
 
 def as_number(value: object, si: str, *, where: str = "") -> float:
-    """Give a number of any library, or a text with its unit, as a float in ``si``; NaN is for the caller to judge.
+    """Return a number of any library, or a text with its unit, as a float in ``si``; NaN is for the caller to judge.
 
     A DescriptionError at the place ``where`` refuses all else.
 

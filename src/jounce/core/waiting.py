@@ -1,7 +1,7 @@
-"""Work that takes long once, such as compiling, is told while it goes on: nobody should have to guess.
+"""Work that takes long once, such as compiling, is reported while it goes on: nobody should have to guess.
 
 Whoever shows progress listens (`heard_by`); where nobody does, the logger ``jounce`` warns, which Python prints on
-stderr unless it is told otherwise: ``logging.getLogger("jounce").setLevel("ERROR")`` keeps it silent.
+stderr unless it is reported otherwise: ``logging.getLogger("jounce").setLevel("ERROR")`` keeps it silent.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class _Teller:
                     self._thread.start()
 
     def end(self, wait: _Wait) -> None:
-        """End a wait: nothing is told of it from here on."""
+        """End a wait: nothing is reported of it from here on."""
         with self._lock, contextlib.suppress(ValueError):  # begun before a fork
             self._waits.remove(wait)
 

@@ -51,7 +51,7 @@ def wrapped(text: str) -> list[str]:
 
 
 def saved(book: Any) -> bytes:
-    """Give a workbook as bytes, without the times at which it was made; places are relative to its own.
+    """Return a workbook as bytes, without the times at which it was made; places are relative to its own.
 
     All of it is made in memory: openpyxl itself writes sheets into files in ``TMPDIR``, does not notice some errors of
     a full disk there, and leaves them where the process is killed.
@@ -92,7 +92,7 @@ def sheets_of(
     most_rows: int = MOST_ROWS,
     most_columns: int | None = None,
 ) -> Iterator[tuple[str, Iterator[tuple[int, list[Any]]]]]:
-    """Give the sheets of a workbook by name, each as its rows with their numbers; ``error`` refuses larger ones.
+    """Return the sheets of a workbook by name, each as its rows with their numbers; ``error`` refuses larger ones.
 
     Rows are as long as what is in them, or all ``most_columns``. Whatever openpyxl raises over a damaged file goes
     through.

@@ -24,7 +24,7 @@ from jounce.core.optional import require
 
 
 def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False) -> Path:
-    """Refuse an output of another suffix, that exists (without ``force``) or whose folder is missing; give the path."""
+    """Return the path of an output; refuse another suffix, an existing file (without ``force``), a missing folder."""
     file = Path(path)
     if file.exists() and not file.is_file() and not file.is_dir():
         hint = "Write a file and read it from there; what a command prints with --json goes to pipes."
@@ -68,14 +68,14 @@ class Formats:
     needs: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     def check(self, path: Path | str, *, force: bool = False) -> Path:
-        """Refuse, before the work, a file that could not be written after it; give the path."""
+        """Refuse, before the work, a file that could not be written after it; return the path."""
         file = check_writable(path, what=self.what, suffixes=tuple(self.writers), force=force)
         if file.suffix.lower() in self.needs:
             require(*self.needs[file.suffix.lower()])
         return file
 
     def write(self, result: Any, path: Path | str, *, force: bool = False) -> Path:
-        """Write a result in the format that the suffix names; give the path."""
+        """Write a result in the format that the suffix names; return the path."""
         file = self.check(path, force=force)
         with replacing(file, force=force) as temporary:
             self.writers[file.suffix.lower()](result, temporary)
@@ -84,7 +84,7 @@ class Formats:
 
 @contextmanager
 def replacing(file: Path, *, force: bool = True, most: int = 0o777, lasting: bool = True) -> Iterator[Path]:
-    """Give a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
+    """Return a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
 
     Without ``force`` a file that another process has written there meanwhile stays, and is an error.
     A file that is replaced keeps its mode, without what ``most`` does not allow. A ``lasting`` one is on the disk
@@ -116,7 +116,7 @@ def _write_through(file: Path) -> None:
 
 
 def _put(temporary: Path, file: Path) -> None:
-    """Give a file its name where there is none of it, which only a link is sure to find out."""
+    """Name a file unless the name exists, which only a link tests safely."""
     try:
         os.link(temporary, file)
     except FileExistsError:
@@ -191,7 +191,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
     Raises
     ------
     OutputError
-        When one of the files exists, without ``force``; for a file where a folder is to be and the reverse; for a name
+        If one of the files exists, without ``force``; for a file where a folder is to be and the reverse; for a name
         that leads out of the folder; for a disk that is full or refuses. Then nothing is changed.
 
     Examples
@@ -232,7 +232,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
 
 
 def resolved(path: Path | str, *, home: bool = False) -> Path:
-    """Give a path in full, without links; with ``home`` its ``~`` is that of a user. What is no path is refused."""
+    """Return a path in full, without links; with ``home`` its ``~`` is that of a user. What is no path is refused."""
     try:
         place = (Path(path).expanduser() if home else Path(path)).resolve()
         # Python 3.13 leaves it, older ones raise; a name that is too long is no link.
@@ -245,7 +245,7 @@ def resolved(path: Path | str, *, home: bool = False) -> Path:
 
 
 def check_folder(out: Path | str, *, force: bool = False) -> Path:
-    """Refuse a folder that holds something (without ``force``), or that a file stands in the way of; give its path."""
+    """Return the path of a folder; refuse one that is not empty (without ``force``), or a file of that name."""
     folder = resolved(out, home=True)
     with _told(folder, "the folder cannot be written"):
         if folder.exists() and not folder.is_dir():
@@ -362,7 +362,7 @@ def is_empty(folder: Path) -> bool:
 
 @contextmanager
 def working_folder() -> Iterator[Path]:
-    """Give a folder for this process alone, which goes when the block ends; what killed processes left goes, too."""
+    """Return a folder for this process alone, which goes when the block ends; what killed processes left goes, too."""
     folder = lasting_folder()
     try:
         yield folder
@@ -376,7 +376,7 @@ def working_folder() -> Iterator[Path]:
 
 
 def lasting_folder() -> Path:
-    """Give a folder for what other programs open, which outlasts this process: the next one that needs one removes it.
+    """Return a folder for files that other programs open; it outlasts this process, and the next user removes it.
 
     >>> lasting_folder().name.startswith(".jounce-")
     True
@@ -399,7 +399,7 @@ def _own_prefix() -> str:
 
 @cache
 def _machine() -> str:
-    """What numbers of processes are told apart by: the machine and, on Linux, the container."""
+    """What numbers of processes are reported apart by: the machine and, on Linux, the container."""
     inside = 0
     with contextlib.suppress(OSError):
         inside = Path("/proc/self/ns/pid").stat().st_ino

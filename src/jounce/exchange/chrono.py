@@ -203,8 +203,8 @@ class _Writing:
         return whole | {"Inertia": np.diag(tensor), "Products of Inertia": products}
 
     def _body(self, name: str) -> RigidBody | None:
-        found: RigidBody | None = self.rig.body_masses().get(name)
-        return found
+        body: RigidBody | None = self.rig.body_masses().get(name)
+        return body
 
     def _arm(self, name: str, section: str) -> dict[str, Any]:
         body = self._body(name)
@@ -334,11 +334,11 @@ class _Writing:
     def _spring(self) -> dict[str, Any]:
         strut, spring = self.rig.strut, self.rig.strut.spring
         design = self.rig.hardpoints.length("spring")
-        found: dict[str, Any]
+        result: dict[str, Any]
         if spring.rate is not None:
             preload = spring.preload or 0.0
             free = spring.free_length if spring.free_length is not None else design + preload / spring.rate
-            found = {"Spring Coefficient": spring.rate, "Free Length": free}
+            result = {"Spring Coefficient": spring.rate, "Free Length": free}
         else:
             curve = spring.curve
             assert curve is not None
@@ -347,11 +347,11 @@ class _Writing:
                 self._say("strut.spring", "its curve is written as a table of every 5 mm.")
             force = np.array([force_at(curve, x) for x in compressed]) + (spring.preload or 0.0)
             free = design if spring.free_length is None else spring.free_length
-            found = {"Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]), "Free Length": free}
+            result = {"Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]), "Free Length": free}
         gaps = {name: getattr(strut, name) for name in ("bump_stop", "rebound_stop")}
         if all(gaps.values()):
-            found["Minimum Length"] = design - gaps["bump_stop"].gap
-            found["Maximum Length"] = design + gaps["rebound_stop"].gap
+            result["Minimum Length"] = design - gaps["bump_stop"].gap
+            result["Maximum Length"] = design + gaps["rebound_stop"].gap
         for name, stop in gaps.items():
             if stop is None:
                 continue
@@ -359,7 +359,7 @@ class _Writing:
                 self._say(f"strut.{name}", "it is left out: Chrono has both stops or none.")
             elif not np.allclose((stop.rate, stop.progression), (STOP_RATE, STOP_PROGRESSION)):
                 self._say(f"strut.{name}", "Chrono's stop has a law of its own: 100 N/mm and rising.")
-        return found
+        return result
 
     def _damper(self) -> dict[str, Any]:
         damper = self.rig.strut.damper

@@ -157,7 +157,7 @@ _END = """#ifdef __cplusplus
 
 
 def equations(rig: Rig) -> Equations:
-    """Give the equations of motion that :func:`jounce.simulate` integrates, as symbols.
+    """Return the equations of motion that :func:`jounce.simulate` integrates, as symbols.
 
     Parameters
     ----------

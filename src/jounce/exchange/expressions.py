@@ -70,8 +70,8 @@ def written(function: ca.Function, names: Sequence[Sequence[str]], language: Lan
             part = name, _ATOM
         parts.append(part)
     zero = language.number(0.0)
-    found = tuple(tuple(parts[i][0] if i >= 0 else zero for i in row) for row in results)
-    return Written(tuple(definitions), found)
+    result = tuple(tuple(parts[i][0] if i >= 0 else zero for i in row) for row in results)
+    return Written(tuple(definitions), result)
 
 
 def _nodes(

@@ -19,15 +19,15 @@ from jounce.mechanics.facts import Equation
 from jounce.mechanics.model import Model
 
 _ITERATIONS = 100
-_CLOSED = 1e-12  # m or rad
-_HELD = (0.0, 1e-3)  # how much a given coordinate gives way against the others: not at all, else little
-_DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one repeats others
-_NO_SLOPE = 1e-12  # m, 1: of an equation that says nothing here
-_FIRM = 1e-2  # singular value above which equations without those that repeat them are as good as others
-_PART = 1e-6  # share of an equation in a dependence that is worth naming
-_NUDGE = 1e-3  # m or rad, to tell a singular pose from equations that repeat each other everywhere
-_MOVED = 1e-9
-_KEPT = 1e-10  # what the loops may still open by a second, relative to the speeds
+_CLOSED = 1e-12  # m or rad: rounding of places of a few metres
+_HELD = (0.0, 1e-3)  # compliance of a given coordinate relative to the others: fixed, otherwise stiff
+_DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one is redundant
+_NO_SLOPE = 1e-12  # m, 1: slope of an equation without effect in this pose
+_FIRM = 1e-2  # singular value above which equations without their redundant ones are well conditioned
+_PART = 1e-6  # share of an equation in a dependence from which it is named
+_NUDGE = 1e-3  # m or rad: a singular pose differs from equations that are redundant everywhere by this much motion
+_MOVED = 1e-9  # m or rad, beyond which a change of a coordinate is reported
+_KEPT = 1e-10  # rate at which the loops may still open, relative to the speeds
 
 _Groups = tuple[tuple[Equation, ...], ...]
 """Loop equations of which one in each group follows from the others."""
@@ -35,14 +35,14 @@ _Groups = tuple[tuple[Equation, ...], ...]
 
 @dataclass(frozen=True)
 class Displacement:
-    """A coordinate, or a speed that was given, that assembly changed.
+    """A coordinate, or a given speed, that assembly changed.
 
     Attributes
     ----------
     coordinate : str
         Its name.
     before, after : float
-        What it was and what it is, m or rad, m/s or rad/s.
+        Value before and after, m or rad, m/s or rad/s.
     """
 
     coordinate: str
@@ -74,7 +74,7 @@ class Assembly:
 
 @remembered
 def _loops_of(model: Model) -> ca.Function:
-    """Loop equations of a model, and what :meth:`Evaluator.at` gives beside them."""
+    """Loop equations of a model, and the other results of :meth:`Evaluator.at`."""
     n_q, n_v = model.facts.counts
     q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
     kinematics = ca.jacobian(model.rate[:n_q], v)
@@ -101,10 +101,10 @@ class Evaluator:
 
     def moved(self, x: Array, displacement: Array) -> Array:
         """States after a small displacement; quaternions have length one again."""
-        found = x.copy()
-        found[: self.n_q] += self.at(x)[2] @ displacement
-        _normalise(self.model, found)
-        return found
+        result = x.copy()
+        result[: self.n_q] += self.at(x)[2] @ displacement
+        _normalise(self.model, result)
+        return result
 
 
 def assemble(
@@ -127,7 +127,7 @@ def assemble(
         Coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit, as far as they are known; those
         given move least. A quaternion is taken at length one.
     redundant : {"refuse", "keep"}
-        What to do about loop equations that repeat each other.
+        Treatment of redundant loop equations.
 
     Returns
     -------
@@ -137,7 +137,7 @@ def assemble(
     Raises
     ------
     AssemblyError
-        When the loops cannot be closed, repeat each other, or are singular in this pose: with names.
+        If the loops cannot be closed, repeat each other, or are singular in this pose: with names.
     """
     if redundant not in ("refuse", "keep"):
         raise unknown(redundant, ("refuse", "keep"), what="choice", where="redundant")
@@ -171,7 +171,7 @@ def _given(model: Model, start: Mapping[str, float | str]) -> dict[str, float]:
 
 
 def _normalise(model: Model, x: Array) -> None:
-    """Give all quaternions of a state length one, in place."""
+    """Normalise all quaternions of a state, in place."""
     for joint, i in model.quaternions.items():
         length = np.linalg.norm(x[i : i + 4])
         if not length > 0.0:
@@ -180,14 +180,14 @@ def _normalise(model: Model, x: Array) -> None:
 
 
 def orientation(joint: str, axis: Sequence[float], angle: float | str) -> dict[str, float]:
-    """Give the start of a spherical joint or a free body that is turned out of its design pose, as a quaternion.
+    """Return the start of a rotated spherical joint or free body as a quaternion.
 
     Parameters
     ----------
     joint : str
         Its name.
     axis : sequence of float, shape (3,)
-        What it is turned about, in the ground's axes, of any length (1).
+        Axis of the rotation, ground axes, of any length (1).
     angle : float or str
         rad, or text with a unit; right-handed.
 
@@ -199,7 +199,7 @@ def orientation(joint: str, axis: Sequence[float], angle: float | str) -> dict[s
     Raises
     ------
     AssemblyError
-        When the axis is zero.
+        If the axis is zero.
 
     Examples
     --------
@@ -222,9 +222,9 @@ def removable(
     start: Mapping[str, float | str] | None = None,
     known: Iterable[frozenset[str]] = (),
 ) -> frozenset[str]:
-    """Loop equations that can go without loosening anything at a pose; choices ``known`` are taken again if they do.
+    """Loop equations that are redundant at a pose; the choices ``known`` are used again if they still apply.
 
-    Refuses loops that cannot be closed, and singular configurations, where it cannot be told.
+    Refuses loops that cannot be closed, and singular configurations, where redundancy is undecidable.
     """
     from scipy.linalg import qr
 
@@ -247,7 +247,7 @@ def removable(
 
 
 def refuse_singular(model: Model, x: Array, u: Array, p: Array) -> None:
-    """Refuse a closed pose in which loop equations repeat each other that do not a little beside it."""
+    """Refuse a closed pose in which loop equations are redundant that are independent nearby."""
     evaluator = Evaluator(model, p, u)
     groups = _dependences(evaluator.at(x)[1], model.equations) if model.constraints else ()
     if groups and _is_singular_here_only(evaluator, x, len(groups)):
@@ -255,7 +255,7 @@ def refuse_singular(model: Model, x: Array, u: Array, p: Array) -> None:
 
 
 def _closed_near(evaluator: Evaluator, first: Array, given: Mapping[str, float]) -> tuple[Array, tuple[Array, ...]]:
-    """Close the loops with the given coordinates kept, or if that cannot be, changed little; how each gives way."""
+    """Close the loops with the given coordinates fixed or, if impossible, slightly changed; return also compliances."""
     weights = tuple(_weights(evaluator.model, given, held) for held in _HELD)
     try:
         return close_loops(evaluator, first, weights[0]), weights
@@ -264,7 +264,7 @@ def _closed_near(evaluator: Evaluator, first: Array, given: Mapping[str, float])
 
 
 def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
-    """How easily the motion of each speed gives way; ``held`` for given coordinates and speeds."""
+    """Compliance of the motion of each speed; ``held`` for given coordinates and speeds."""
     n_q, n_v = model.facts.counts
     weights = np.ones(n_v)
     slope = ca.Function("slope", [model.x], [ca.jacobian(model.rate[:n_q], model.x[n_q : n_q + n_v])])
@@ -311,7 +311,7 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
 
 
 def _open(model: Model, value: Array) -> AssemblyError:
-    """Say which loops stay open, the widest first."""
+    """Error that names the open loops, the widest first."""
     order = np.argsort(-np.abs(value))
     worst = [model.equations[i] for i in order if abs(value[i]) > 0.05 * abs(value[order[0]])][:6]
     joints = list(dict.fromkeys(equation.joint for equation in worst))
@@ -327,7 +327,7 @@ def _open(model: Model, value: Array) -> AssemblyError:
 
 
 def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
-    """How far a joint stays open, by units and values: a distance, else an angle, else what is left of its equation."""
+    """Gap of an open joint, by units and values: a distance, else an angle, else the residual of its equation."""
     place, turn = (float(np.linalg.norm([value for own, value in rows if own == unit])) for unit in ("m", "rad"))
     if place > 0.05 * turn:
         return f"{joint} stays open by {place:.4g} m"
@@ -403,7 +403,7 @@ def _count(groups: _Groups, what: str) -> str:
 
 
 def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> bool:
-    """Whether the equations are independent a little farther along each way the mechanism may move."""
+    """Whether the equations become independent a little farther along each motion of the mechanism."""
     _, slope, _, _ = evaluator.at(pose)
     for motion in motions_left(slope).T:
         for way in (_NUDGE, -_NUDGE):
@@ -412,7 +412,7 @@ def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> boo
             except AssemblyError:
                 return True
             if np.linalg.norm(near - pose) < 0.1 * _NUDGE:
-                return True  # the loops pull it back: this motion ends where it begins
+                return True  # the loops prevent this motion
             fewer = len(_dependences(evaluator.at(near)[1], evaluator.model.equations))
             if fewer < count:
                 return True
@@ -420,16 +420,16 @@ def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> boo
 
 
 def _with_speeds(evaluator: Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]) -> Array:
-    """Speeds that keep the loops closed, those given kept where that can be."""
+    """Speeds that keep the loops closed, with the given ones unchanged if possible."""
     n_q, n_v = evaluator.n_q, evaluator.n_v
-    found = pose.copy()
+    driven = pose.copy()
     speeds = pose[n_q : n_q + n_v]
     for each in weights:
         change = each * np.linalg.lstsq(slope * each, slope @ speeds + drift, rcond=1e-12)[0]
-        found[n_q : n_q + n_v] = speeds - change
-        if np.max(np.abs(slope @ found[n_q : n_q + n_v] + drift)) < _KEPT * max(1.0, float(np.max(np.abs(speeds)))):
+        driven[n_q : n_q + n_v] = speeds - change
+        if np.max(np.abs(slope @ driven[n_q : n_q + n_v] + drift)) < _KEPT * max(1.0, float(np.max(np.abs(speeds)))):
             break
-    return found
+    return driven
 
 
 def _displacements(model: Model, before: Array, after: Array, given: Iterable[str]) -> tuple[Displacement, ...]:

@@ -1,8 +1,8 @@
-"""Rigid bodies: their mass, where the joints put them, and the points of them that expressions name.
+"""Rigid bodies: their mass, their place by the joints, and their points that expressions name.
 
-A point that a user asks of a body (:meth:`Body.point`) has *symbols* for its place, known with the body they belong to.
-So a force along an expression of such points can be divided among the bodies: what the expression gains when the point
-moves is the force there. Before equations are formed, the symbols are replaced by what the joints make of them.
+A point that a user requests of a body (:meth:`Body.point`) has *symbols* for its place, known with the body they belong
+to. So a force along an expression of such points can be divided among the bodies: what the expression gains when the
+point moves is the force there. Before equations are formed, the symbols are replaced by what the joints make of them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class MassProperties:
 
 @dataclass(frozen=True)
 class Named:
-    """A point or a direction of a body that some expression may name, by the symbols that stand for it."""
+    """A point or direction of a body that expressions may name, with its symbols."""
 
     body: Body
     design: ca.SX
@@ -44,7 +44,7 @@ class Named:
 
 @dataclass(frozen=True)
 class BodyPoint(Moving):
-    """A point that is known to be one of a body: that which lies at ``design`` (m) in the design pose."""
+    """A point of a known body: the one at ``design`` (m) in the design pose."""
 
     body: Body
     design: ca.SX
@@ -52,15 +52,16 @@ class BodyPoint(Moving):
 
 @dataclass
 class Poses:
-    """Frames of the bodies of one mechanism by name, and what expressions name of them."""
+    """Frames of the bodies of one mechanism by name, and their points and directions that expressions name."""
 
     collection: Collection
     frames: dict[str, Frame] = field(default_factory=lambda: {"ground": GROUND})
     named: dict[int, tuple[Named, int]] = field(default_factory=dict)
 
     def require_still(self, expression: ca.SX, where: str) -> ca.SX:
-        """Refuse an expression of other things than parameters, such as a coordinate, where a number stands."""
-        parameters = [*self.collection.parameters.values(), *(one for one, _ in self.collection.constants.values())]
+        """Refuse an expression in place of a number if it names anything but parameters, such as a coordinate."""
+        constants = (symbol for symbol, _ in self.collection.constants.values())
+        parameters = [*self.collection.parameters.values(), *constants]
         known = {symbol.element_hash() for symbol in parameters}
         moving = [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
         if moving:
@@ -75,7 +76,7 @@ class Poses:
         return expression
 
     def name(self, body: Body, design: ca.SX, moving: Moving, *, is_point: bool) -> Moving:
-        """Give symbols for a point or direction; what does not move, or moves in a moving frame, needs none."""
+        """Return symbols for a point or direction; a fixed one, or one in a moving frame, needs none."""
         if body.frame is GROUND or body.carrier.moves:
             return moving
         symbol = ca.SX.sym(f"{body.name} {'point' if is_point else 'direction'}", 3)
@@ -84,16 +85,16 @@ class Poses:
         return replace(moving, value=symbol)
 
     def occurring(self, expression: ca.SX) -> list[Named]:
-        """What an expression names."""
-        found = [self.named.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
-        return list({id(one[0]): one[0] for one in found if one is not None}.values())
+        """Points and directions that an expression names."""
+        result = [self.named.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
+        return list({id(entry[0]): entry[0] for entry in result if entry is not None}.values())
 
     def resolved(self, expression: ca.SX) -> ca.SX:
-        """Put what the joints say in place of all that an expression names."""
+        """Replace all named points and directions in an expression by their formulas from the joints."""
         named = self.occurring(expression)
         if not named:
             return expression
-        symbols, values = ([getattr(one, part) for one in named] for part in ("symbol", "value"))
+        symbols, values = ([getattr(item, part) for item in named] for part in ("symbol", "value"))
         return ca.substitute(expression, ca.vertcat(*symbols), ca.vertcat(*values))
 
 
@@ -106,7 +107,7 @@ class Body:
     name : str
         For messages and channels.
     poses : Poses
-        Where the joints of its mechanism put the bodies.
+        Frames of the bodies of its mechanism.
     mass_properties : MassProperties, optional
         None for a body that only carries points.
     axes_of : Body, optional
@@ -137,14 +138,15 @@ class Body:
 
     @property
     def carrier(self) -> Carrier:
-        """What the axes of its frame belong to, the ground or a body that moves; "ground axes" are its axes then."""
+        """Carrier of the axes of its frame: the ground, or a moving body; "ground axes" are its axes then."""
         return self.frame.carrier
 
     def point(self, design: ca.SX | Sequence[float | str]) -> BodyPoint:
         """Follow the point of the body that lies at ``design`` (m, or text with a unit) in the design pose.
 
         Its ``value`` is for expressions that a mechanism takes: they know whose point it is. To differentiate one, use
-        ``rate_of``. The design place is made of numbers and parameters; what slides along a body is no point of it.
+        ``rate_of``. The design place depends on numbers and parameters only; a point that slides along a body is none
+        of its points.
         """
         where = f"point of {self.name}"
         place = self.poses.require_still(vector_of(design, where), where)
@@ -164,7 +166,7 @@ class Body:
 
 
 def tensor_elements(path: str, inertia: Sequence[float | str] | NDArray[np.float64]) -> list[float | str]:
-    """Elements xx, yy, zz, xy, xz, yz of a tensor given by three or six of them or as a matrix."""
+    """Elements xx, yy, zz, xy, xz, yz of a tensor given as three or six of them or as a matrix."""
     elements = np.asarray(inertia, dtype=object)
     if elements.shape == (3, 3):
         tensor = np.array([[to_si(part, "kg*m^2", where=path) for part in row] for row in elements])

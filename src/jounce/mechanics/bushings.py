@@ -15,12 +15,12 @@ from jounce.mechanics.rotations import rotation_vector, unit
 from jounce.mechanics.system import System
 
 _NONE = ca.SX(3, 1)
-_SOFTEST = 1e-9  # N/m: a direction without stiffness lets a rod go, and one that the rod does not use does not count
+_SOFTEST = 1e-9  # N/m: replaces zero stiffness in the compliance along a rod
 
 
 @dataclass(frozen=True)
 class Deflection:
-    """What a bushing does, in the axes of its first body.
+    """Displacement and force of a bushing, in the axes of its first body.
 
     Attributes
     ----------
@@ -44,8 +44,8 @@ class Deflection:
 class Bushing(Between):
     """An elastic joint in six directions along the axes of its first body, unloaded in the design pose.
 
-    Its forces on both bodies act at one and the same place, and they follow from an energy: a motion of both bodies
-    together does no work on it, and an undamped bushing gives back all it took.
+    Its forces on both bodies act at the same place, and they derive from an energy: a motion of both bodies
+    together does no work on it, and an undamped bushing returns all energy.
     """
 
     at: Given = place()
@@ -56,7 +56,7 @@ class Bushing(Between):
     kind = "bushing"
 
     def action(self, system: System) -> Action:
-        """Give displacement, rotation, force, torque, energy and power to the maker."""
+        """Return displacement, rotation, force, torque, energy and power to the maker."""
         del system
         first, second = self.first.frame, self.second.frame
         displacement, rate = _displacement(first, second, self.at)
@@ -91,7 +91,7 @@ class ElasticRod(Between):
         refuse_one_point(self.name, known("second_at") - known("at"), "in the design pose")
 
     def action(self, system: System) -> Action:
-        """Give tension (N) and the power taken up (W) to the maker."""
+        """Return tension (N) and the power taken up (W) to the maker."""
         del system
         other = self.second.frame.point(self.second_at)
         reach, design = other - self.first.frame.point(self.at), self.second_at - self.at
@@ -118,7 +118,7 @@ class SlidingBushing(Between):
     kind = "sliding bushing"
 
     def action(self, system: System) -> Action:
-        """Give the force on the second body (N, its axes) and the power taken up (W) to the maker."""
+        """Return the force on the second body (N, its axes) and the power taken up (W) to the maker."""
         fixed, own = self.second.frame.point(self.point), self.second.frame.orientation
         apart = own.unrotate(fixed.value - self.first.frame.point(self.at).value)
         along = own.unrotate(self.first.frame.direction(self.axis).value)
@@ -188,9 +188,9 @@ def add_elastic_rod(
 ) -> tuple[ca.SX, ca.SX]:
     """Tie two points by a massless rod with a bushing at its first end; give tension (N) and the power taken up (W).
 
-    Such a rod only carries force along itself, so what counts of the bushing is its compliance along the rod,
+    Such a rod carries only axial force, so only the bushing's compliance along the rod matters,
     ``sum e_i^2 / k_i`` with the rod's direction ``e`` in the design pose, and the damping that loses as much in a slow
-    motion. Its rotational stiffness has nothing to turn.
+    motion. Its rotational stiffness has no effect.
 
     Parameters
     ----------
@@ -221,7 +221,7 @@ def add_sliding_bushing(
 ) -> tuple[ca.SX, ca.SX]:
     """Hold a point of the second body by a bushing on a line of the first, along which it slides freely.
 
-    Gives the force on the second body (N, in its axes, which the bushing has) and the power taken up (W).
+    Returns the force on the second body (N, in its axes, which the bushing has) and the power taken up (W).
     """
     law = SlidingBushing("sliding bushing", first, second, at, axis, point, stiffness, damping)
     force, power = mechanism.act(law).shown

@@ -1,4 +1,4 @@
-"""Moving frames: a mechanism on a body that moves is written in that body's axes, as if the body stood still.
+"""Moving frames: a mechanism on a moving body is formulated in that body's axes, as if the body were fixed.
 
 Joints, loops and inner forces do not see the motion of what carries them; only masses and outer forces do. A point
 at ``r`` that moves at ``u`` in the axes of a body with origin velocity ``v``, spin ``w`` and angular acceleration
@@ -45,7 +45,7 @@ class MovingCarrier(Carrier):
         return place - self._design
 
     def place(self, place: ca.SX) -> ca.SX:
-        """Where a place is in the ground's axes, m."""
+        """Position of a place in ground axes, m."""
         return self._origin.value + self.outward(self.arm(place))
 
     def height(self, place: ca.SX) -> ca.SX:
@@ -85,7 +85,7 @@ class MovingCarrier(Carrier):
 
     @cached_property
     def steady(self) -> ca.SX:
-        """What makes of an arm the rest of its acceleration when no speed changes, 1/s^2."""
+        """Matrix from an arm to its acceleration at constant speeds, 1/s^2."""
         return skew(self.turning_bias) + skew(self.turning) @ skew(self.turning)
 
     def matrix(self, v: ca.SX, total: ca.SX, moment: ca.SX, tensor: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
@@ -100,7 +100,7 @@ class MovingCarrier(Carrier):
         return coupling + coupling.T + own
 
     def force(self, v: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
-        """What a force (N) and a torque (N m) about the origin, in these axes, are on the speeds."""
+        """Generalised force on the speeds of a force (N) and a torque (N m) about the origin, in these axes."""
         linear, angular = ca.jacobian(self.rate, v), ca.jacobian(self.turning, v)
         return linear.T @ push + angular.T @ twist
 
@@ -114,7 +114,7 @@ class Carried:
     orientation: Orientation
     inertia: ca.SX
     alone: Inertia
-    """What it adds to the mass matrix where the axes stand still."""
+    """Its contribution to the mass matrix for fixed axes."""
 
 
 class CarriedMasses:
@@ -122,34 +122,36 @@ class CarriedMasses:
 
     def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried]) -> None:
         self._carrier, self._masses = carrier, masses
-        self._arms = [carrier.arm(one.centre.value) for one in masses]
-        self._tensors = [one.orientation.turned(one.inertia) for one in masses]
+        self._arms = [carrier.arm(mass.centre.value) for mass in masses]
+        self._tensors = [mass.orientation.turned(mass.inertia) for mass in masses]
 
     def matrix(self, v: ca.SX) -> ca.SX:
         """Mass matrix for the speeds ``v``."""
         size = v.shape[0]
         total, alone, moment, tensor = ca.SX(0.0), ca.SX(size, size), ca.SX(3, 1), ca.SX(3, 3)
         push, twist = ca.SX(3, size), ca.SX(3, size)  # momenta of the motions in these axes
-        for one, arm, turned in zip(self._masses, self._arms, self._tensors, strict=True):
-            shift, turn = ca.jacobian(one.centre.rate, v), ca.jacobian(one.orientation.ground_spin, v)
-            weighed = one.mass * arm
-            alone += one.alone.matrix(v)
-            push += one.mass * shift
+        for mass, arm, turned in zip(self._masses, self._arms, self._tensors, strict=True):
+            shift, turn = ca.jacobian(mass.centre.rate, v), ca.jacobian(mass.orientation.ground_spin, v)
+            weighed = mass.mass * arm
+            alone += mass.alone.matrix(v)
+            push += mass.mass * shift
             twist += skew(weighed) @ shift + turned @ turn
-            total, moment = total + one.mass, moment + weighed
+            total, moment = total + mass.mass, moment + weighed
             outer = symmetric(weighed @ arm.T)
             tensor += turned + ca.trace(outer) * ca.SX.eye(3) - outer
         return alone + self._carrier.matrix(v, total, moment, tensor, push, twist)
 
     def bias(self, v: ca.SX) -> ca.SX:
         """Generalised inertial force that is left when no speed changes, less that of the field."""
-        carrier, found = self._carrier, ca.SX(v.shape[0], 1)
+        carrier, result = self._carrier, ca.SX(v.shape[0], 1)
         push, twist = ca.SX(3, 1), ca.SX(3, 1)
-        for one, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
-            force, torque = one.mass * carrier.acceleration(one.centre), self._torque(one, tensor)
-            found += ca.jacobian(one.centre.rate, v).T @ force + ca.jacobian(one.orientation.ground_spin, v).T @ torque
+        for mass, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
+            force, torque = mass.mass * carrier.acceleration(mass.centre), self._torque(mass, tensor)
+            result += (
+                ca.jacobian(mass.centre.rate, v).T @ force + ca.jacobian(mass.orientation.ground_spin, v).T @ torque
+            )
             push, twist = push + force, twist + ca.cross(arm, force) + torque
-        return found + carrier.force(v, push, twist)
+        return result + carrier.force(v, push, twist)
 
     def _torque(self, one: Carried, tensor: ca.SX) -> ca.SX:
         """Rate of a body's angular momentum about its centre when no speed changes."""

@@ -1,4 +1,4 @@
-"""Where a wheel touches the road: the lowest point of its disc, which lies in the wheel's plane.
+"""Contact point of a wheel: the lowest point of its disc, in the wheel's plane.
 
 With the wheel's axis ``a`` and the road's normal ``n``, both unit vectors, the disc leans by the angle ``gamma`` whose
 sine is the size of ``a . n``. From the wheel's centre the point lies a loaded radius along
@@ -15,10 +15,10 @@ from typing import Any
 
 
 def towards_road(axis: Any, normal: Any) -> tuple[tuple[Any, Any, Any], Any]:
-    """Unit vector from a wheel's centre to its contact point, and the cosine of the wheel's lean.
+    """Unit vector from a wheel's centre to its contact point, and the cosine of the wheel's inclination.
 
     ``axis`` and ``normal`` are x, y, z of unit vectors along the wheel's axis (either way) and out of the road:
-    numbers, arrays or expressions alike, and so is what it gives.
+    numbers, arrays or expressions; results are of the same kind.
     """
     lean = axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]
     upright = (1.0 - lean * lean) ** 0.5

@@ -1,7 +1,7 @@
-"""Descriptions: frozen classes that say what a mechanism is made of, and whose numbers become parameters of its model.
+"""Descriptions: frozen classes for the parts of a mechanism; their numbers become parameters of its model.
 
-A field that is a quantity says so (``place()``, ``direction()``, ``quantity(unit)``), and so does one that is a law
-or a point that moves. A description as it is written holds numbers, texts with a unit, or expressions of parameters;
+A field declares its kind of quantity (``place()``, ``direction()``, ``quantity(unit)``), also a law
+or a moving point. A description as it is written holds numbers, texts with a unit, or expressions of parameters;
 once a mechanism has taken it, symbols of parameters ``<name>.<field>``. Everything a mechanism lists of itself, and
 everything it checks when numbers change, is read from these fields.
 """
@@ -28,15 +28,15 @@ Vector: TypeAlias = Sequence[float | str] | ca.SX
 Given = Any
 """A field of a description: numbers as they are written, symbols (casadi.SX) once a mechanism has taken it."""
 Plain = str | float | bool | list[Any] | dict[str, Any] | None
-"""What a file of JSON can hold."""
+"""Content of a JSON file."""
 Write = Callable[[ca.SX], Plain]
-"""Writes an expression: its numbers where it is made of parameters, else a table with its text."""
+"""Writes an expression: its numbers if it depends on parameters only, else a table with its text."""
 Known = Callable[[str], Array]
 """Gives the numbers of a field as they are now, not a number where they are not known."""
 
 
 class Numbers(Protocol):
-    """What makes parameters of numbers: a mechanism."""
+    """Turns numbers into parameters: a mechanism."""
 
     def number(self, path: str, value: Number, unit: str = "1") -> ca.SX:
         """Symbol of a number."""
@@ -49,7 +49,7 @@ class Numbers(Protocol):
 
 
 def quantity(unit: str, default: Any = MISSING, *, above: float | None = None, at_least: float | None = None) -> Any:
-    """Say that a field is a number in ``unit`` and how large it must be.
+    """Declare a field that is a number in ``unit``, with its limits.
 
     ``{length}`` and ``{force}`` in the unit are filled in by the description.
     """
@@ -58,40 +58,40 @@ def quantity(unit: str, default: Any = MISSING, *, above: float | None = None, a
 
 
 def place(default: Any = MISSING, *, unit: str = "m", at_least: float | None = None) -> Any:
-    """Say that a field is three numbers: a place in the design pose (m), or as many numbers in another unit."""
+    """Declare a field of three numbers: a place in the design pose (m), or three numbers in another unit."""
     return field(default=default, metadata={"read": "vector", "unit": unit, "at_least": at_least})
 
 
 def direction() -> Any:
-    """Say that a field is a direction in the design pose, of any length."""
+    """Declare a field that is a direction in the design pose, of any length."""
     return field(metadata={"read": "direction", "unit": "1"})
 
 
 def law(unit: str, default: Any = MISSING) -> Any:
-    """Say that a field is an expression of what moves, or a point that does, in ``unit``."""
+    """Declare a field that is an expression of moving quantities, or a moving point, in ``unit``."""
     return field(default=default, metadata={"law": True, "unit": unit})
 
 
 @dataclass(frozen=True, eq=False)
 class Description:
-    """Something a mechanism is made of, with a name."""
+    """A named part of a mechanism."""
 
     name: str
     kind: ClassVar[str] = ""
-    """What it is, in a word."""
+    """Kind of part, in a word."""
     positive: ClassVar[str] = ""
-    """What a force of it that is positive does, where it has one."""
+    """Effect of a positive force, if it has one."""
 
     def units(self) -> dict[str, str]:
-        """What to fill into the units of the fields."""
+        """Values for placeholders in the units of the fields."""
         return {}
 
     def defaults(self) -> dict[str, ca.SX]:
-        """What fields that were left open stand for."""
+        """Values of fields that were left open."""
         return {}
 
     def with_symbols(self, numbers: Numbers) -> Self:
-        """The same with symbols of parameters in place of its numbers."""
+        """The description with symbols of parameters in place of its numbers."""
         made: dict[str, Any] = {}
         for each in fields(self):
             value, read = getattr(self, each.name), each.metadata.get("read")
@@ -103,7 +103,7 @@ class Description:
         return replace(self, **made)
 
     def check(self, known: Known) -> None:
-        """Refuse numbers that no such thing has; they are looked at when it is made and when they change."""
+        """Refuse impossible numbers; they are checked when the part is made and when they change."""
         for each in fields(self):
             limits = [(word, each.metadata.get(word)) for word in ("above", "at_least")]
             for word, limit in limits:
@@ -122,26 +122,26 @@ class Description:
     def listed(self, write: Write) -> dict[str, Plain]:
         """Name, kind, bodies, numbers, laws and their units as plain data."""
         units: dict[str, Plain] = {}
-        found: dict[str, Plain] = {"name": self.name, "kind": self.kind, "units": units}
+        result: dict[str, Plain] = {"name": self.name, "kind": self.kind, "units": units}
         if self.positive:
-            found["positive"] = self.positive
+            result["positive"] = self.positive
         defaults = self.defaults()
         for each in fields(self):
             value, key = getattr(self, each.name), each.name
             if value is None and key in defaults:
                 value = defaults[key]
-                found["as_designed"] = [*(name for name in defaults if getattr(self, name) is None)]
+                result["as_designed"] = [*(name for name in defaults if getattr(self, name) is None)]
             if key == "name":
                 continue
             if isinstance(value, Body):
-                found[key] = value.name
+                result[key] = value.name
             elif isinstance(value, Track):
-                found[key] = value.value.name()
+                result[key] = value.value.name()
             elif "unit" in each.metadata and value is not None:
-                found[key], units[key] = write(_shown(value)), self._unit(each.metadata)
+                result[key], units[key] = write(_shown(value)), self._unit(each.metadata)
             elif key in ("on", "joint"):
-                found[key] = value
-        return found
+                result[key] = value
+        return result
 
     def _unit(self, metadata: Mapping[str, Any]) -> str:
         unit: str = metadata["unit"]
@@ -149,7 +149,7 @@ class Description:
 
 
 def _shown(value: ca.SX | Moving) -> ca.SX:
-    """What is written of a field: of a point of a body its place in the design pose."""
+    """Value of a field to list: for a point of a body its place in the design pose."""
     if isinstance(value, BodyPoint):
         return value.design
     return value.value if isinstance(value, Moving) else value

@@ -1,4 +1,4 @@
-"""A mechanism without time, and one whose every motion is driven: its poses and rates follow from its loops alone."""
+"""A mechanism without time, and one with all motions driven: its loops alone determine poses and rates."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from jounce.mechanics.mechanism import Mechanism
 
 @dataclass(frozen=True)
 class Statics:
-    """What a mechanism without masses is made of: symbols, generalised forces, loop equations with rate and bias."""
+    """A mechanism without masses: symbols, generalised forces, loop equations with rate and bias."""
 
     q: ca.SX
     v: ca.SX
@@ -32,21 +32,21 @@ class Statics:
 
 
 class Quasistatic(Mechanism):
-    """A mechanism without time: every switch is where its expression stands, hysteresis is at zero."""
+    """A mechanism without time: switches follow the sign of their expressions, hysteresis is at zero."""
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:  # noqa: ARG002 - as the base class names them
-        """Give 1 where the expression is above zero and 0 elsewhere."""
+        """Return 1 where the expression is above zero and 0 elsewhere."""
         return ca.SX(expression) > 0.0
 
     def internal_state(self, name: str) -> ca.SX:  # noqa: ARG002
-        """Give zero: nothing has moved yet."""
+        """Return zero: nothing has moved yet."""
         return ca.SX(0.0)
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
         """Nothing moves in time."""
 
     def derivative(self, expression: ca.SX) -> ca.SX:
-        """Give the time derivative of an expression of coordinates, tracks, their rates and speeds."""
+        """Return the time derivative of an expression of coordinates, tracks, their rates and speeds."""
         return self.collection.bias_of(expression) + self.accelerated(expression)
 
     def with_accelerations(self, expression: ca.SX, accelerations: ca.SX) -> ca.SX:
@@ -58,7 +58,7 @@ class Quasistatic(Mechanism):
         return dict(self.collection.parameters)
 
     def statics(self) -> Statics:
-        """Give forces and loop equations without masses and weights."""
+        """Return forces and loop equations without masses and weights."""
         collected = self.collection
         loops = collected.constraint()
         return Statics(
@@ -90,7 +90,7 @@ class Driven:
         self._rates = [-self._solve(self._still(which)(self.statics.constraint_rate)) for which in range(len(tracks))]
 
     def along(self, which: int) -> Callable[[ca.SX], ca.SX]:
-        """Give the substitution of all rates by those of a unit rate of one track, without accelerations of tracks."""
+        """Return the substitution of all rates by those of a unit rate of one track at constant track rates."""
         return self._substitution(which, self._rates[which])
 
     def accelerated(self, expression: ca.SX) -> ca.SX:

@@ -75,19 +75,19 @@ class ModelPoint:
     numbers: Callable[[str], ca.SX] | None
 
     def number(self, name: str) -> ca.SX:
-        """Give the parameter."""
+        """Return the parameter."""
         return self.system.parameter(f"{self.path}.{name}") if self.numbers is None else self.numbers(name)
 
     def switch(self, name: str, x: ca.SX) -> ca.SX:
-        """Give a mode symbol: steps land where ``x`` changes its sign."""
+        """Return a mode symbol: steps land where ``x`` changes its sign."""
         return self.system.switch(f"{self.path} {name}", x)
 
     def table(self, variable: str, x: ca.SX, points: int) -> ca.SX:
-        """Give the force at ``x`` on straight lines through the law's points and beyond them."""
+        """Return the force at ``x`` on straight lines through the law's points and beyond them."""
         return table_force(self.system, self.path, variable, points, x)
 
     def grid(self, damper: MapDamper) -> ca.SX:
-        """Give the force at length and velocity on a map."""
+        """Return the force at length and velocity on a map."""
         assert self.length is not None, "maps are laws of 3-D struts, which have a length"
         return damper_map_force(self.system, damper, self.path, self.length, self.velocity)
 

@@ -1,4 +1,4 @@
-"""Equations of motion of what was collected: ``M a = Q + G^T lambda``, ``G a + gamma = 0``, solved in the graph.
+"""Equations of motion of a collection: ``M a = Q + G^T lambda``, ``G a + gamma = 0``, solved in the graph.
 
 ``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``. ``form`` is the whole way from a
 :class:`Collection` to a :class:`Model`; it changes nothing of what it reads, so a collection can be formed again with
@@ -93,12 +93,12 @@ class Collection:
     loops: dict[str, tuple[str, ...]] = field(default_factory=dict)  # joint that closes to all around, itself first
 
     def copy(self) -> Collection:
-        """Give a collection of the same things, to which more can be added."""
-        found = copy.copy(self)
+        """Return a collection of the same things, to which more can be added."""
+        result = copy.copy(self)
         for name, value in vars(self).items():
             if isinstance(value, dict | list):
-                setattr(found, name, value.copy())
-        return found
+                setattr(result, name, value.copy())
+        return result
 
     @property
     def q(self) -> ca.SX:
@@ -122,7 +122,7 @@ class Collection:
         return ca.jtimes(expression, values, ca.vertcat(*self.rates, *(track.rate for track in tracks)))
 
     def bias_of(self, rate: ca.SX) -> ca.SX:
-        """Time derivative of a rate with all speeds kept."""
+        """Time derivative of a rate at constant speeds."""
         tracks = self.tracks.values()
         moving = ca.vertcat(
             *self.coordinates.values(), *(track.value for track in tracks), *(track.rate for track in tracks)
@@ -131,7 +131,7 @@ class Collection:
         return ca.jtimes(rate, moving, rates)
 
     def accelerated(self, rate: ca.SX) -> ca.SX:
-        """What the accelerations make of a rate."""
+        """Derivative of a rate with the accelerations."""
         return ca.jtimes(rate, self.v, self.a)
 
     def force_on(self, v: ca.SX) -> ca.SX:
@@ -165,7 +165,7 @@ class Collection:
 
 
 def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model:
-    """Form the equations of motion, without the loop equations named in ``dropped``, which others repeat."""
+    """Form the equations of motion, without the redundant loop equations named in ``dropped``."""
     if not collection.coordinates:
         raise AssemblyError("a system without coordinates", hint="Add one with coordinate(name).")
     internal_rates = [slope for _, slope in collection.internal.values() if slope is not None]
@@ -178,7 +178,7 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
     shared = [list(collection.speeds).index(name) for name in collection.shared]
     solved = solve(v, collection.inertias, collection.force_on(v), constraint, collection.displaced, shared)
     gone = [c.multipliers[i] for c in collection.constraints for i, e in enumerate(c.equations) if e.name in dropped]
-    lacking = ca.SX(len(gone), 1)  # what is left out holds nothing
+    lacking = ca.SX(len(gone), 1)  # dropped equations carry no force
     unknown = ca.vertcat(a, constraint.multipliers, *gone)
     found = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, lacking))
     balance = Balance(
@@ -195,7 +195,7 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
     rate, output = ca.substitute([balance.rate, balance.output], [unknown], [found])
     accelerations = ca.vertcat(*(track.acceleration for track in collection.tracks.values()))
     order = 3 if collection.tracks and ca.depends_on(ca.vertcat(rate, output), accelerations) else 2
-    projection = ca.SX(0, 1)  # nothing can drift
+    projection = ca.SX(0, 1)  # no loops, no drift
     if constraint.equations or collection.quaternions:
         left = ca.sqrt(ca.dot(constraint.value, constraint.value)) if constraint.equations else ca.SX(0.0)
         projection = ca.vertcat(solved.coordinates, solved.speeds, internal, left, solved.conditioning)
@@ -258,7 +258,7 @@ def solve(
     move: Callable[[ca.SX], ca.SX],
     shared: Sequence[int] = (),
 ) -> Solved:
-    """Solve for the accelerations under a load; give one step of the mass-orthogonal projection onto the constraints.
+    """Solve for the accelerations under a load; return one step of the mass-orthogonal projection onto the constraints.
 
     ``move`` gives the coordinates after a small displacement in terms of the speeds. The ``shared`` speeds belong to a
     body that carries several loops, which are independent of each other without them: they are decided last, so that
@@ -289,7 +289,7 @@ def solve(
 
 
 def _unconstrained(v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX], ca.SX]) -> Solved:
-    """Accelerations where nothing closes a loop."""
+    """Accelerations without loops."""
     mass, size = Ldl(matrix), v.shape[0]
     return Solved(
         mass.solve(ca.densify(force)),
@@ -333,7 +333,7 @@ class _Loops:
 
 
 class _Block:
-    """Loops and speeds that only the shared speeds tie to others: ``follow`` and ``react`` are what they answer."""
+    """Loops and speeds that only the shared speeds connect to others; ``follow`` and ``react`` are their responses."""
 
     def __init__(self, matrix: ca.SX, gradient: ca.SX, speeds: list[int], rows: list[int], shared: list[int]) -> None:
         self.speeds, self.rows = speeds, rows
@@ -347,12 +347,12 @@ class _Block:
 
     @property
     def share(self) -> ca.SX:
-        """What the block takes off the mass of the shared speeds."""
-        found: ca.SX = self._pull.T @ self.react - self._coupling.T @ self.follow
-        return found
+        """Reduction of the mass of the shared speeds by the block."""
+        result: ca.SX = self._pull.T @ self.react - self._coupling.T @ self.follow
+        return result
 
     def pull(self, alone: ca.SX, multipliers: ca.SX) -> ca.SX:
-        """Force on the shared speeds of what the block does alone."""
+        """Force on the shared speeds by the block's own motion."""
         return self._pull.T @ multipliers - self._coupling.T @ alone
 
 
@@ -403,10 +403,10 @@ class _SharedLoops:
 
     def displaced(self, residual: ca.SX) -> ca.SX:
         """Shortest displacement, in terms of the mass matrix, with the shared speeds held."""
-        found = ca.SX(self._size, 1)
+        result = ca.SX(self._size, 1)
         for block in self._blocks:
-            found[block.speeds] = block.loops.displaced(residual[block.rows])
-        return found
+            result[block.speeds] = block.loops.displaced(residual[block.rows])
+        return result
 
     def conditioning(self) -> ca.SX:
         """How far from singular the loops are with the shared speeds held."""

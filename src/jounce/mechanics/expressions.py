@@ -1,4 +1,4 @@
-"""What users give to a builder as names, numbers and expressions, read or refused with one message."""
+"""Read names, numbers and expressions that users give to a builder, or refuse them."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
 
 def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
     """Three expressions, numbers (SI) or texts with a unit, as an expression."""
-    found = expression_of(value, where, unit)
-    if found.shape != (3, 1):
-        raise AssemblyError("not a vector", where=where, found=f"{found.numel()} numbers", allowed="three: x, y, z")
-    return found
+    vector = expression_of(value, where, unit)
+    if vector.shape != (3, 1):
+        raise AssemblyError("not a vector", where=where, found=f"{vector.numel()} numbers", allowed="three: x, y, z")
+    return vector
 
 
 def text_of(expression: ca.SX) -> str:

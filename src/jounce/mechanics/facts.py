@@ -1,4 +1,4 @@
-"""What is known of a model without its equations: names, counts, units; a run of compiled code needs no more."""
+"""Facts about a model without its equations: names, counts, units, all that a compiled run needs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ ROAD = "road.z"
 
 
 def is_road(track: str) -> bool:
-    """Tell whether a track is the road under a wheel, m; other tracks are loads and commands."""
+    """Whether a track is the road under a wheel, m; others are loads and commands."""
     return track == ROAD or track.endswith(f".{ROAD}")
 
 
@@ -79,7 +79,7 @@ class Equation:
 
 @dataclass(frozen=True)
 class Facts:
-    """Names and counts of a model: all that is known of it without its equations (see :class:`Model`).
+    """Names and counts of a model, without its equations (see :class:`Model`).
 
     ``start`` holds the coordinates in the design pose (m, rad, 1 for quaternions); ``linear_without`` the parameters
     that must be zero for the model to be piecewise linear, None where that does not make it so.

@@ -1,6 +1,6 @@
-"""Frames that move: where points and directions of a body are, how fast, and their acceleration for steady speeds.
+"""Moving frames: points and directions of a body, their velocities, and their accelerations at constant speeds.
 
-Every point is named by where it lies in the design pose (ground axes, m); the axes of every frame are the ground's
+Every point is identified by its place in the design pose (ground axes, m); the axes of every frame are the ground's
 in that pose. "Bias" is the part of an acceleration that is left when all speeds keep their values.
 """
 
@@ -142,9 +142,9 @@ class AxisRotation(Orientation):
         p, q, k = self._shares
         still, level, cross = p @ tensor @ p.T + q @ tensor @ q.T, k @ tensor @ k.T - q @ tensor @ q.T, k @ tensor @ q.T
         straight, sideways = p @ tensor @ q.T, p @ tensor @ k.T
-        found = symmetric(still) + self.sine**2 * symmetric(level)
-        found += self.cosine * symmetric(straight + straight.T) + self.sine * symmetric(sideways + sideways.T)
-        return found + self.sine * self.cosine * symmetric(cross + cross.T)
+        result = symmetric(still) + self.sine**2 * symmetric(level)
+        result += self.cosine * symmetric(straight + straight.T) + self.sine * symmetric(sideways + sideways.T)
+        return result + self.sine * self.cosine * symmetric(cross + cross.T)
 
     @property
     def ground_spin(self) -> ca.SX:
@@ -167,7 +167,7 @@ def by_quaternion(e: ca.SX, spin: ca.SX) -> Orientation:
 
 
 class Carrier:
-    """What the axes of a frame belong to: here the ground, axes that stand still (see ``carrier`` for those that move).
+    """Carrier of a frame's axes: here the ground, with fixed axes (see ``carrier`` for moving ones).
 
     Attributes
     ----------
@@ -181,7 +181,7 @@ class Carrier:
     moves = False
 
     def place(self, place: ca.SX) -> ca.SX:
-        """Where a place is in the ground's axes, m."""
+        """Position of a place in ground axes, m."""
         return place
 
     def height(self, place: ca.SX) -> ca.SX:

@@ -1,9 +1,9 @@
-"""Joints: one class each, with all there is to say of it.
+"""Joint types, one class each.
 
-A joint *hangs* a body that has no place yet: then it has coordinates, and ``hang`` gives the frame of the body. Between
-two bodies that have their places it *closes* a loop: then it has equations, ``rows``, each with the force and torque on
-the second body that its multiplier is. ``efforts`` says what a force on each of its coordinates is on the bodies; the
-reaction of the joint lies across those directions. To add a joint, write a class with these three and give it to
+A joint *hangs* a body that has no place yet: then it has coordinates, and ``hang`` returns the frame of the body.
+Between two placed bodies it *closes* a loop: then it has equations, ``rows``, each with the force and torque of its
+multiplier on the second body. ``efforts`` returns the wrenches on the bodies of unit forces on its coordinates; the
+reaction of the joint is across those directions. To add a joint, write a class with these three and give it to
 :meth:`jounce.mechanics.Mechanism.add`.
 """
 
@@ -23,7 +23,7 @@ from jounce.mechanics.frames import Frame, Moving, by_quaternion
 from jounce.mechanics.rotations import normals
 
 _NONE = ca.SX(3, 1)
-_SQUARE = 1e-3  # cosine of the axes of a universal joint that still counts as a right angle
+_SQUARE = 1e-3  # cosine of the axes of a universal joint up to which they count as perpendicular
 _TURN = 2.0 * np.pi
 
 
@@ -66,7 +66,7 @@ class Effort:
 
 @dataclass(frozen=True, eq=False)
 class Joint(Description):
-    """What joins two bodies. The first joint of a body hangs it; one between bodies with places closes a loop."""
+    """Connection of two bodies. The first joint of a body places it; one between placed bodies closes a loop."""
 
     first: Body
     second: Body
@@ -78,7 +78,7 @@ class Joint(Description):
     hangs: ClassVar[bool] = True
     closes: ClassVar[bool] = True
     refusal: ClassVar[tuple[str, str]] = ("both bodies hang already", "")
-    """What to say, and to advise, where it should close a loop and cannot."""
+    """Message and advice for a joint that cannot close a loop."""
 
     def hang(self, parent: Frame, motion: Motion, sign: int) -> Frame:
         """Frame of the body it hangs on ``parent``.
@@ -93,15 +93,15 @@ class Joint(Description):
         raise NotImplementedError
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002 - for joints with coordinates
-        """What a unit force on each of its speeds is, in their order."""
+        """Wrenches of unit forces on its speeds, in their order."""
         return []
 
     def shown(self, multipliers: ca.SX) -> ca.SX:
-        """What its maker gets where it closes a loop: forces (N) and torques (N m) on the second body."""
+        """Return value of its builder when it closes a loop: forces (N) and torques (N m) on the second body."""
         return multipliers
 
     def _along(self, axis: ca.SX) -> ca.SX:
-        """A direction of the first body as it is now."""
+        """A direction of the first body in the current pose."""
         return self.first.frame.direction(axis).value
 
     def _push(self, axis: ca.SX, at: ca.SX) -> Effort:
@@ -155,7 +155,7 @@ class Prismatic(Joint):
         return [*sleeve, _square("twist", self.first.frame.direction(normal), self.second.frame.direction(other))]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         return [self._push(self.axis, self.at)]
 
 
@@ -180,7 +180,7 @@ class Revolute(Joint):
         return [*_point_to_point(self, self.at, self.at), *_parallel(self, self.axis)]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         return [self._twist(self._along(self.axis))]
 
 
@@ -206,7 +206,7 @@ class Cylindrical(Joint):
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         return [self._push(self.axis, self.at), self._twist(self._along(self.axis))]
 
 
@@ -256,7 +256,7 @@ class Screw(Joint):
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis), lead]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         return [self._twist(self._along(self.axis))]
 
 
@@ -291,7 +291,7 @@ class Universal(Joint):
         """Frame of the body that hangs."""
         turns = [(sign * axis, motion.q[i], motion.v[i]) for i, axis in enumerate((self.axis, self.second_axis))]
         frame = parent.at(self.at)
-        for turn in turns if sign > 0.0 else turns[::-1]:  # from the second body to the first it is the other way round
+        for turn in turns if sign > 0.0 else turns[::-1]:  # in reverse order from the second body to the first
             frame = frame.turned(*turn)
         return frame
 
@@ -301,7 +301,7 @@ class Universal(Joint):
         return [*_point_to_point(self, self.at, self.at), _square("cross", *axes)]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         second = self.second.frame.direction(self.second_axis).value
         return [self._twist(self._along(self.axis)), self._twist(second)]
 
@@ -326,7 +326,7 @@ class Spherical(Joint):
         return _point_to_point(self, self.at, self.at)
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         return self._turns(hung, ground)
 
 
@@ -366,7 +366,7 @@ class Link(Joint):
         ]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         swept = ca.cross(self._along(self.axis), self._reach.value)
         ball = self.second.frame.point(self.second_at).value
         push = Effort(self.second, self.first, force=swept / ca.dot(swept, swept), point=ball)
@@ -397,7 +397,7 @@ class Free(Joint):
         return Frame(self.at, origin, by_quaternion(motion.e, motion.w), parent.carrier)
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
-        """What forces along its coordinates are."""
+        """Wrenches of unit forces along its coordinates."""
         origin = hung.frame.origin.value
         pushes = [Effort(hung, ground, force=ca.SX.eye(3)[:, i], point=origin) for i in range(3)]
         return [*pushes, *self._turns(hung, ground)]
@@ -477,7 +477,7 @@ class Rod(Joint):
         return [Row("", "m^2", _half_square(reach, self._squared), force=reach.value, point=other.value)]
 
     def shown(self, multipliers: ca.SX) -> ca.SX:
-        """Give the rod's force, N, tension positive."""
+        """Return the rod's force, N, tension positive."""
         return -multipliers * ca.sqrt(self._squared)
 
 
@@ -569,6 +569,6 @@ def _square(tag: str, one: Moving, other: Moving) -> Row:
 
 
 def _half_square(reach: Moving, squared: ca.SX) -> Moving:
-    """Half of what the square of a length is too much."""
+    """Half the excess of a squared length."""
     product = reach.dot(reach)
     return Moving(0.5 * (product.value - squared), 0.5 * product.rate, 0.5 * product.bias)

@@ -29,7 +29,7 @@ class Ldl:
         return sum((self._lower[i, k] * self._lower[j, k] * self.pivots[k] for k in shared), ca.SX(1, 1))
 
     def forward(self, rhs: ca.SX) -> ca.SX:
-        """Give ``L^-1 rhs`` (in the factor's own order of rows)."""
+        """Return ``L^-1 rhs`` (in the factor's own order of rows)."""
         x = ca.SX(rhs[::-1, :]) if self.size else ca.SX(rhs)
         for i in range(self.size):
             for k in range(i):
@@ -38,11 +38,11 @@ class Ldl:
         return x
 
     def scale(self, rows: ca.SX) -> ca.SX:
-        """Give ``D^-1 rows``."""
+        """Return ``D^-1 rows``."""
         return ca.vertcat(*(rows[i, :] / self.pivots[i] for i in range(self.size))) if self.size else rows
 
     def backward(self, rows: ca.SX) -> ca.SX:
-        """Give ``L^-T rows`` in the order of the matrix."""
+        """Return ``L^-T rows`` in the order of the matrix."""
         x = ca.SX(rows)
         for i in reversed(range(self.size)):
             for k in range(i + 1, self.size):
@@ -51,7 +51,7 @@ class Ldl:
         return x[::-1, :] if self.size else x
 
     def solve(self, rhs: ca.SX) -> ca.SX:
-        """Give ``matrix^-1 rhs``."""
+        """Return ``matrix^-1 rhs``."""
         return self.backward(self.scale(self.forward(rhs)))
 
 

@@ -1,4 +1,4 @@
-"""What a mechanism is made of, as plain data and as text: what drawing, exchange and a browser read."""
+"""Contents of a mechanism as plain data and as text, for drawing, exchange and the browser."""
 
 from __future__ import annotations
 
@@ -34,30 +34,30 @@ class Reading:
         }
 
     def value(self, path: str) -> float | None:
-        """Number of a parameter; None where it has none."""
+        """Value of a parameter; None without one."""
         number = self._values.get(path, np.nan)
         return number if isfinite(number) else None
 
     def numbers(self, expression: ca.SX) -> Array | None:
-        """Numbers of an expression of parameters, in its shape; None where it names anything that has none."""
+        """Numbers of an expression of parameters, in its shape; None if it names anything without a number."""
         given = [self._numbers.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         pairs = [pair for pair in given if pair is not None]
         if len(pairs) < len(given):
             return None
         symbols = ca.vertcat(*(symbol for symbol, _ in pairs))
-        found = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs])
-        return np.asarray(found.full(), dtype=np.float64).squeeze()
+        result = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs])
+        return np.asarray(result.full(), dtype=np.float64).squeeze()
 
     def known(self, description: Description) -> Known:
-        """Numbers of a description's fields, not a number where they are not known."""
+        """Numbers of a description's fields, NaN where they are not known."""
 
         def known(field: str) -> Array:
             value = getattr(description, field)
             value = description.defaults().get(field) if value is None else value
             if not isinstance(value, ca.SX):
                 return np.array(np.nan)
-            found = self.numbers(value)
-            return np.full(value.numel() if value.numel() > 1 else (), np.nan) if found is None else found
+            result = self.numbers(value)
+            return np.full(value.numel() if value.numel() > 1 else (), np.nan) if result is None else result
 
         return known
 
@@ -90,18 +90,18 @@ class Reading:
         return {"expression": texts[0] if len(texts) == 1 else texts, "parameters": parameters}
 
     def ratios(self, expression: ca.SX) -> dict[str, Plain] | None:
-        """What a linear expression counts its coordinates and tracks by; None where it is not linear in them."""
+        """Coefficients of a linear expression by coordinate and track; None if it is not linear in them."""
         collection = self._mechanism.collection
         every = {name: track.value for name, track in collection.tracks.items()} | collection.coordinates
         within = {symbol.element_hash() for symbol in ca.symvar(expression)}
-        found: dict[str, Plain] = {}
+        result: dict[str, Plain] = {}
         for name, symbol in every.items():
             if symbol.element_hash() in within:
                 ratio = self.numbers(ca.jacobian(expression, symbol))
                 if ratio is None:
                     return None
-                found[name] = float(ratio)
-        return None if self._mechanism.poses.occurring(expression) else found
+                result[name] = float(ratio)
+        return None if self._mechanism.poses.occurring(expression) else result
 
 
 def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[Description]) -> dict[str, Any]:
@@ -161,21 +161,23 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             path: {"value": read.value(path), "unit": mechanism.units.get(path, "")} for path in collection.parameters
         },
         "watched": [watch.listed(write) for watch in watched],
-        "outputs": [{"name": one.name, "unit": one.unit, "long_name": one.long_name} for one in collection.outputs],
+        "outputs": [
+            {"name": output.name, "unit": output.unit, "long_name": output.long_name} for output in collection.outputs
+        ],
     }
 
 
 def _body(body: Body, write: Write) -> dict[str, Plain]:
-    found: dict[str, Plain] = {"name": body.name}
+    result: dict[str, Plain] = {"name": body.name}
     if body.axes_of is not None:
-        found["axes_of"] = body.axes_of.name
+        result["axes_of"] = body.axes_of.name
     properties = body.mass_properties
     if properties is not None:
         inertia = ca.vertcat(*(properties.inertia[i, j] for i, j in _ELEMENTS.values()))
         elements = write(inertia)
-        found |= {"mass": write(properties.mass), "centre_of_mass": write(properties.centre)}
-        found["inertia"] = dict(zip(_ELEMENTS, elements, strict=True)) if isinstance(elements, list) else None
-    return found
+        result |= {"mass": write(properties.mass), "centre_of_mass": write(properties.centre)}
+        result["inertia"] = dict(zip(_ELEMENTS, elements, strict=True)) if isinstance(elements, list) else None
+    return result
 
 
 def _with_units(mechanism: Structure, names: tuple[str, ...]) -> list[Plain]:

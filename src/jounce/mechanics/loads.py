@@ -1,8 +1,8 @@
 """Loads: forces on points, between points, on coordinates and along any expression, one frozen class each.
 
-A load says in ``action`` what it does: the power it puts into the rates, and the forces and torques it is on the bodies
-for their reactions. What a load along an expression is on bodies, :mod:`jounce.mechanics.reactions` finds by
-differentiating the expression along the motion of every body.
+A load defines its effects in ``action``: its power on the rates, and its forces and torques on the bodies for their
+reactions. For a load along an expression :mod:`jounce.mechanics.reactions` finds these by differentiating the
+expression along the motion of every body.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.system import System
 
 _NONE = ca.SX(3, 1)
-_SLIDING = 3.0  # regularisation rates; tanh(3) = 0.995
-_POINT = 1e-12  # m: a line shorter than that has no direction
-SAME_POINT = 1e-9  # m: ends that near to each other are one point as designed
+_SLIDING = 3.0  # regularisation rates: friction slides fully; tanh(3) = 0.995
+_POINT = 1e-12  # m: a shorter line has no direction
+SAME_POINT = 1e-9  # m: ends closer than this coincide by design
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Wrench:
 
 @dataclass(frozen=True)
 class Action:
-    """What a load does."""
+    """Effects of a load."""
 
     power: tuple[tuple[ca.SX, ca.SX], ...] = ()  # rates, and forces that do power on them
     wrenches: tuple[Wrench, ...] = ()  # what it is on bodies
@@ -53,7 +53,7 @@ class Load(Description):
     """A force law in a mechanism."""
 
     def action(self, system: System) -> Action:
-        """Say what it does."""
+        """Effects of the load."""
         raise NotImplementedError
 
 
@@ -67,7 +67,7 @@ class PointForce(Load):
     kind = "force"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """What it does."""
+        """Effects of the load."""
         power = (self.body.carrier.velocity(self.at), self.force)
         return Action((power,), (Wrench(self.body, self.force, self.at.value),))
 
@@ -81,7 +81,7 @@ class Torque(Load):
     kind = "torque"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """What it does."""
+        """Effects of the load."""
         return Action(((self.body.spin, self.torque),), (Wrench(self.body, torque=self.torque),))
 
 
@@ -96,11 +96,11 @@ class GeneralForce(Load):
     positive = "to greater values of the expression"
 
     def units(self) -> dict[str, str]:
-        """Give N and m, or N m and rad."""
+        """Return N and m, or N m and rad."""
         return _units_along(self.length)
 
     def action(self, system: System) -> Action:
-        """What it does."""
+        """Effects of the load."""
         return Action(((system.rate_of(self.along), self.magnitude),), along=((self.along, self.magnitude),))
 
 
@@ -114,14 +114,14 @@ class PowerOnRate(Load):
     positive = "to greater values of the rate"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """What it does."""
+        """Effects of the load."""
         both = ((self.rate, self.magnitude),)
         return Action(both, efforts=both)
 
 
 @dataclass(frozen=True, eq=False)
 class Between(Load):
-    """What acts between two bodies."""
+    """A load between two bodies."""
 
     first: Body
     second: Body
@@ -151,7 +151,7 @@ class PushApart(Between):
     positive = "pushes the points apart"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """What it does."""
+        """Effects of the load."""
         return self.apart(self.at, self.second_at, self.force)
 
 
@@ -165,7 +165,7 @@ class ForceBetween(Between):
     positive = "on the second body"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """What it does."""
+        """Effects of the load."""
         frame = self.first.frame
         carried = frame.origin.rate + ca.cross(frame.orientation.ground_spin, self.at.value - frame.origin.value)
         return Action(((self.at.rate - carried, self.force),), self.pair(self.at.value, self.force))
@@ -173,7 +173,7 @@ class ForceBetween(Between):
 
 @dataclass(frozen=True, eq=False)
 class SpringDamper(Between):
-    """A spring and damper between two points, or a law of one's own; compression positive."""
+    """A spring and damper between two points, or a user-defined law; compression positive."""
 
     at: Given = place()
     second_at: Given = place()
@@ -189,7 +189,7 @@ class SpringDamper(Between):
         return {} if self.force is not None else {"free_length": length_of(self.second_at - self.at)}
 
     def action(self, system: System) -> Action:
-        """Give length (m) and force (N) to the maker."""
+        """Return length (m) and force (N) to the maker."""
         del system
         one, other = self.first.frame.point(self.at), self.second.frame.point(self.second_at)
         reach = other - one
@@ -204,7 +204,7 @@ class SpringDamper(Between):
 
 @dataclass(frozen=True, eq=False)
 class RotationalSpringDamper(Load):
-    """A spring and damper on the angle of a joint, or a law of one's own; positive along the angle."""
+    """A spring and damper on the angle of a joint, or a user-defined law; positive along the angle."""
 
     joint: str
     angle: ca.SX
@@ -216,7 +216,7 @@ class RotationalSpringDamper(Load):
     positive = "along the angle"
 
     def action(self, system: System) -> Action:
-        """Give the torque (N m) to the maker."""
+        """Return the torque (N m) to the maker."""
         rate, torque = system.rate_of(self.angle), self.torque
         if torque is not None:
             return Action(((rate, torque),), along=((self.angle, torque),), shown=(torque,))
@@ -226,13 +226,13 @@ class RotationalSpringDamper(Load):
 
 @dataclass(frozen=True, eq=False)
 class OnCoordinate(Load):
-    """What acts along a coordinate, which counts in ``length`` (``m`` or ``rad``)."""
+    """A load along a coordinate, in ``length`` (``m`` or ``rad``)."""
 
     length: str
     coordinate: ca.SX = law("{length}")
 
     def units(self) -> dict[str, str]:
-        """Give N and m, or N m and rad."""
+        """Return N and m, or N m and rad."""
         return _units_along(self.length)
 
     def acts(self, system: System, force: ca.SX, stored: tuple[ca.SX, ...], lost: tuple[ca.SX, ...]) -> Action:
@@ -252,7 +252,7 @@ class Stop(OnCoordinate):
     kind = "stop"
 
     def check(self, known: Known) -> None:
-        """Refuse a stop that is never touched, or at both ends at once."""
+        """Refuse a stop that is never touched, or touched at both ends at once."""
         super().check(known)
         if self.lower is None and self.upper is None:
             raise AssemblyError("a stop without limits", where=self.name, hint="Give lower, upper, or both.")
@@ -261,7 +261,7 @@ class Stop(OnCoordinate):
             raise AssemblyError("the limits of a stop are crossed", where=self.name, found=found, allowed=allowed)
 
     def action(self, system: System) -> Action:
-        """Give its force (N or N m) to the maker."""
+        """Return its force (N or N m) to the maker."""
         total, stored, lost = ca.SX(0.0), [], []
         for tag, end, sign in (("lower", self.lower, 1.0), ("upper", self.upper, -1.0)):
             if end is None:
@@ -286,7 +286,7 @@ class Friction(OnCoordinate):
     kind = "friction"
 
     def action(self, system: System) -> Action:
-        """Give its force (N or N m) to the maker."""
+        """Return its force (N or N m) to the maker."""
         rate = system.rate_of(self.coordinate)
         sharp = rate / self.regularisation_rate
         system.switch(f"{self.name} sliding", ca.fabs(sharp) - _SLIDING)  # steps land on both sides of the layer
@@ -299,7 +299,7 @@ def _units_along(length: str) -> dict[str, str]:
 
 
 def refuse_one_point(name: str, reach: Array, when: str) -> None:
-    """Refuse two ends, m apart by ``reach``, that have no direction between them."""
+    """Refuse two ends, separated by ``reach`` (m), without a direction between them."""
     if (length := float(np.linalg.norm(reach))) < SAME_POINT:
         raise AssemblyError(
             "both ends lie in one point, so its force has no direction",

@@ -20,14 +20,14 @@ from jounce.core.units import to_si
 
 Number = float | str
 """A number in SI, or text with a unit."""
-_TRIANGLE = 1e-6  # share of the largest moment that rounding may cost the triangle inequality
+_TRIANGLE = 1e-6  # share of the largest moment by which rounding may violate the triangle inequality
 
 
 @dataclass(frozen=True)
 class Solid:
     """Mass (kg), centre of mass (m, shape (3,)) and inertia about it (kg m^2, shape (3, 3), design axes).
 
-    Give it to a mechanism as ``body(name, *solid.arguments)``.
+    Pass it to a mechanism as ``body(name, *solid.arguments)``.
     """
 
     mass: float
@@ -43,7 +43,7 @@ class Solid:
 
 
 def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> Solid:
-    """Give the mass properties of a block with edges along the design axes.
+    """Return the mass properties of a block with edges along the design axes.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> So
 
 
 def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> Solid:
-    """Give the mass properties of a ball.
+    """Return the mass properties of a ball.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> Solid:
 
 
 def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequence[Number]) -> Solid:
-    """Give the mass properties of a round bar between two points.
+    """Return the mass properties of a round bar between two points.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequ
 def tube(
     density: Number, inner_radius: Number, outer_radius: Number, start: Sequence[Number], end: Sequence[Number]
 ) -> Solid:
-    """Give the mass properties of a tube between two points.
+    """Return the mass properties of a tube between two points.
 
     Parameters
     ----------
@@ -134,24 +134,24 @@ def tube(
     Raises
     ------
     AssemblyError
-        When a size is not positive or the inner radius is not below the outer one.
+        If a size is not positive or the inner radius is not below the outer one.
     """
     rho, outer = _positive(density, "kg/m^3", "density"), _positive(outer_radius, "m", "outer radius")
     inner = to_si(inner_radius, "m", where="inner radius")
     if not 0.0 <= inner < outer:
         raise AssemblyError("not an inner radius", found=f"{inner:g} m", allowed=f"0 to below {outer:g} m")
-    one, other = _place(start, "start"), _place(end, "end")
-    length = _positive(float(np.linalg.norm(other - one)), "m", "distance of the ends")
-    axis = (other - one) / length
+    first, last = _place(start, "start"), _place(end, "end")
+    length = _positive(float(np.linalg.norm(last - first)), "m", "distance of the ends")
+    axis = (last - first) / length
     mass = rho * np.pi * (outer**2 - inner**2) * length
     squares = outer**2 + inner**2
     along, across = 0.5 * mass * squares, mass * (squares / 4.0 + length**2 / 12.0)
     inertia = across * np.eye(3) + (along - across) * np.outer(axis, axis)
-    return Solid(float(mass), 0.5 * (one + other), inertia)
+    return Solid(float(mass), 0.5 * (first + last), inertia)
 
 
 def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> Solid:
-    """Give the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
+    """Return the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
 
     Parameters
     ----------
@@ -170,41 +170,41 @@ def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], sca
     Raises
     ------
     AssemblyError
-        When the file cannot be read, the surface is not closed, or its faces do not all point outwards.
+        If the file cannot be read, the surface is not closed, or its faces do not all point outwards.
     """
     trimesh = require("trimesh", "mesh")
     if isinstance(surface, tuple):
         vertices = as_samples(surface[0], where="surface: vertices", error=AssemblyError)
-        found = trimesh.Trimesh(vertices=vertices, faces=np.asarray(surface[1]))
+        result = trimesh.Trimesh(vertices=vertices, faces=np.asarray(surface[1]))
     else:
-        found = _read(trimesh, Path(surface))
-    if not found.is_watertight or not found.is_winding_consistent or found.volume <= 0.0:
+        result = _read(trimesh, Path(surface))
+    if not result.is_watertight or not result.is_winding_consistent or result.volume <= 0.0:
         raise AssemblyError(
             "the surface does not enclose a volume",
             where=str(surface) if not isinstance(surface, tuple) else "surface",
-            found=f"{len(found.faces)} faces, watertight: {found.is_watertight}, volume {found.volume:.4g}",
+            found=f"{len(result.faces)} faces, watertight: {result.is_watertight}, volume {result.volume:.4g}",
             hint="Close the mesh and let all faces point outwards.",
         )
     rho, unit = _positive(density, "kg/m^3", "density"), _positive(scale, "m", "scale")
-    inertia = np.asarray(found.moment_inertia) * rho * unit**5
-    return Solid(float(found.volume * rho * unit**3), np.asarray(found.center_mass) * unit, inertia)
+    inertia = np.asarray(result.moment_inertia) * rho * unit**5
+    return Solid(float(result.volume * rho * unit**3), np.asarray(result.center_mass) * unit, inertia)
 
 
 def _read(trimesh: ModuleType, file: Path) -> Any:
     """Surface in a file."""
     existing_file(file, AssemblyError)
     try:
-        found = trimesh.load(str(file), force="mesh")
+        result = trimesh.load(str(file), force="mesh")
     except Exception as error:  # the readers of many formats raise what they like
         hint = "Take STL, OBJ or PLY."
         raise AssemblyError("not a surface that can be read", where=str(file), found=str(error), hint=hint) from error
-    if not isinstance(found, trimesh.Trimesh) or not len(found.faces):
+    if not isinstance(result, trimesh.Trimesh) or not len(result.faces):
         raise AssemblyError("no surface in the file", where=str(file), found="no faces")
-    return found
+    return result
 
 
 def combined(*solids: Solid) -> Solid:
-    """Give the mass properties of several solids as one body.
+    """Return the mass properties of several solids as one body.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
-"""Mechanisms in space: a builder that collects bodies, joints, loads and what is watched, and checks them.
+"""Mechanisms in space: a builder that collects and checks bodies, joints, loads and outputs.
 
-Every place and direction is given where it lies in the design pose: x, y, z in metres in the ground's axes. The first
-joint of a body hangs it into the tree; a joint between two bodies that have their places closes a loop. What the
-builder has collected it lists (``str``, ``to_dict``); ``finish`` forms the equations of it and changes nothing.
+Places and directions are those in the design pose: x, y, z in metres in the ground's axes. The first
+joint of a body hangs it into the tree; a joint between two bodies that have their places closes a loop. The
+builder lists its content (``str``, ``to_dict``); ``finish`` forms the equations and changes nothing.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ _EMPTY = ca.SX(0, 1)
 class Mechanism(Structure):
     """A mechanism under construction: bodies, joints, loops, forces, outputs, then ``finish``.
 
-    Everything hangs on its body ``ground``. ``values`` holds the numbers (SI) that parameters were built with.
+    All bodies are connected to its body ``ground``. ``values`` has the numbers (SI) of the parameters as built.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class Mechanism(Structure):
     # numbers ---------------------------------------------------------------------------------------------------
 
     def number(self, path: str, value: Number, unit: str = "1") -> ca.SX:
-        """Give the parameter at ``path`` with a value of its own (SI ``unit``); an expression is taken as it is."""
+        """Return the parameter at ``path`` with a value of its own (SI ``unit``); an expression is taken unchanged."""
         if isinstance(value, ca.SX):
             if value.shape != (1, 1):
                 raise AssemblyError("not a number", where=path, found=f"{value.numel()} expressions", allowed="one")
@@ -99,7 +99,7 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def vector(self, path: str, value: Vector, unit: str = "m") -> ca.SX:
-        """Give three parameters ``path[0]`` to ``path[2]`` with values of their own (SI ``unit``)."""
+        """Return three parameters ``path[0]`` to ``path[2]`` with values of their own (SI ``unit``)."""
         shape = value.shape if isinstance(value, ca.SX) else (np.size(np.asarray(value, dtype=object)), 1)
         if shape != (3, 1):
             raise AssemblyError("not a vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z")
@@ -109,7 +109,7 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def direction(self, path: str, value: Vector) -> ca.SX:
-        """Give the unit vector along three numbers."""
+        """Return the unit vector along three numbers."""
         if not isinstance(value, ca.SX):
             found = [to_si(part, "1", where=path) for part in np.atleast_1d(np.asarray(value, dtype=object)).ravel()]
             if len(found) == 3 and not any(found):
@@ -178,7 +178,7 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def moving_frame(self, body: Body, field: ca.SX) -> Body:
-        """Give moving axes on a body, for a mechanism that hangs on it: cheaper than joints to the body itself.
+        """Return moving axes on a body, for a mechanism attached to it: cheaper than joints to the body itself.
 
         Parameters
         ----------
@@ -241,7 +241,7 @@ class Mechanism(Structure):
         return self._close(replace(made, name=placed)) if closes else self._hang(name, replace(made, name=placed))
 
     def _hang(self, name: str, joint: Joint) -> ca.SX:
-        """Put the body that has no place yet where the joint says."""
+        """Place the unplaced body of a joint."""
         parent, child, sign = joint.first, joint.second, 1
         if child.is_placed:
             parent, child, sign = child, parent, -1
@@ -277,27 +277,27 @@ class Mechanism(Structure):
         self.add(joints.Fixed(name, parent, child))
 
     def prismatic(self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = _NONE) -> ca.SX:
-        """Let a body slide along an axis; give the distance (m), positive where the child moves along ``axis``."""
+        """Let a body slide along an axis; return the distance (m), positive if the child moves along ``axis``."""
         return self.add(joints.Prismatic(name, parent, child, at, axis))
 
     def revolute(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
-        """Let a body turn about an axis; give the angle (rad), right-handed about ``axis`` from parent to child."""
+        """Let a body turn about an axis; return the angle (rad), right-handed about ``axis`` from parent to child."""
         return self.add(joints.Revolute(name, parent, child, at, axis))
 
     def cylindrical(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
-        """Let a body slide along an axis and turn about it; give distance (m) and angle (rad)."""
+        """Let a body slide along an axis and turn about it; return distance (m) and angle (rad)."""
         return self.add(joints.Cylindrical(name, parent, child, at, axis))
 
     def screw(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, pitch: Number) -> ca.SX:
-        """Let a body turn on a thread; give the angle (rad). A turn takes it by ``pitch`` (m, not 0) along ``axis``."""
+        """Let a body turn on a thread; return the angle (rad). A turn is ``pitch`` (m, not 0) along ``axis``."""
         return self.add(joints.Screw(name, parent, child, at, axis, pitch))
 
     def universal(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector) -> ca.SX:
-        """Cross of two axes at right angles, the first on the first body; give the angles about them (rad)."""
+        """Cross of two axes at right angles, the first on the first body; return the angles about them (rad)."""
         return self.add(joints.Universal(name, parent, child, at, axis, second_axis))
 
     def spherical(self, name: str, parent: Body, child: Body, at: Vector) -> ca.SX:
-        """Let a body turn about a point; give the quaternion of its orientation against the ground."""
+        """Let a body turn about a point; return the quaternion of its orientation against the ground."""
         return self.add(joints.Spherical(name, parent, child, at))
 
     def link(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_at: Vector) -> ca.SX:
@@ -335,7 +335,7 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def coincident(self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None) -> ca.SX:
-        """Keep a point of one body on a point of another; give the force on the second (N, ground axes)."""
+        """Keep a point of one body on a point of another; return the force on the second (N, ground axes)."""
         if second_at is None:
             self._require_placed(name, first, second)
             at = second_at = self.vector(f"{name}.at", at)
@@ -365,19 +365,19 @@ class Mechanism(Structure):
         return self.add(joints.Rod(name, first, second, at, second_at, length))
 
     def point_on_line(self, name: str, first: Body, second: Body, at: Vector, axis: Vector, point: Vector) -> ca.SX:
-        """Keep a point of the second body on a line of the first; give the two forces across the line (N)."""
+        """Keep a point of the second body on a line of the first; return the two forces across the line (N)."""
         return self.add(joints.PointOnLine(name, first, second, at, axis, point))
 
     def perpendicular(self, name: str, first: Body, second: Body, axis: Vector, second_axis: Vector) -> ca.SX:
-        """Keep two directions at right angles; give the torque that does it (N m)."""
+        """Keep two directions at right angles; return the constraint torque (N m)."""
         return self.add(joints.Perpendicular(name, first, second, axis, second_axis))
 
     def parallel(self, name: str, first: Body, second: Body, axis: Vector) -> ca.SX:
-        """Keep a direction of two bodies parallel; give the two torques that do it (N m)."""
+        """Keep a direction of two bodies parallel; return the two constraint torques (N m)."""
         return self.add(joints.Parallel(name, first, second, axis))
 
     def coupler(self, name: str, expression: ca.SX) -> ca.SX:
-        """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; give its force."""
+        """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; return its force."""
         value = self.poses.resolved(expression_of(expression, name))
         if any(ca.which_depends(value, self.collection.q, 2)):
             hint = "Take condition() for what is not linear."
@@ -385,12 +385,12 @@ class Mechanism(Structure):
         return self._condition(name, "coupler", expression)
 
     def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
-        """Drive a coordinate (m or rad) along a prescribed input; give the force or torque that it takes."""
+        """Drive a coordinate (m or rad) along a prescribed input; return the required force or torque."""
         self._check_track(name, track)
         return self._condition(name, "motion", expression_of(coordinate, name) - track.value)
 
     def condition(self, name: str, expression: ca.SX) -> ca.SX:
-        """Keep any expression of coordinates, points of bodies and tracks at zero; give its multiplier."""
+        """Keep any expression of coordinates, points of bodies and tracks at zero; return its multiplier."""
         return self._condition(name, "condition", expression)
 
     @all_or_nothing
@@ -405,13 +405,13 @@ class Mechanism(Structure):
 
     def _check_track(self, name: str, track: object) -> None:
         """Refuse what is no prescribed input of this mechanism."""
-        if all(track is not one for one in self.collection.tracks.values()):
+        if all(track is not known for known in self.collection.tracks.values()):
             named = track.value if isinstance(track, Track) else track
             found, hint = str(named), "Take what mechanism.track(name) gives, once for each name."
             raise AssemblyError("not a track of this mechanism", where=name, found=found, hint=hint)
 
     def _check_expression(self, name: str, expression: ca.SX) -> ca.SX:
-        """Refuse what is not one expression of coordinates, such as the force that a closing joint gives."""
+        """Refuse anything but one expression of coordinates, such as the force of a closing joint."""
         expression = expression_of(expression, check_name(name))
         if expression.shape != (1, 1):
             hint = "Take one of them, as joint[0]; a closing joint gives its forces and has no coordinate."
@@ -420,7 +420,7 @@ class Mechanism(Structure):
         return expression
 
     def _check_moves(self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()) -> None:
-        """Refuse what names other things than coordinates, parameters, tracks (and ``also``), or nothing ``moving``."""
+        """Refuse symbols but coordinates, parameters, tracks and ``also``, and an expression without ``moving``."""
         expression = self.poses.resolved(expression)
         strange = self._strange_in(expression, also)
         if strange or not ca.depends_on(expression, moving):
@@ -451,7 +451,7 @@ class Mechanism(Structure):
             raise AssemblyError("a body cannot be joined to itself", where=name, found=bodies[0].name)
 
     def _require_placed(self, name: str, *bodies: Body) -> None:
-        """Refuse bodies that hang on nothing yet."""
+        """Refuse bodies without a place."""
         self._check(name, *bodies)
         for body in bodies:
             if not body.is_placed:
@@ -477,7 +477,7 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def act(self, load: Load) -> Action:
-        """Add a load of any class; what it gives to its maker is ``shown``."""
+        """Add a load of any class; ``shown`` is its result for the caller."""
         if not isinstance(load, Load):
             raise AssemblyError(
                 "not a load", where="act", found=type(load).__name__, hint="Take one of the builder's methods."
@@ -524,7 +524,7 @@ class Mechanism(Structure):
     def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
         """Add a force that does the power ``magnitude * rate``; both may be vectors.
 
-        For reactions it acts on coordinates only; ``force`` and ``apply_force`` know the points, too.
+        Reactions see it on coordinates only; ``force`` and ``apply_force`` also have points.
         """
         rate, magnitude = expression_of(rate, "rate of load"), expression_of(magnitude, "magnitude of load", "N")
         if rate.shape != magnitude.shape:
@@ -568,23 +568,26 @@ class Mechanism(Structure):
         self.act(loads.PushApart("", first, second, one, other, self._law(name, force, "N")))
 
     def _require_moving(self, name: str, body: Body) -> None:
-        """Refuse bodies that hang on nothing yet, and the ground, which no force moves."""
+        """Refuse bodies without a place, and the ground, which no force moves."""
         self._require_placed(name, body)
         if body is self.ground:
             raise AssemblyError("the ground does not move", where=name, hint="Name the body that it acts on.")
 
     def _point_of(self, body: Body, point: Moving | ca.SX | Sequence[float | str], where: str) -> Moving:
-        """The point of a body that lies at a design place, or one that is given; refuses those of other bodies."""
+        """The point of a body at a design place, or a given point; refuses points of other bodies."""
         if not isinstance(point, Moving):
             design = self.poses.require_still(vector_of(point, where), where)
-            found = body.frame.point(design)
-            return BodyPoint(found.value, found.rate, found.bias, body, design)
+            point = body.frame.point(design)
+            return BodyPoint(point.value, point.rate, point.bias, body, design)
         owners = (
-            {point.body} if isinstance(point, BodyPoint) else {one.body for one in self.poses.occurring(point.value)}
+            {point.body}
+            if isinstance(point, BodyPoint)
+            else {named.body for named in self.poses.occurring(point.value)}
         )
         if owners and body not in owners:
             names = ", ".join(
-                one.name if self.bodies.get(one.name) is one else f"{one.name} of another mechanism" for one in owners
+                owner.name if self.bodies.get(owner.name) is owner else f"{owner.name} of another mechanism"
+                for owner in owners
             )
             hint = f"Ask {body.name} for its point, or use push_apart() between two bodies."
             raise AssemblyError("a point of another body", where=where, found=names, hint=hint)
@@ -592,14 +595,15 @@ class Mechanism(Structure):
 
     def _law(self, where: str, law: ca.SX | float | str, unit: str) -> ca.SX:
         """One expression."""
-        found = expression_of(law, where, unit)
-        if found.shape != (1, 1):
-            raise AssemblyError("not one expression", where=where, found=f"{found.numel()} expressions", allowed="one")
-        return found
+        result = expression_of(law, where, unit)
+        if result.shape != (1, 1):
+            raise AssemblyError("not one expression", where=where, found=f"{result.numel()} expressions", allowed="one")
+        return result
 
     def _own_law(self, name: str, law: ca.SX | float | str, unit: str, **beside: Number | None) -> ca.SX:
-        """A law of the user's; refuses numbers of the usual one beside it, which would not count."""
-        given = [key for key, one in beside.items() if one is not None and (isinstance(one, ca.SX) or one != 0.0)]
+        """A user-defined law; refuses numbers of the standard law beside it, which would have no effect."""
+        set_numbers = {key: number for key, number in beside.items() if number is not None}
+        given = [key for key, number in set_numbers.items() if isinstance(number, ca.SX) or number != 0.0]
         if given:
             hint = "Put them into the law, or leave it out."
             raise AssemblyError(
@@ -620,14 +624,14 @@ class Mechanism(Structure):
         free_length: Number | None = None,
         force: ca.SX | None = None,
     ) -> tuple[ca.SX, ca.SX]:
-        """Put a spring and damper between two points; give its length (m) and force (N, compression positive).
+        """Add a spring and damper between two points; return its length (m) and force (N, compression positive).
 
         Parameters
         ----------
         name : str
             Its name.
         first, second : Body
-            The bodies it pushes apart.
+            Bodies that it pushes apart.
         at, second_at : sequence of float, shape (3,)
             Its ends in the design pose, m.
         stiffness : float
@@ -637,7 +641,7 @@ class Mechanism(Structure):
         free_length : float, optional
             m; by default the length in the design pose.
         force : casadi.SX, optional
-            A law of your own in place of stiffness and damping, N, positive in compression.
+            A user-defined law in place of stiffness and damping, N, positive in compression.
 
         Returns
         -------
@@ -661,7 +665,7 @@ class Mechanism(Structure):
         free_angle: Number = 0.0,
         torque: ca.SX | None = None,
     ) -> ca.SX:
-        """Put a spring and damper on the angle of a joint of the tree; give its torque (N m).
+        """Add a spring and damper on the angle of a joint of the tree; return its torque (N m).
 
         Parameters
         ----------
@@ -676,7 +680,7 @@ class Mechanism(Structure):
         free_angle : float
             Angle without torque, rad.
         torque : casadi.SX, optional
-            A law of your own (use ``coordinate_named`` and ``rate_of``), N m, positive along the angle.
+            A user-defined law (use ``coordinate_named`` and ``rate_of``), N m, positive along the angle.
 
         Returns
         -------
@@ -703,36 +707,36 @@ class Mechanism(Structure):
         stiffness: Number,
         damping: Number = 0.0,
     ) -> ca.SX:
-        """Put elastic stops at the ends of a coordinate's travel; give their force or torque on it (N or N m).
+        """Add elastic stops at the ends of a coordinate's travel; give their force or torque on it (N or N m).
 
         Parameters
         ----------
         name : str
             Its name.
         coordinate : casadi.SX
-            What the joint gave, such as its angle or distance, or an expression of such and of points of bodies.
+            Result of the joint, such as its angle or distance, or an expression of these and of points of bodies.
         lower, upper : float, optional
-            Where they are touched, m or rad.
+            Positions of contact, m or rad.
         stiffness : float
             N/m or N m/rad.
         damping : float
-            N s/m or N m s/rad while touched; a stop does not pull, so the loss ends where it would.
+            N s/m or N m s/rad in contact; a stop does not pull, so its loss ends there.
         """
         coordinate = self._check_expression(name, coordinate)
         length = self._length_of(coordinate)
         return self.act(loads.Stop(name, length, coordinate, stiffness, damping, lower, upper)).shown[0]
 
     def friction(self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3) -> ca.SX:
-        """Put Coulomb friction on a coordinate; give its force or torque on it (N or N m).
+        """Add Coulomb friction on a coordinate; return its force or torque on it (N or N m).
 
         Parameters
         ----------
         name : str
             Its name.
         coordinate : casadi.SX
-            What the joint gave, such as its angle or distance.
+            Result of the joint, such as its angle or distance.
         force : float
-            N or N m, whatever the joint carries.
+            N or N m, independent of the joint's load.
         regularisation_rate : float
             m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
         """
@@ -741,7 +745,7 @@ class Mechanism(Structure):
         return self.act(law).shown[0]
 
     def _length_of(self, expression: ca.SX) -> str:
-        """``rad`` for what is made of angles only, ``m`` otherwise."""
+        """``rad`` for an expression of angles only, ``m`` otherwise."""
         units = {self.collection.units.get(symbol.name()) for symbol in ca.symvar(expression)} - {None}
         return "rad" if units == {"rad"} and not self.poses.occurring(expression) else "m"
 
@@ -768,7 +772,7 @@ class Mechanism(Structure):
         self._see(outputs.WatchedBody(body.name, body, body.mass_properties.centre))
 
     def watch_angle(self, name: str, first: Body, second: Body, axis: Vector) -> None:
-        """Let the turn of a body against another be seen: ``<name>`` (rad), ``<name> rate``, ``<name> acceleration``.
+        """Add the angle between two bodies as channels: ``<name>`` (rad), ``<name> rate``, ``<name> acceleration``.
 
         Parameters
         ----------
@@ -795,19 +799,19 @@ class Mechanism(Structure):
     def watch_reaction(
         self, joint: str, frame: str = "ground", *, at: Vector | None = None, on: str | None = None
     ) -> None:
-        """Let a joint's reaction be seen: ``<joint>.fx`` to ``.tz``, N and N m.
+        """Add a joint's reaction as channels: ``<joint>.fx`` to ``.tz``, N and N m.
 
         Parameters
         ----------
         joint : str
-            A joint of the tree, a closure, or a condition, coupler or motion. What is added later counts, too.
+            A joint of the tree, a closure, or a condition, coupler or motion. Later additions are included.
         frame : str
             ``"ground"``, or the name of a body whose axes are used.
         at : sequence of float, shape (3,), optional
-            Point for which the torque is given: its place in the design pose (m) on the body that feels the reaction.
+            Point for which the torque is given: its place in the design pose (m) on the body with the reaction.
             By default the joint; for a closure its point on the second body.
         on : str, optional
-            The body that feels the reaction: by default the joint's second; of a condition, of all bodies that it acts
+            Body with the reaction: by default the joint's second; of a condition, of all bodies that it acts
             on the one that comes last in the mechanism.
         """
         known = [*self.joints, *self.closures, *self.conditions]
@@ -827,18 +831,18 @@ class Mechanism(Structure):
         self.watched[key] = outputs.WatchedReaction(joint, on, self.bodies[frame], place)
 
     def watch_energy(self) -> None:
-        """Let energies be seen (J), and what is left open of the loops.
+        """Add energies (J) and loop residuals as channels.
 
-        ``energy.kinetic``, ``energy.weight`` and, where there are such, ``energy.elastic`` of springs and stops,
+        ``energy.kinetic``, ``energy.weight`` and, if there are any, ``energy.elastic`` of springs and stops,
         ``energy.dissipated`` by dampers, stops and friction and ``energy.supplied`` by motions since the start. Forces
-        by laws of your own and bushings are not among them. ``energy.balance``, where there are loops, is the kinetic
+        by user-defined laws and bushings are not among them. ``energy.balance``, where there are loops, is the kinetic
         energy less the work of all forces: constant but for errors. ``constraint.residual`` is in m and rad.
         """
         self._see(outputs.WatchedEnergy("energy"))
 
     @all_or_nothing
     def _see(self, watch: Watch) -> None:
-        """Watch something; coordinates and energies once, however often that is said."""
+        """Add an output; coordinates and energies only once."""
         key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.placed(watch.name)}"
         if key in self.watched and watch.name != watch.kind:
             raise AssemblyError("the name is used twice", where=self.placed(watch.name))
@@ -847,11 +851,11 @@ class Mechanism(Structure):
         self._refuse_clashes()
 
     def _refuse_clashes(self) -> None:
-        """Refuse a point, body or angle that is watched under the name of coordinates that are watched, too."""
+        """Refuse a point, body or angle with the channel names of watched coordinates."""
         if not any(isinstance(watch, outputs.WatchedCoordinates) for watch in self.watched.values()):
             return
-        turning = {one.name for one in self.watched.values() if isinstance(one, outputs.WatchedAngle)}
-        places = {one.name for one in self.watched.values() if isinstance(one, outputs.WatchedPoint)}
+        turning = {watch.name for watch in self.watched.values() if isinstance(watch, outputs.WatchedAngle)}
+        places = {watch.name for watch in self.watched.values() if isinstance(watch, outputs.WatchedPoint)}
         clashing = [name for name, hung in self.hanging.items() if name in places and hung.joint.has_quaternion]
         clashing += sorted(turning & set(self.collection.coordinates))
         if clashing:
@@ -860,7 +864,7 @@ class Mechanism(Structure):
             raise AssemblyError(text, where=", ".join(clashing), hint=hint)
 
     def reaction(self, joint: str, on: str | None = None) -> Reaction:
-        """Give force (N) and torque (N m) of a joint, closure or condition in ground axes; for outputs only.
+        """Return force (N) and torque (N m) of a joint, closure or condition in ground axes; for outputs only.
 
         They are given at the joint (for a closure, at its point on the second body), as they act on ``on``, by default
         the joint's second body. What holds a coordinate itself (a motion, coupler or condition on it) is transmitted by
@@ -877,15 +881,15 @@ class Mechanism(Structure):
         """Potential energy of the weights, J, zero in the design pose."""
         return outputs.weight_energy(self.bodies.values(), self.gravity)
 
-    # what there is ---------------------------------------------------------------------------------------------
+    # listing and values --------------------------------------------------------------------------------------------
 
     def to_dict(self, values: Mapping[str, float | str] | None = None) -> dict[str, Any]:
-        """List bodies, joints, loops, conditions, loads and what is watched, with their numbers.
+        """List bodies, joints, loops, conditions, loads and outputs, with their numbers.
 
         Parameters
         ----------
         values : mapping, optional
-            Parameter path to value (SI, or text with a unit), in place of or besides those it was built with.
+            Parameter path to value (SI, or text with a unit), in place of, or in addition to, those as built.
 
         Returns
         -------
@@ -898,7 +902,7 @@ class Mechanism(Structure):
         return listing.as_data(self, numbers | nothing, self.watched.values())
 
     def with_values(self, values: Mapping[str, float | str]) -> dict[str, float]:
-        """Give every parameter's number by path, ``values`` (SI, or text with a unit) in place of those built in."""
+        """Return every parameter's number by path, ``values`` (SI, or text with a unit) in place of those as built."""
         for path in values:
             if check_name(path, "values") not in self.parameters:
                 raise unknown(path, self.parameters, what="parameter", where="values")
@@ -914,11 +918,11 @@ class Mechanism(Structure):
         self._check_numbers([*joints_, *(load for load, _ in self.loads), *self.watched.values()], values)
 
     def _check_numbers(self, things: Iterable[Description], values: Mapping[str, float]) -> None:
-        """Let descriptions look at their numbers."""
+        """Let descriptions check their numbers."""
         reading = listing.Reading(self, values)
         for each in things:
             each.check(reading.known(each))
-            for axis in (one.name for one in fields(each) if one.metadata.get("read") == "direction"):
+            for axis in (field.name for field in fields(each) if field.metadata.get("read") == "direction"):
                 found = reading.numbers(getattr(each, axis))
                 if found is not None and not np.all(np.isfinite(found)):
                     where, hint = f"{each.name}.{axis}", "Its three numbers must not all be zero."
@@ -930,7 +934,7 @@ class Mechanism(Structure):
     # the equations ---------------------------------------------------------------------------------------------
 
     def complete(self) -> Mechanism:
-        """Give the same with masses and weights of all its bodies; what is added to that does not change this one."""
+        """Return the same with masses and weights of all its bodies; what is added to that does not change this one."""
         whole = copy.copy(self)
         whole.collection, whole.loads, whole.watched = self.collection.copy(), list(self.loads), dict(self.watched)
         whole._scope = ("", "")
@@ -952,13 +956,13 @@ class Mechanism(Structure):
         return whole
 
     def mass_matrix(self, model: Model) -> ca.Function:
-        """Give the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""
+        """Return the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""
         whole, v = self.complete(), self.collection.v
         matrix = sum((inertia.matrix(v) for inertia in whole.collection.inertias), ca.SX(v.shape[0], v.shape[0]))
         return ca.Function("mass", [model.x, model.u, model.p], [matrix])
 
     def generalised_force(self, model: Model) -> ca.Function:
-        """Give the force of all loads on the speeds (N, N m) as a function of the model's x, u, p and m."""
+        """Return the force of all loads on the speeds (N, N m) as a function of the model's x, u, p and m."""
         loads = _resolved(self.complete().collection, self.poses)
         return ca.Function("force", [model.x, model.u, model.p, model.m], [loads.force_on(loads.v)])
 
@@ -969,12 +973,12 @@ class Mechanism(Structure):
         values: Mapping[str, float | str] | None = None,
         inputs: Mapping[str, float] | None = None,
     ) -> Mobility:
-        """Count the degrees of freedom, and name what moves in each and what is over-constrained.
+        """Count the degrees of freedom; name the motions and the over-constrained joints.
 
         Parameters
         ----------
         start : mapping, optional
-            Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`: where to count.
+            Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`: the pose of the count.
         values : mapping, optional
             Parameter path to another value (SI, or text with a unit) than it was built with.
         inputs : mapping, optional
@@ -988,7 +992,7 @@ class Mechanism(Structure):
         Raises
         ------
         AssemblyError
-            When the loops cannot be closed, or the pose is singular: a count there would not hold beside it.
+            If the loops cannot be closed, or the pose is singular: a count there would not apply nearby.
 
         Examples
         --------
@@ -1027,7 +1031,9 @@ class Mechanism(Structure):
         every += [closed.joint for closed in self.closing.values()]
         every += [*(load for load, _ in self.loads), *self.watched.values()]
         given = [
-            (f"{each.name}.{one.name}", getattr(each, one.name), one.metadata) for each in every for one in fields(each)
+            (f"{each.name}.{field.name}", getattr(each, field.name), field.metadata)
+            for each in every
+            for field in fields(each)
         ]
         found = {path: value for path, value, about in given if about.get("read") == "vector" and about["unit"] == "m"}
         masses = {name: body.mass_properties for name, body in self.bodies.items() if body.mass_properties is not None}
@@ -1048,7 +1054,7 @@ class Mechanism(Structure):
         Parameters
         ----------
         redundant : {"keep", "remove"}
-            ``remove`` leaves out loop equations that repeat others at the pose that ``start`` assembles to; the force
+            ``remove`` drops redundant loop equations at the pose assembled from ``start``; the force
             that a joint without some of its equations shows is then only what the others leave for it.
         start : mapping, optional
             Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`.
@@ -1077,7 +1083,7 @@ class Mechanism(Structure):
         values: Mapping[str, float] | None = None,
         inputs: Mapping[str, float] | None = None,
     ) -> Model:
-        """Give the finished model for a run, formed anew only when something was added.
+        """Return the finished model for a run, formed anew only when something was added.
 
         Parameters
         ----------
@@ -1108,7 +1114,7 @@ class Mechanism(Structure):
         return (*(len(part) for part in each if isinstance(part, dict | list)), *self.watched.values())
 
     def _formed(self, dropped: frozenset[str], *, balance: bool) -> Model:
-        """Form the equations without some of the loops'; with what a run's loops make of the energy, if asked."""
+        """Form the equations without some of the loops'; on request with the energy balance of the loops."""
         whole = self.complete()
         if balance and whole.collection.constraints:
             whole.watch_balance()
@@ -1132,7 +1138,7 @@ class Mechanism(Structure):
                 raise AssemblyError(text, where=f"output {output.name}", found=", ".join(strange))
 
     def watch_balance(self) -> None:
-        """Show what the loops make of the energy: none may come or go there. Unknown where a track moves a body."""
+        """Add the energy balance of the loops, which must not change. Unknown if a track moves a body."""
         moved = any(isinstance(hung.joint, joints.Driven) for hung in self.hanging.values())
         if moved and self.tracks:
             return
@@ -1157,7 +1163,7 @@ class Mechanism(Structure):
 
 
 def _resolved(collection: Collection, poses: Poses) -> Collection:
-    """Put what the joints say in place of all points that expressions name."""
+    """Replace all named points in expressions by their formulas from the joints."""
     loads = [part for pair in collection.loads for part in pair]
     rates = [rate for _, rate in collection.internal.values()]
     switches = [expression for _, expression in collection.switches.values()]
@@ -1165,17 +1171,17 @@ def _resolved(collection: Collection, poses: Poses) -> Collection:
     named = poses.occurring(ca.veccat(*parts)) if parts else []
     if not named:
         return collection
-    symbols, values = ([getattr(one, part) for one in named] for part in ("symbol", "value"))
-    found = iter(ca.substitute(parts, symbols, values))
+    symbols, values = ([getattr(item, part) for item in named] for part in ("symbol", "value"))
+    result = iter(ca.substitute(parts, symbols, values))
     return replace(
         collection,
-        loads=[(next(found), next(found)) for _ in collection.loads],
+        loads=[(next(result), next(result)) for _ in collection.loads],
         internal={
-            name: (symbol, None if rate is None else next(found))
+            name: (symbol, None if rate is None else next(result))
             for name, (symbol, rate) in collection.internal.items()
         },
-        switches={name: (mode, next(found)) for name, (mode, _) in collection.switches.items()},
-        outputs={output: next(found) for output in collection.outputs},
+        switches={name: (mode, next(result)) for name, (mode, _) in collection.switches.items()},
+        outputs={output: next(result) for output in collection.outputs},
     )
 
 
@@ -1186,11 +1192,11 @@ def _check_choice(redundant: str, choices: tuple[str, ...]) -> None:
 
 def _by_place(bodies: Iterable[Body]) -> list[list[Body]]:
     """Bodies with mass by the place they belong to, as their names say."""
-    found: dict[str, list[Body]] = {}
+    result: dict[str, list[Body]] = {}
     for body in bodies:
         if body.mass_properties is not None:
-            found.setdefault(body.name.rpartition(".")[0], []).append(body)
-    return list(found.values())
+            result.setdefault(body.name.rpartition(".")[0], []).append(body)
+    return list(result.values())
 
 
 def _carried(body: Body) -> Carried:

@@ -1,4 +1,4 @@
-"""Degrees of freedom of a mechanism: how many motions its joints leave, what moves in each, and which feel no force.
+"""Degrees of freedom of a mechanism: the motions that its joints allow, and those without force.
 
 The rank of the loop equations' slope counts them. It is taken at a pose that is closed and not singular (assembly
 looks beside the pose, too), so a motion that the next millimetre would stop is not called free.
@@ -20,27 +20,27 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.model import Model
 from jounce.mechanics.structure import Structure
 
-_NUDGE = 1e-4  # m or rad: a motion along which the forces are looked at
-_NOTHING = 1e-6  # force that is rounding beside the largest
-_STILL = 1e-6  # share of a motion, and slide (m) of a screw by a turn of 1 rad, that is not worth a word
-_LISTED = 6
-_POSES = 64  # that a model remembers: those a mechanism has started from lately
+_NUDGE = 1e-4  # m or rad: a motion along which forces are compared
+_NOTHING = 1e-6  # force, relative to the largest, that is rounding
+_STILL = 1e-6  # share of a motion, and slide (m) of a screw by a turn of 1 rad, below which it is not reported
+_LISTED = 6  # motions that a finding lists
+_POSES = 64  # remembered for a model: recent starts
 
 
 @dataclass(frozen=True)
 class FreeMotion:
-    """A motion that the joints leave, in the pose it was asked for.
+    """A motion that the joints allow in a pose.
 
     Attributes
     ----------
     body : str
         The body that takes most of the kinetic energy.
     axis : tuple of float
-        Direction of its turn, or of its way where it does not turn (1), ground axes.
+        Axis of its rotation, or direction of its translation (1), ground axes.
     point : tuple of float or None
         Point of the axis that is nearest to the centre of mass, m; None where the body does not turn.
     pitch : float
-        How far the body slides along the axis in a turn by 1 rad, m/rad; 0 where it only slides.
+        Slide of the body along the axis per rotation, m/rad; 0 for a translation.
     moving : tuple of str
         All bodies that move.
     is_loaded : bool
@@ -70,7 +70,7 @@ class Mobility:
     degrees_of_freedom : int
         Number of independent motions that the joints and prescribed motions leave.
     count : int
-        What Grübler's formula counts: 6 for each body, less all equations. It lacks one for each redundant equation.
+        Count by Grübler's formula: 6 for each body, less all equations. It is short by one for each redundant equation.
     redundant : tuple of tuple of str
         Groups of loop equations of which one follows from the others: there the joints are over-constrained.
     motions : tuple of FreeMotion
@@ -89,7 +89,7 @@ class Mobility:
         return "\n".join(lines)
 
     def findings(self, *, is_driven: bool) -> Iterator[Finding]:
-        """Say what loops leave, what no force acts on, what repeats, and that nothing can move."""
+        """Report motions with loops, motions without force, redundant equations, and a rigid mechanism."""
         if self.motions:
             yield Finding("degrees of freedom", "note", f"the joints leave {_listed(self.motions)}")
         elif not is_driven:
@@ -140,11 +140,11 @@ class Freedoms:
         return self._known.of((x.tobytes(), u.tobytes(), p.tobytes(), redundant), make)
 
     def _motions(self, evaluator: Evaluator, x: Array) -> tuple[FreeMotion, ...]:
-        """Motions that the joints leave, those that feel a force first."""
+        """Motions that the joints allow, those with a force first."""
         ways = motions_left(evaluator.at(x)[1])
         if not ways.shape[1]:
             return ()
-        felt, unfelt = self._by_force(evaluator, x, ways)
+        loaded, unloaded = self._by_force(evaluator, x, ways)
         each = np.split(self._bodies(x, evaluator.u, evaluator.p).full(), len(self._names))
 
         def describe(way: Array, *, is_loaded: bool) -> FreeMotion:
@@ -167,35 +167,35 @@ class Freedoms:
             pitch = 0.0 if slides else float(spin @ rate) / turn**2
             return FreeMotion(self._names[most], tuple(map(float, axis)), point, pitch, moving, is_loaded)
 
-        both = ((felt, True), (unfelt, False))
+        both = ((loaded, True), (unloaded, False))
         return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
 
     def _by_force(self, evaluator: Evaluator, x: Array, ways: Array) -> tuple[Array, Array]:
-        """Motions that feel forces, and those that feel none: now, at a small speed, or after a small step."""
+        """Motions with forces, and those without: in the pose, at a small speed, or after a small step."""
         if self._is_carried:
-            return ways, ways[:, :0]  # weights of what hangs in moving axes are among the inertial forces
+            return ways, ways[:, :0]  # weights of bodies in moving axes are among the inertial forces
         model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
-        active = np.ones(len(model.switches))  # stops count where they are not touched, too
+        active = np.ones(len(model.switches))  # also stops that are not touched
 
-        def felt(x: Array, left: Array) -> Array:
-            """Force along the motions that are left at a state."""
+        def force(x: Array, left: Array) -> Array:
+            """Force along the remaining motions at a state."""
             return np.asarray(left @ (left.T @ self._force(x, evaluator.u, evaluator.p, active).full()[:, 0]))
 
-        def found() -> Iterator[Array]:
-            """Forces, those that are found with the least work first."""
-            here = felt(x, ways)
-            yield here
+        def forces() -> Iterator[Array]:
+            """Forces, the cheapest ones first."""
+            reference = force(x, ways)
+            yield reference
             steps = [sign * way for way in ways.T for sign in (_NUDGE, -_NUDGE)]
             for step in steps:
                 moving = x.copy()
                 moving[n_q : n_q + n_v] += step
-                yield (felt(moving, ways) - here) / _NUDGE
+                yield (force(moving, ways) - reference) / _NUDGE
             for step in steps:
                 near = close_loops(evaluator, evaluator.moved(x, step), np.ones(n_v))
-                yield (felt(near, motions_left(evaluator.at(near)[1])) - here) / _NUDGE
+                yield (force(near, motions_left(evaluator.at(near)[1])) - reference) / _NUDGE
 
         rows: list[Array] = []
-        for row in found():
+        for row in forces():
             rows.append(row @ ways)
             _, values, right = np.linalg.svd(np.array(rows))
             rank = int(np.sum(values > _NOTHING * max(1.0, np.max(values, initial=0.0))))

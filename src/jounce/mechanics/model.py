@@ -111,11 +111,11 @@ class Model:
         Loop equations, zero where the loops are closed.
     projection : casadi.SX
         States moved onto the constraints, then the residual before it (norm) and the conditioning of the constraints
-        (1: independent, 0: singular); empty where nothing can drift.
+        (1: independent, 0: singular); empty without loops.
     balance : Balance
-        Where accelerations and multipliers come from.
+        Source of accelerations and multipliers.
     alike : tuple, optional
-        What the names of parts that are built alike begin with (a tuple for each), and which are computed together.
+        Prefixes of the names of similar parts (a tuple for each), and the groups that are computed together.
     generic : Generic, optional
         The same model with symbols in place of some numbers.
     """
@@ -162,9 +162,9 @@ class Model:
         return self.facts.states
 
     def is_piecewise_linear(self, zero: tuple[str, ...] = ()) -> bool:
-        """Tell whether rates and outputs are affine in states and inputs as long as no mode changes.
+        """Whether rates and outputs are affine in states and inputs as long as no mode changes.
 
-        The switching functions may be anything. Parameters in ``zero`` count as zero.
+        The switching functions are arbitrary. Parameters in ``zero`` are taken as zero.
         """
         if self.constraints or self.projection.shape[0]:
             return False
@@ -184,7 +184,7 @@ class Model:
 
 
 def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> Model:
-    """Put numbers in place of the symbols that stand for them; the model keeps what it was as ``generic``."""
+    """Replace symbols by their numbers; the original model is kept as ``generic``."""
     symbols, values = ca.vertcat(*(made for made, _ in constants.values())), ca.SX([x for _, x in constants.values()])
 
     def put(*parts: ca.SX) -> list[ca.SX]:

@@ -14,7 +14,7 @@ from jounce.core.units import as_number
 
 
 def constant_rate(rate: float, start: float = 0.0) -> Segments:
-    """Give a motion with a constant rate.
+    """Return a motion with a constant rate.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def _value(value: object, per: str = "") -> float:
 
 
 def harmonic(amplitude: float, frequency: float, phase: float = 0.0, mean: float = 0.0) -> Segments:
-    """Give the motion ``mean + amplitude sin(2 pi frequency t + phase)``.
+    """Return the motion ``mean + amplitude sin(2 pi frequency t + phase)``.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def harmonic(amplitude: float, frequency: float, phase: float = 0.0, mean: float
 
 
 def step(start: float, end: float, begin: float, stop: float) -> Segments:
-    """Give the motion from one value to another by a cubic with level ends; at rest before and after.
+    """Return the motion from one value to another by a cubic with level ends; at rest before and after.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     Raises
     ------
     AssemblyError
-        When it does not end after it begins.
+        If it does not end after it begins.
 
     Examples
     --------
@@ -103,7 +103,7 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
 
 
 def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segments:
-    """Give a motion through points: a cubic spline, or straight lines; constant at its end values beyond the points.
+    """Return a motion through points: a cubic spline, or straight lines; constant at its end values beyond the points.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
     Raises
     ------
     AssemblyError
-        When there are fewer than two points or the times do not ascend.
+        If there are fewer than two points or the times do not ascend.
     """
     t = as_samples(time, "s", where="time", error=AssemblyError)
     try:
@@ -144,7 +144,7 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
 
 
 def constant(value: float) -> Segments:
-    """Give a track that stays at ``value`` (m or rad)."""
+    """Return a track that stays at ``value`` (m or rad)."""
     return constant_rate(0.0, value)
 
 

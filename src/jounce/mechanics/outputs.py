@@ -1,4 +1,4 @@
-"""What is watched of a mechanism: frozen descriptions that make signals when its equations are formed."""
+"""Outputs of a mechanism: frozen descriptions that become signals when its equations are formed."""
 
 from __future__ import annotations
 

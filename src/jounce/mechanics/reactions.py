@@ -1,10 +1,10 @@
-"""Reactions of joints, by Newton and Euler on what hangs on them, and of all that holds a mechanism otherwise.
+"""Reactions of joints, by Newton and Euler on the bodies they carry, and of closures and conditions.
 
 Whatever acts is a force and a torque on bodies. A load or condition along an expression pushes every point that the
 expression names along what the expression gains when that point moves; on a coordinate that it names, it acts between
 the two bodies of its joint. So all that acts on what hangs on a joint is known, and what lacks is the joint's.
 
-All is summed up in the ground's axes. What hangs in moving axes has its places, forces and accelerations in those.
+All sums are in ground axes. Bodies in moving axes have their places, forces and accelerations in those.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ class Reaction:
     torque: ca.SX
     point: ca.SX
     body: Body
-    """The body that feels it."""
+    """The body that it acts on."""
 
     def at(self, point: ca.SX) -> Reaction:
-        """Give the same at another point."""
+        """Return the same reaction at another point."""
         return Reaction(self.force, self.torque + ca.cross(self.point - point, self.force), point, self.body)
 
 
 @dataclass(frozen=True)
 class Acting:
-    """A wrench, the closure or condition it comes from (empty for loads), and the joint whose coordinate that holds."""
+    """A wrench, its closure or condition ("" for loads), and the joint whose coordinate that constrains."""
 
     wrench: Wrench
     source: str = ""
@@ -48,28 +48,28 @@ class Acting:
 def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> Reaction:
     """Reaction of a joint, closure or condition of a mechanism that has all its masses, weights and loads.
 
-    ``on`` is the body that feels it: by default the second of a joint, and the last of all that a condition acts on.
+    ``on`` is the body that it acts on: by default the second of a joint, and the last of all that a condition acts on.
     """
     acting = all_acting(mechanism)
     if name in mechanism.joints:
         hung = mechanism.hanging[name]
         hanging = {body.name for body in mechanism.hanging_on(hung.child)}
-        # what holds a coordinate is transmitted by its joint, as by a motor in the hinge
+        # a force on a coordinate is transmitted by its joint, as by a motor in the hinge
         found = _newton_euler(
             mechanism,
             hung.child,
             [body for body in mechanism.bodies.values() if body.name in hanging],
-            [one.wrench for one in acting if one.wrench.body.name in hanging and one.through != name],
+            [item.wrench for item in acting if item.wrench.body.name in hanging and item.through != name],
         )
         bodies, felt = [hung.joint.first.itself.name, hung.joint.second.itself.name], hung.child.name
         on = on or bodies[1]
     else:
-        own = [one.wrench for one in acting if one.source == name]
+        own = [item.wrench for item in acting if item.source == name]
         if not own:
             raise unknown(
                 name, [*mechanism.joints, *mechanism.closures, *mechanism.conditions], what="joint", where="reaction"
             )
-        bodies = list(dict.fromkeys(one.body.name for one in own))
+        bodies = list(dict.fromkeys(wrench.body.name for wrench in own))
         if name in mechanism.closures:
             joint = mechanism.closing[name].joint
             bodies = [joint.first.itself.name, joint.second.itself.name]
@@ -84,33 +84,34 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
 
 def _summed(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Wrenches on one body, at the point of the first force; at the body's origin where none is a force."""
-    own = [one for one in wrenches if one.body.name == on]
-    at = next((one.point for one in own if one.force.nnz()), None)
+    own = [wrench for wrench in wrenches if wrench.body.name == on]
+    at = next((wrench.point for wrench in own if wrench.force.nnz()), None)
     if at is None:
         at = _origin(bodies[on]) if on in bodies else ca.SX(3, 1)
-    torque = sum((one.torque + ca.cross(one.point - at, one.force) for one in own if one.force.nnz()), ca.SX(3, 1))
-    torque += sum((one.torque for one in own if not one.force.nnz()), ca.SX(3, 1))
-    return sum((one.force for one in own), ca.SX(3, 1)), torque, at
+    forces = [wrench for wrench in own if wrench.force.nnz()]
+    torque = sum((wrench.torque + ca.cross(wrench.point - at, wrench.force) for wrench in forces), ca.SX(3, 1))
+    torque += sum((wrench.torque for wrench in own if not wrench.force.nnz()), ca.SX(3, 1))
+    return sum((wrench.force for wrench in own), ca.SX(3, 1)), torque, at
 
 
 def all_acting(mechanism: Structure) -> list[Acting]:
     """All that acts on the bodies of a mechanism but the joints of its tree, in the ground's axes."""
-    found: list[Acting] = []
+    acting: list[Acting] = []
     for _, action in mechanism.loads:
-        found += [Acting(wrench) for wrench in action.wrenches]
+        acting += [Acting(wrench) for wrench in action.wrenches]
         for expression, force in action.along:
-            found += [Acting(wrench) for wrench, _ in _along(mechanism, expression, force)]
+            acting += [Acting(wrench) for wrench, _ in _along(mechanism, expression, force)]
         for rate, force in action.efforts:
-            found += [Acting(wrench) for wrench, _ in _efforts(mechanism, rate, force)]
+            acting += [Acting(wrench) for wrench, _ in _efforts(mechanism, rate, force)]
     for closed in mechanism.closing.values():
         for row, multiplier in zip(closed.rows, ca.vertsplit(closed.multipliers), strict=True):
             for body, sign in ((closed.joint.second, 1.0), (closed.joint.first, -1.0)):
                 push = sign * multiplier
-                found.append(Acting(Wrench(body, push * row.force, row.point, push * row.torque), closed.joint.name))
+                acting.append(Acting(Wrench(body, push * row.force, row.point, push * row.torque), closed.joint.name))
     for name, (condition, multiplier) in mechanism.conditions.items():
         wrenches = _along(mechanism, condition.expression, multiplier)
-        found += [Acting(wrench, name, through) for wrench, through in wrenches]
-    return [replace(one, wrench=_outward(one.wrench)) for one in found]
+        acting += [Acting(wrench, name, through) for wrench, through in wrenches]
+    return [replace(item, wrench=_outward(item.wrench)) for item in acting]
 
 
 def _outward(wrench: Wrench) -> Wrench:
@@ -123,32 +124,32 @@ def _outward(wrench: Wrench) -> Wrench:
 
 
 def _origin(body: Body) -> ca.SX:
-    """Where the origin of a body's frame is, ground axes."""
+    """Origin of a body's frame, ground axes."""
     return body.carrier.place(body.frame.origin.value)
 
 
 def _along(mechanism: Structure, expression: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
-    """What a force along expressions is on bodies; for a coordinate with the joint it belongs to."""
-    found = []
+    """Wrenches on bodies of a force along expressions; for a coordinate with its joint."""
+    along = []
     for named in mechanism.poses.occurring(expression):
         push = ca.jacobian(expression, named.symbol).T @ force
         if named.is_point:
-            found.append((Wrench(named.body, push, named.symbol), ""))
+            along.append((Wrench(named.body, push, named.symbol), ""))
         else:
-            found.append((Wrench(named.body, torque=ca.cross(named.symbol, push)), ""))
+            along.append((Wrench(named.body, torque=ca.cross(named.symbol, push)), ""))
     own = ca.jtimes(expression, mechanism.collection.q, ca.vertcat(*mechanism.collection.rates))
-    return found + _efforts(mechanism, own, force)
+    return along + _efforts(mechanism, own, force)
 
 
 def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
-    """What a force on a rate is on the bodies of the joints by whose speeds it is made.
+    """Wrenches of a force on a rate, on the bodies of the joints whose speeds it depends on.
 
     What acts between the two bodies of a joint comes with its name. A quaternion is against the ground, or the moving
     axes that the body hangs in, and what holds it is nothing that a joint between two other bodies transmits.
     """
     collection = mechanism.collection
     share = ca.jacobian(rate, collection.v).T @ force
-    each, found = dict(zip(collection.speeds, ca.vertsplit(share), strict=True)), []
+    each, efforts = dict(zip(collection.speeds, ca.vertsplit(share), strict=True)), []
     for name, hung in mechanism.hanging.items():
         if not any(each[speed].nnz() for speed in hung.speeds):
             continue
@@ -157,8 +158,8 @@ def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wren
             for body, sign in ((effort.body, 1.0), (effort.other, -1.0)):
                 push = sign * each[speed]
                 through = name if {effort.body, effort.other} == {hung.parent, hung.child} else ""
-                found.append((Wrench(body, push * effort.force, effort.point, push * effort.torque), through))
-    return found
+                efforts.append((Wrench(body, push * effort.force, effort.point, push * effort.torque), through))
+    return efforts
 
 
 def _still(mechanism: Structure, body: Body) -> Body:
@@ -170,7 +171,7 @@ def _still(mechanism: Structure, body: Body) -> Body:
 def _newton_euler(
     mechanism: Structure, child: Body, bodies: Iterable[Body], wrenches: Iterable[Wrench]
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """What must act at the origin of ``child`` for all that hangs there to move as it does."""
+    """Wrench at the origin of ``child`` that moves it and all bodies it carries."""
     origin = _origin(child)
     force, torque = ca.SX(3, 1), ca.SX(3, 1)
     for body in bodies:
@@ -187,7 +188,7 @@ def _newton_euler(
 def _inertial(mechanism: Structure, body: Body, properties: MassProperties) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Centre of mass, mass times its acceleration, and rate of the angular momentum about it.
 
-    In moving axes it is the acceleration against the field that all masses feel there, such as that of their weights.
+    In moving axes the acceleration is relative to the field on all masses, such as that of weight.
     """
     orientation, inertia, carrier = body.frame.orientation, properties.inertia, body.carrier
     centre = body.frame.point(properties.centre)

@@ -57,7 +57,7 @@ def normals(axis: ca.SX) -> tuple[ca.SX, ca.SX]:
 def matrix_quaternion(matrix: ca.SX) -> ca.SX:
     """Unit quaternion of a rotation matrix, its scalar part first and never negative.
 
-    Of the four ways to compute it, the one with the largest divisor is taken.
+    Of the four formulas the one with the largest divisor is used.
     """
     m, trace = matrix, ca.trace(matrix)
     sizes = [trace, *(2.0 * m[i, i] - trace for i in range(3))]
@@ -67,24 +67,24 @@ def matrix_quaternion(matrix: ca.SX) -> ca.SX:
         ca.vertcat(m[0, 2] - m[2, 0], m[0, 1] + m[1, 0], 1.0 + sizes[2], m[1, 2] + m[2, 1]),
         ca.vertcat(m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], 1.0 + sizes[3]),
     ]
-    best, found = sizes[0], ways[0]
+    best, result = sizes[0], ways[0]
     for size, way in zip(sizes[1:], ways[1:], strict=True):
-        found = ca.if_else(size > best, way, found)
+        result = ca.if_else(size > best, way, result)
         best = ca.fmax(size, best)
-    found = ca.if_else(found[0] < 0.0, -found, found)
-    return found / ca.sqrt(ca.dot(found, found))
+    result = ca.if_else(result[0] < 0.0, -result, result)
+    return result / ca.sqrt(ca.dot(result, result))
 
 
 _SMALL = 0.1  # rad: below it the series is exact to the last bit, and above it the closed form
-_TINY = 1e-24  # keeps the slope of a square root finite where nothing is turned
+_TINY = 1e-24  # keeps the slope of a square root finite without rotation
 _SERIES = (1 / 47900160, 1 / 1209600, 1 / 30240, 1 / 720, 1 / 12)
 """Of ``(1 - h cot(h)) / (2 h)^2`` in the square of the angle ``2 h``, highest power first."""
 
 
 def rotation_vector(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Give the rotation vector (axis times angle, rad) of a rotation matrix, and the matrix from spin to its rate.
+    """Return the rotation vector (axis times angle, rad) of a rotation matrix, and the matrix from spin to its rate.
 
-    The angle is below 180 degrees, where the axis jumps. The spin is that of the turned axes in the others.
+    The angle is below 180 degrees, where the axis jumps. The spin is that of the rotated axes, expressed in the others.
     """
     lean = 0.5 * ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
     sine = ca.sqrt(ca.dot(lean, lean) + _TINY)

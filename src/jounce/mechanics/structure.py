@@ -1,4 +1,4 @@
-"""What a mechanism consists of: bodies, the joints that hang them and those that close loops, conditions and loads.
+"""Structure of a mechanism: bodies, tree joints and closing joints, conditions and loads.
 
 This is what reactions, signals and listings read; :class:`jounce.mechanics.Mechanism` is the builder that collects it.
 """
@@ -93,11 +93,11 @@ class Structure(System):
 
     def loops(self) -> dict[str, tuple[str, ...]]:
         """Joint that closes a loop to the joints around that loop, itself first."""
-        found = {}
+        result = {}
         for name, closed in self.closing.items():
             around = [*self._branch(closed.joint.second), *self._branch(closed.joint.first)]
-            found[name] = (name, *(joint for joint in around if around.count(joint) == 1))
-        return found
+            result[name] = (name, *(joint for joint in around if around.count(joint) == 1))
+        return result
 
     def _branch(self, body: Body) -> list[str]:
         """Joints from the ground to a body."""
@@ -107,30 +107,30 @@ class Structure(System):
         return []
 
     def hanging_on(self, root: Body) -> list[Body]:
-        """A body and all that hangs on it, in its moving axes, too."""
-        found = [root]
+        """A body and all bodies that it carries, also in its moving axes."""
+        result = [root]
         for hung in self.hanging.values():
-            if any(hung.parent in (body, self.axes_of(body)) for body in found):
-                found.append(hung.child)
-        return found
+            if any(hung.parent in (body, self.axes_of(body)) for body in result):
+                result.append(hung.child)
+        return result
 
     def axes_of(self, body: Body) -> Body | None:
-        """The moving axes of a body, where it has some."""
+        """The moving axes of a body, or None."""
         return next((axes for axes in self.bodies.values() if axes.axes_of is body), None)
 
     def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
         """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
         p, numbers = ca.vertcat(*self.collection.parameters.values()), [values[path] for path in self.parameters]
-        found = {}
+        result = {}
         for body in self.bodies.values():
             if body.mass_properties is not None:
                 properties = [body.mass_properties.mass, body.mass_properties.inertia]
                 mass, inertia = ca.Function("mass", [p], properties)(numbers)
-                found[body.name] = float(mass), inertia.full()
-        return found
+                result[body.name] = float(mass), inertia.full()
+        return result
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
-        """Give the time derivative of an expression of coordinates, points of bodies and tracks."""
+        """Return the time derivative of an expression of coordinates, points of bodies and tracks."""
         return super().rate_of(self.poses.resolved(expression_of(expression, "rate")))
 
     def supplied(self) -> list[ca.SX]:
@@ -138,4 +138,4 @@ class Structure(System):
         tracks = self.collection.tracks.values()
         values, rates = (ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate"))
         driven = [pair for pair in self.conditions.values() if tracks and ca.depends_on(pair[0].expression, values)]
-        return [-multiplier * ca.jtimes(one.expression, values, rates) for one, multiplier in driven]
+        return [-multiplier * ca.jtimes(condition.expression, values, rates) for condition, multiplier in driven]

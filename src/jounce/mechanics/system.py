@@ -29,7 +29,7 @@ _Builder = TypeVar("_Builder", bound="System")
 def all_or_nothing(
     method: Callable[Concatenate[_Builder, _Arguments], _Answer],
 ) -> Callable[Concatenate[_Builder, _Arguments], _Answer]:
-    """Let a method add all it says or, where it refuses, nothing: a builder only grows, so it is cut back."""
+    """Let a method add everything or, if it refuses, nothing: truncate the builder to its previous size."""
 
     @wraps(method)
     def tried(self: _Builder, /, *given: _Arguments.args, **named: _Arguments.kwargs) -> _Answer:
@@ -75,25 +75,25 @@ class System:
             self._scope = before
 
     def share(self, speeds: Sequence[str]) -> None:
-        """Name the speeds of a body that carries several suspensions, each of them complete with the body held."""
+        """Name the speeds of a body that carries several suspensions, each complete for a fixed body."""
         self.collection.shared = tuple(speeds)
 
     def alike(self, prefixes: Sequence[tuple[str, ...]], groups: Sequence[tuple[int, ...]]) -> None:
-        """Say which parts are built alike, by what their names begin with, and which of them are computed together."""
+        """Declare similar parts by the prefixes of their names, and the groups that are computed together."""
         self.collection.alike = tuple(prefixes), tuple(groups)
 
     def constant(self, name: str, value: float) -> ca.SX:
-        """Give a symbol that stands for a number (``value``, SI): expressions that differ in it only are alike."""
+        """Return a symbol for a number (``value``, SI): expressions that differ in it only are similar."""
         name = self._unused(name, self.collection.constants)
         self.collection.constants[name] = ca.SX.sym(name), value
         return self.collection.constants[name][0]
 
     def placed(self, name: str) -> str:
-        """Give a name with the place that is being built before it."""
+        """Return a name prefixed with the place under construction."""
         return self._scope[0] + name
 
     def coordinate(self, name: str, unit: str = "m") -> ca.SX:
-        """Add a coordinate and give its symbol; its speed is called as the channel is (``vz``, ``pitch_rate``)."""
+        """Add a coordinate and return its symbol; its speed has the channel's name (``vz``, ``pitch_rate``)."""
         return self.coordinates([name], [speed_of(name)], units=[unit])[0][0]
 
     def coordinates(
@@ -103,21 +103,21 @@ class System:
         start: Sequence[float] | None = None,
         units: Sequence[str] | None = None,
     ) -> tuple[ca.SX, ca.SX]:
-        """Add coordinates (from ``start``, in ``units``, by default m) with their speeds; give the symbols of both."""
+        """Add coordinates (from ``start``, in ``units``, default m) with their speeds; return the symbols of both."""
         units = units or ["m"] * len(names)
         q, v = self._symbols_of(names, units, start or [0.0] * len(names), speeds, [f"{unit}/s" for unit in units])
         self.collection.rates.append(v)
         return q, v
 
     def coordinate_named(self, name: str) -> ca.SX:
-        """Give the symbol of a coordinate."""
+        """Return the symbol of a coordinate."""
         known = self.collection.coordinates
         if self.placed(check_name(name, "coordinate")) not in known:
             raise unknown(name, known, what="coordinate")
         return known[self.placed(name)]
 
     def quaternion(self, name: str) -> tuple[ca.SX, ca.SX]:
-        """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); give the symbols of both."""
+        """Add an orientation: four coordinates, three speeds (rad/s in the body's axes); return the symbols of both."""
         first = len(self.collection.coordinates)
         names, speeds = [f"{name}.e{i}" for i in range(4)], [f"{name}.w{axis}" for axis in "xyz"]
         e, w = self._symbols_of(names, ["1"] * 4, (1.0, 0.0, 0.0, 0.0), speeds, ["rad/s"] * 3)
@@ -145,38 +145,38 @@ class System:
         return q, ca.vertcat(*(into.speeds[name] for name in speeds))
 
     def internal_state(self, name: str) -> ca.SX:
-        """Add a first-order state (hysteresis, actuator); give its rate later with ``set_internal_rate``."""
+        """Add a first-order state (hysteresis, actuator); return its rate later with ``set_internal_rate``."""
         name = self._unused(name, self.collection.internal)
         self.collection.internal[name] = (ca.SX.sym(name), None)
         return self.collection.internal[name][0]
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
-        """Say how fast an internal state changes."""
+        """Set the rate of an internal state."""
         name, known = self.placed(check_name(name, "internal state")), self.collection.internal
         if name not in known:
             raise unknown(name, known, what="internal state")
         known[name] = (known[name][0], expression_of(rate, f"rate of {name}"))
 
     def track(self, name: str) -> Track:
-        """Add a prescribed input motion and give its value and rates."""
+        """Add a prescribed input motion and return its value and rates."""
         name = self._unused(name, self.collection.tracks)
         symbols = (ca.SX.sym(text) for text in (name, f"{name} rate", f"{name} acceleration"))
         self.collection.tracks[name] = Track(*symbols)
         return self.collection.tracks[name]
 
     def parameter(self, path: str) -> ca.SX:
-        """Give the symbol of the number at ``path`` of the description; the same path gives the same symbol."""
+        """Return the symbol of the number at ``path`` of the description; the same path gives the same symbol."""
         path = self._scope[1] + check_name(path, "parameter")
         if path not in self.collection.parameters:
             self.collection.parameters[path] = ca.SX.sym(path)
         return self.collection.parameters[path]
 
     def parameter_at(self, path: str) -> ca.SX:
-        """Give the symbol of the number at a whole path, whatever is being built."""
+        """Return the symbol of the number at a full path, whatever place is under construction."""
         return self.collection.parameters.setdefault(path, ca.SX.sym(path))
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:
-        """Give the mode symbol that is 1 where ``expression`` is above zero and 0 elsewhere."""
+        """Return the mode symbol that is 1 where ``expression`` is above zero and 0 elsewhere."""
         name, decides = self._unused(name, self.collection.switches), expression_of(expression, f"switch {name}")
         mode = ca.SX.sym(name)
         self.collection.switches[name] = (mode, decides)
@@ -200,7 +200,7 @@ class System:
         self.collection.loads.append((rate, magnitude))
 
     def constrain(self, equations: Sequence[Equation], value: ca.SX, rate: ca.SX, bias: ca.SX) -> ca.SX:
-        """Add equations ``value = 0`` with their two rates; give the symbols of their multipliers (forces)."""
+        """Add equations ``value = 0`` with their two rates; return the symbols of their multipliers (forces)."""
         before = (equation for constraint in self.collection.constraints for equation in constraint.equations)
         known = {equation.name: equation.joint for equation in before}
         for equation in equations:
@@ -215,20 +215,20 @@ class System:
         return multipliers
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
-        """Give the time derivative of an expression of coordinates and tracks."""
+        """Return the time derivative of an expression of coordinates and tracks."""
         return self.collection.rate_of(expression)
 
     def acceleration_of(self, expression: ca.SX) -> ca.SX:
-        """Give the second time derivative of an expression of coordinates (for outputs only)."""
+        """Return the second time derivative of an expression of coordinates (for outputs only)."""
         rate = self.rate_of(expression)
         return self.collection.bias_of(rate) + self.accelerated(rate)
 
     def accelerated(self, rate: ca.SX) -> ca.SX:
-        """Give what the accelerations make of a rate (for outputs only)."""
+        """Return the derivative of a rate with the accelerations (for outputs only)."""
         return self.collection.accelerated(rate)
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
-        """Add a signal the model can give."""
+        """Add an output signal."""
         name = self._unused(name, {known.name for known in self.collection.outputs})
         shown = expression_of(expression, f"output {name}")
         if shown.shape != (1, 1):
@@ -241,7 +241,7 @@ class System:
         return form(self.collection)
 
     def _unused(self, name: str, names: Container[str]) -> str:
-        """A name with its place, which nothing of its kind has yet."""
+        """A name with its place that is not used yet."""
         name = self.placed(check_name(name))
         _refuse_twice(name, names)
         return name

@@ -17,7 +17,7 @@ from jounce.mechanics.model import Model
 class Tangent:
     """Changes of a model's expressions along one direction, linear in it.
 
-    ``projection`` is that of the projected states, taken on the constraints; empty where nothing can drift.
+    ``projection`` is that of the projected states, taken on the constraints; empty without loops.
     """
 
     rate: ca.SX

@@ -45,7 +45,7 @@ class Swing:
 
     @property
     def angle(self) -> ca.SX:
-        """Turn since design, right-handed; no number where the link does not reach."""
+        """Turn since design, right-handed; NaN where the link does not reach."""
         return self.middle - self.branch * ca.acos(self.cosine)
 
 

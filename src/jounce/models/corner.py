@@ -148,7 +148,7 @@ def strut_forces(
 
 
 def add_torsion_bar(linkage: Described) -> dict[str, tuple[ca.SX, ca.SX]]:
-    """Add the torsion bar; give its torque (N m) and the rate (rad/s) that winds it up."""
+    """Add the torsion bar; return its torque (N m) and the rate (rad/s) that winds it up."""
     mechanism, bar = linkage.mechanism, linkage.rig.torsion_bar
     if bar is None:
         return {}
@@ -163,7 +163,7 @@ def add_torsion_bar(linkage: Described) -> dict[str, tuple[ca.SX, ca.SX]]:
 def add_both_alike(linkage: Described, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add this wheel's half of third spring and Z-bar, the other wheel moving alike; as ``add_strut`` of each."""
     rig, mechanism = linkage.rig, linkage.mechanism
-    found: dict[str, tuple[ca.SX, ca.SX]] = {}
+    both_alike: dict[str, tuple[ca.SX, ca.SX]] = {}
     if rig.third_spring is not None:
         half = third_deflection(linkage)
         deflection = half.value(linkage)
@@ -172,15 +172,15 @@ def add_both_alike(linkage: Described, *, damped: bool = True) -> dict[str, tupl
         force += third_damper_law(linkage, deflection, rate if damped else ca.SX(0.0))
         linkage.press(half, -0.5 * force)
         show_third_spring(mechanism, deflection, force)
-        found["third spring"] = force, 0.5 * rate
+        both_alike["third spring"] = force, 0.5 * rate
     if rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z":
         end = bar_angle(linkage)
         angle = end.value(linkage)
         torque = bar_stiffness(linkage) * 2.0 * angle
         linkage.press(end, -torque)
         show_bar(mechanism, 2.0 * angle, torque)
-        found["Z-bar"] = torque, mechanism.rate_of(angle)
-    return found
+        both_alike["Z-bar"] = torque, mechanism.rate_of(angle)
+    return both_alike
 
 
 def show_bar(mechanism: System, twist: ca.SX, torque: ca.SX) -> None:

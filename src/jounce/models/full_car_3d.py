@@ -215,7 +215,7 @@ def _third_spring(mechanism: Mechanism, pair: list[_Wheel]) -> None:
 
 
 def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
-    """Let a pitch moment, a deceleration and a lateral acceleration act; give the inertia of the latter, m/s^2."""
+    """Let a pitch moment, a deceleration and a lateral acceleration act; return the inertia of the latter, m/s^2."""
     moment = mechanism.track("pitch_moment").value
     mechanism.apply_torque(body, moment * _LEFT)
     mechanism.output("body.pitch_moment", moment, "N*m", "moment given on the body, nose down positive")

@@ -27,13 +27,13 @@ class Described(ABC):
 
     @abstractmethod
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
-        """Give a quantity of the pose relative to the car's body, by its formula or by its name.
+        """Return a quantity of the pose relative to the car's body, by its formula or by its name.
 
         All that forces and channels see of the pose goes through here.
         """
 
     def of_wheel(self, name: str, formula: Callable[[Suspension], ca.SX]) -> ca.SX:
-        """Give what the wheel's axis and centre and the ground say of the pose: on a body that turns, no more of it."""
+        """Return the pose of the wheel's axis and centre and the ground; nothing more of a body that turns."""
         return self.of_pose(name, formula)
 
     @abstractmethod
@@ -135,11 +135,11 @@ class Suspension(Described):
 
     @abstractmethod
     def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:
-        """Give a point or a direction, by its formula or by its name."""
+        """Return a point or a direction, by its formula or by its name."""
 
     @abstractmethod
     def line(self, element: str) -> Stretch:
-        """Give the length of ``"spring"`` or ``"damper"``."""
+        """Return the length of ``"spring"`` or ``"damper"``."""
 
     @abstractmethod
     def push(self, line: Stretch, force: ca.SX) -> None:
@@ -199,15 +199,15 @@ class Linkage(Suspension):
     turned: ca.SX | float = 1.0
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has its pose
-        """Give a quantity of the pose by its formula."""
+        """Return a quantity of the pose by its formula."""
         return formula(self)
 
     def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:  # noqa: ARG002
-        """Give a point or a direction by its formula."""
+        """Return a point or a direction by its formula."""
         return formula(self)
 
     def line(self, element: str) -> Line:
-        """Give the line of ``"spring"`` or ``"damper"``."""
+        """Return the line of ``"spring"`` or ``"damper"``."""
         bottom, top = self.end_of(element, "bottom"), self.end_of(element, "top")
         lower, upper = self.carriers[self.rig.strut.on].frame.point(bottom), self.chassis.frame.point(top)
         reach = upper - lower
@@ -287,7 +287,7 @@ class Linkage(Suspension):
         self.bushings[point] = first.frame.orientation.rotate(bushing.force), bushing.power
 
     def has_bushing(self, point: str) -> bool:
-        """Tell whether the description puts a bushing at a hardpoint."""
+        """Whether the description puts a bushing at a hardpoint."""
         return getattr(getattr(self.rig, "bushings", None), point, None) is not None
 
     def bushing_of(self, point: str) -> dict[str, ca.SX]:

@@ -98,7 +98,7 @@ def add_wheel(
     wheels: int = 1,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Hang one wheel, or ``wheels`` that move as one, under the body; give its height and the contact force of one.
+    """Hang one wheel, or ``wheels`` that move as one, under the body; return its height and the contact force of one.
 
     To be called within the place of the wheel. ``height`` is that of the body above it (m); it stands on a road, or on
     a ``plate`` (height in m), which it pushes back. Forces that are shown are those of one wheel.

@@ -30,7 +30,7 @@ def add_quarter_car(
     sprung: ca.SX | None = None,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Put a quarter car on a road; give the height of its wheel (m) and the contact force (N, compression positive).
+    """Put a quarter car on a road; return the height of its wheel (m) and the contact force (N, compression positive).
 
     The height ``road`` (m) is a track, or something that moves by itself and feels the tyre's reaction. ``sprung`` is
     the height (m) of a body that is there already; otherwise the sprung mass is added, too.

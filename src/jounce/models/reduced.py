@@ -58,13 +58,13 @@ class Watched(Linkage):
     seen: dict[str, ca.SX] = field(default_factory=dict)
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
-        """Give a quantity of the pose by its formula."""
+        """Return a quantity of the pose by its formula."""
         self.seen[name] = formula(self)
         return self.seen[name]
 
 
 def sampled_corner(rig: Corner) -> SampledCorner:
-    """Give what a reduced corner sees of its pose; the values in ``rig`` matter only through its structure."""
+    """Return what a reduced corner sees of its pose; the values in ``rig`` matter only through its structure."""
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     travel, heave = mechanism.track("travel"), mechanism.track("heave")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
@@ -138,7 +138,7 @@ class _Tabulated(Described):
     degree: int
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has no pose
-        """Give the polynomial: even and odd powers apart, so that the processor works on two sums at once."""
+        """Return the polynomial: even and odd powers apart, so that the processor works on two sums at once."""
         given = [self.number(path) for path in of_travel(name, self.degree)]
         square = self.x * self.x
         even, odd = (ca.SX(0.0), ca.SX(0.0))

@@ -37,7 +37,7 @@ _AXES, _PAIRS = "xyz", ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 def sampled_suspension(rig: Corner) -> SampledCorner:
-    """Give what a car sees of a suspension's pose; the values in ``rig`` matter only through its structure."""
+    """Return what a car sees of a suspension's pose; the values in ``rig`` matter only through its structure."""
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     number, travel = mechanism.parameter, mechanism.track("travel")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
@@ -55,10 +55,10 @@ class _Seen(Watched):
     """A linkage that keeps the points and directions that are asked of its pose, too."""
 
     def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:
-        """Give a point or a direction by its formula."""
-        found = formula(self)
-        self.seen.update(zip(_parts(name), ca.vertsplit(found.value), strict=True))
-        return found
+        """Return a point or a direction by its formula."""
+        result = formula(self)
+        self.seen.update(zip(_parts(name), ca.vertsplit(result.value), strict=True))
+        return result
 
     def see(self) -> None:
         """Ask for all that a car asks for."""
@@ -97,10 +97,10 @@ def _masses(linkage: Linkage, origin: ca.SX) -> dict[str, ca.SX]:
         angular += properties.mass * ca.cross(arm, centre.rate) + own @ spin
         tensor += own - properties.mass * skew(arm) @ skew(arm)
         energy += properties.mass * ca.dot(centre.rate, centre.rate) + ca.dot(spin, own @ spin)
-    found = {MASS: linkage.mass, INERTIA: energy}
-    found |= dict(zip(_parts(MOMENT), ca.vertsplit(moment), strict=True))
-    found |= dict(zip(_parts(ANGULAR), ca.vertsplit(angular), strict=True))
-    return found | dict(zip(_elements(TENSOR), (tensor[i, k] for i, k in _PAIRS), strict=True))
+    masses = {MASS: linkage.mass, INERTIA: energy}
+    masses |= dict(zip(_parts(MOMENT), ca.vertsplit(moment), strict=True))
+    masses |= dict(zip(_parts(ANGULAR), ca.vertsplit(angular), strict=True))
+    return masses | dict(zip(_elements(TENSOR), (tensor[i, k] for i, k in _PAIRS), strict=True))
 
 
 class _Curve(NamedTuple):
@@ -207,15 +207,15 @@ class _Travelling(Suspension):
         return _Curve.of([x, y, _Curve(height, ca.SX(1.0), ca.SX(0.0))]).moving(self.rate)
 
     def moving(self, name: str, formula: Callable[[Linkage], Moving]) -> Moving:  # noqa: ARG002 - it has no pose
-        """Give a point or a direction by its name."""
+        """Return a point or a direction by its name."""
         return self._curves(name).moving(self.rate)
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002
-        """Give the polynomial."""
+        """Return the polynomial."""
         return self._curve(name).value
 
     def of_wheel(self, name: str, formula: Callable[[Suspension], ca.SX]) -> ca.SX:  # noqa: ARG002
-        """Give what hangs on the attitude of the body, too, by its formula."""
+        """Return what hangs on the attitude of the body, too, by its formula."""
         return formula(self)
 
     def line(self, element: str) -> Stretch:

@@ -35,7 +35,7 @@ def live(
     *,
     channels: Sequence[str] | None = None,
 ) -> Any:
-    """Give a rig sliders for some of its numbers; its curves follow them, beside those of the rig as it was.
+    """Return a rig sliders for some of its numbers; its curves follow them, beside those of the rig as it was.
 
     Parameters
     ----------
@@ -113,16 +113,16 @@ def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, Displa
     """Curves over the first of the names, thinned to what can be seen, in the units given; gaps are None."""
     axis, *channels = names
     x = data[axis].to_numpy().astype(float) * units[axis].factor
-    found = []
+    curves = []
     for name in channels:
         y = data[name].to_numpy().astype(float) * units[name].factor
         few, seen = thinned(x, y, float(x[0]), float(x[-1]), _COLUMNS)
         kept = [None if not np.isfinite(value) else float(f"{value:.5g}") for value in seen]
-        found.append({
+        curves.append({
             "name": name, "unit": units[name].name, "across": f"{axis.replace('_', ' ')} [{units[axis].name or '–'}]",
             "x": [float(f"{value:.6g}") for value in few], "y": kept,
         })  # fmt: skip
-    return found
+    return curves
 
 
 _ALIVE = (
@@ -142,11 +142,11 @@ def still_html(sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: S
 
     rows = [
         (
-            one["path"],
-            f"{number(one['value'] * one['factor'])} {one['unit']}",
-            f"{number(one['low'] * one['factor'])} to {number(one['high'] * one['factor'])}",
+            slider["path"],
+            f"{number(slider['value'] * slider['factor'])} {slider['unit']}",
+            f"{number(slider['low'] * slider['factor'])} to {number(slider['high'] * slider['factor'])}",
         )
-        for one in sliders
+        for slider in sliders
     ]
     table = html_table("Rig with sliders", _ALIVE, rows, "widget.rig()", ("number", "value", "range"))
     _, figures = curve_blocks({"": {"rig": first}}, list(names[1:]))
@@ -187,7 +187,7 @@ def _widget_class() -> Any:
         ) -> None:
             self._rig, self._run, self._names, self._units = rig, run, names, units
             drawn = curves_of(first, names, units)
-            values = {one["path"]: one["value"] for one in sliders}
+            values = {slider["path"]: slider["value"] for slider in sliders}
             self._still = still_html(sliders, first, names)
             name = sha256(self._still.encode()).hexdigest()[:16]
             super().__init__(sliders=sliders, values=values, before=drawn, curves=drawn, still=name)
@@ -210,7 +210,7 @@ def _widget_class() -> Any:
 
         def rig(self) -> Rig:
             """The rig as the sliders stand."""
-            known = {one["path"] for one in self.sliders}
+            known = {slider["path"] for slider in self.sliders}
             return self._rig.with_changes({path: float(value) for path, value in self.values.items() if path in known})
 
         def _redraw(self, _change: object) -> None:

@@ -127,7 +127,7 @@ class CaseRun(jn.Plain):
     signals: xr.Dataset
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data in SI, without signals."""
+        """Return the results as plain data in SI, without signals."""
         return jn.plain_table(
             {
                 "moment": self.moment,
@@ -174,7 +174,7 @@ class AudiCase(jn.Plain):
     findings: tuple[jn.Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data in SI, without signals."""
+        """Return the results as plain data in SI, without signals."""
         return jn.plain_table(
             {
                 "case": self.case.name,
@@ -229,8 +229,8 @@ def run_audi_a6(name: str, *, progress: Progress = no_progress) -> AudiCase:
             progress(f"simulate: {moment:g} N m, {variant}")
             runs.append(case_run(vehicle, case, moment, variant))
     progress("compare with the paper")
-    found = printed_sign(vehicle), start_up(vehicle), paper_errata()
-    return AudiCase(case, vehicle, tuple(runs), jn.modes(vehicle), *found, _findings(case, runs))
+    result = printed_sign(vehicle), start_up(vehicle), paper_errata()
+    return AudiCase(case, vehicle, tuple(runs), jn.modes(vehicle), *result, _findings(case, runs))
 
 
 def moments(case: Case, vehicle: jn.HalfCar) -> tuple[float, float]:
@@ -295,7 +295,7 @@ def _signals(run: xr.Dataset, statics: Statics) -> xr.Dataset:
 
 
 def _findings(case: Case, runs: list[CaseRun]) -> tuple[jn.Finding, ...]:
-    found = [
+    findings = [
         jn.Finding(
             "pitch moment",
             "warning",
@@ -326,5 +326,5 @@ def _findings(case: Case, runs: list[CaseRun]) -> tuple[jn.Finding, ...]:
         if run.least_wheel_force < 0.0:
             text = f"a wheel's force falls to {run.least_wheel_force:.0f} N: a real wheel would leave the road there."
             place = f"{case.name}, {run.moment:g} N m, {run.variant}"
-            found.append(jn.Finding(place, "warning", text, run.least_wheel_force))
-    return tuple(found)
+            findings.append(jn.Finding(place, "warning", text, run.least_wheel_force))
+    return tuple(findings)

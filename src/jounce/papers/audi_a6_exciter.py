@@ -134,11 +134,11 @@ class EccentricExciter(jn.Plain):
     findings: tuple[jn.Finding, ...]
 
     def run(self, variant: str) -> PlateRun:
-        """Give the run of one model."""
+        """Return the run of one model."""
         return next(run for run in self.runs if run.variant == variant)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data in SI, without signals."""
+        """Return the results as plain data in SI, without signals."""
         return jn.plain_table(
             {
                 "rig": self.rig.model_dump(by_alias=True, exclude_none=True),
@@ -273,7 +273,7 @@ def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
     tyre_velocity = _plate(amplitude, time)[1] - run["unsprung.vz"].to_numpy()
     damping, pneumatic = values["strut.damper.coefficient"], values["tyre.damping_coefficient"]
     deflection = run["strut.deflection"].to_numpy()
-    found = {
+    quarter_car = {
         "sprung.z": run["sprung.z"].to_numpy(),
         "sprung.az": run["sprung.az"].to_numpy(),
         "unsprung.z": run["unsprung.z"].to_numpy(),
@@ -284,7 +284,7 @@ def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
         "dampers.power": damping * velocity**2 + pneumatic * tyre_velocity**2,
     }
     statics = _statics(rest["strut.deflection"], -rest["sprung.z"], rest["tyre.force"])
-    return found, statics, tuple(Oscillation(mode.frequency_hz, mode.damping_ratio) for mode in jn.modes(rig))
+    return quarter_car, statics, tuple(Oscillation(mode.frequency_hz, mode.damping_ratio) for mode in jn.modes(rig))
 
 
 def _linear(variant: str, values: dict[str, float], amplitude: float, time: Array) -> _Found:
@@ -332,13 +332,13 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
         "strut.force": strut,
         "tyre.force": strut,
     }
-    found = {name: states @ row for name, row in rows.items()}
-    found["dampers.power"] = np.sum([coefficient * (states @ row) ** 2 for coefficient, row in losses], axis=0)
+    linear = {name: states @ row for name, row in rows.items()}
+    linear["dampers.power"] = np.sum([coefficient * (states @ row) ** 2 for coefficient, row in losses], axis=0)
     motion = matrix[:count, :count]
     rest = np.concatenate([np.linalg.solve(motion, -matrix[:count, -1]), [0.0, 0.0, 1.0]])  # plate at its mean height
     poles = [value for value in np.linalg.eigvals(motion) if value.imag > 1e-9 * abs(value)]
     modes = (Oscillation(float(abs(value)) / (2.0 * np.pi), float(-value.real / abs(value))) for value in poles)
-    return found, _statics(float(deflection @ rest), -float(rest[0]), float(strut @ rest)), tuple(modes)
+    return linear, _statics(float(deflection @ rest), -float(rest[0]), float(strut @ rest)), tuple(modes)
 
 
 def _signals(found: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array) -> xr.Dataset:
@@ -402,8 +402,8 @@ def closed_form(variant: str, values: dict[str, float]) -> dict[str, float]:
     wheel_inertia = values["unsprung.mass"] * omega**2 if variant == "two-mass" else 0.0
     follows = suspension / (suspension - inertia)  # body over wheel
     wheel = tyre / (tyre - wheel_inertia - inertia * follows)
-    found = _sizes(body=follows * wheel, spring=(1.0 - follows) * wheel, contact=tyre * (1.0 - wheel))
-    return found | _sizes(wheel=wheel) if variant == "two-mass" else found
+    result = _sizes(body=follows * wheel, spring=(1.0 - follows) * wheel, contact=tyre * (1.0 - wheel))
+    return result | _sizes(wheel=wheel) if variant == "two-mass" else result
 
 
 def _sizes(**values: complex) -> dict[str, float]:
@@ -426,7 +426,7 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
     lifted = [
         run.variant for run in runs if float(run.signals["tyre.force"].isel(time=slice(-1000, None)).min()) <= 0.0
     ]
-    found = [
+    findings = [
         jn.Finding(
             "eccentric exciter",
             "warning",
@@ -449,5 +449,5 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
             power,
         ),
     ]
-    found += [jn.Finding(variant, "warning", "the wheel leaves the plate in steady motion.") for variant in lifted]
-    return tuple(found)
+    findings += [jn.Finding(variant, "warning", "the wheel leaves the plate in steady motion.") for variant in lifted]
+    return tuple(findings)

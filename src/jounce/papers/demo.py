@@ -14,7 +14,7 @@ FULL, QUICK = "campaign.toml", "quick-look.toml"
 
 
 def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress) -> Path:
-    """Write the shipped campaign with its synthetic measurements; give its ``campaign.toml``.
+    """Write the shipped campaign with its synthetic measurements; return its ``campaign.toml``.
 
     Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. Where a
     file exists nothing is written, unless ``force`` allows it.
@@ -28,7 +28,7 @@ def run_demo(
 ) -> tuple[Path, jn.CampaignResult]:
     """Prepare and evaluate the shipped campaign, ``quick`` with a quarter car instead of the double wishbone in 3-D.
 
-    Gives the demo's folder, for report and results, and what the campaign found; the caller writes the report.
+    Returns the demo's folder, for report and results, and what the campaign found; the caller writes the report.
     """
     file = prepare_demo(out, force=force, progress=progress).with_name(QUICK if quick else FULL)
     return file.parent.parent, jn.run_campaign(file, progress=progress)

@@ -290,7 +290,7 @@ class Similitude:
 def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ...]]:
     """Read the shipped records and fit the laws; velocities are central differences of the displacement."""
     folder = Path(str(resources.files("jounce"))) / "library" / "measurements" / "mr_damper"
-    found, findings = [], list[jn.Finding]()
+    result, findings = [], list[jn.Finding]()
     for name, file in RECORDS.items():
         columns, reading = jn.read_columns(folder / file, _COLUMNS)
         findings += reading
@@ -303,8 +303,8 @@ def measured_dampers() -> tuple[tuple[MeasuredDamper, ...], tuple[jn.Finding, ..
         curves: dict[str, jn.DamperCurve] = {
             law: jn.damper_curve(fit, *record, velocity_from="displacement") for law, fit in laws.items()
         }
-        found.append(MeasuredDamper(name, laws, curves))
-    return tuple(found), tuple(findings)
+        result.append(MeasuredDamper(name, laws, curves))
+    return tuple(result), tuple(findings)
 
 
 def referred_to_wheel(table: Mapping[str, Any], similitude: Similitude) -> dict[str, Any]:
@@ -368,7 +368,7 @@ class ProvingGround:
     findings: tuple[jn.Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data in SI, without signals."""
+        """Return the results as plain data in SI, without signals."""
         keys = ("parameters", "nrmse", "r2", "energy_per_cycle", "fitted_energy_per_cycle")
         fits = {
             one.name: {law: {key: getattr(fit, key) for key in keys} for law, fit in one.laws.items()}
@@ -409,14 +409,14 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
     dampers, findings = measured_dampers()
     corner = lumped_corner(hmmwv_corner())
     similitude, equivalent = _scaled(dampers, corner)
-    tables = {one.name: referred_to_wheel(one.laws[LAW].damper, similitude) for one in dampers}
+    tables = {damper.name: referred_to_wheel(damper.laws[LAW].damper, similitude) for damper in dampers}
     rigs = {name: _with_damper(corner.rig, table) for name, table in tables.items()} | {OWN: corner.rig}
     length = contact_length(corner.rig)
     measured = jn.load_road(COURSE)
     course = enveloped(measured, length)
     runs: dict[str, xr.Dataset] = {}
     rows: dict[str, list[dict[str, float]]] = {name: [] for name in rigs}
-    fastest = {one.name: one.peak_velocity / similitude.speed_ratio for one in dampers}
+    fastest = {damper.name: damper.peak_velocity / similitude.speed_ratio for damper in dampers}
     for k, (name, rig) in enumerate(rigs.items()):
         for i, speed in enumerate(speeds, 1):
             which = f"{k * len(speeds) + i} of {len(rigs) * len(speeds)}"
@@ -482,13 +482,14 @@ def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
 def _scaled(dampers: tuple[MeasuredDamper, ...], corner: LumpedCorner) -> tuple[Similitude, dict[str, float]]:
     """Choose the scales; and tell the damping ratios that result, the vehicle's own damper beside them."""
     rig = corner.rig
-    stroke = corner.damper_stroke / max(one.stroke for one in dampers)
+    stroke = corner.damper_stroke / max(damper.stroke for damper in dampers)
     unit = Similitude(stroke, 1.0, corner.damper_motion_ratio)
     frequency = body_frequency(rig.with_changes({"strut.damper": {"coefficient": 0.0}}))
     critical = _critical(rig)
     shares = {
-        one.name: equivalent_coefficient(referred_to_wheel(one.laws[LAW].damper, unit), AMPLITUDE, frequency) / critical
-        for one in dampers
+        damper.name: equivalent_coefficient(referred_to_wheel(damper.laws[LAW].damper, unit), AMPLITUDE, frequency)
+        / critical
+        for damper in dampers
     }
     scale = DAMPING_RATIO / shares[dampers[0].name]
     own = 0.5 * (rig.strut.damper.bump_coefficient + rig.strut.damper.rebound_coefficient) / critical  # type: ignore[union-attr]

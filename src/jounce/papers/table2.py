@@ -68,9 +68,9 @@ _SETTINGS: dict[str, dict[int, _Setting]] = {
 
 
 def table2(variant: Variant = "reconstructed") -> tuple[Table2Row, ...]:
-    """Give the sixteen trials of Table 2 by rising number, in the consistent reading or with the cells as printed.
+    """Return the sixteen trials of Table 2 by rising number, in the consistent reading or with the cells as printed.
 
-    As printed, an empty cell repeats the one above; the last row, 10 degrees without number and speed, is no trial.
+    As printed, an empty cell repeats the one above; the last row, 10 degrees NaN and speed, is no trial.
 
     Examples
     --------

@@ -49,7 +49,7 @@ class BenchPlan:
 
 
 def campaign_texts() -> dict[str, str]:
-    """Give the description files of the shipped campaign, the kart-scale prototype: file name to text.
+    """Return the description files of the shipped campaign, the kart-scale prototype: file name to text.
 
     Examples
     --------
@@ -61,7 +61,7 @@ def campaign_texts() -> dict[str, str]:
 
 
 def shipped_truth() -> jn.BenchTruth:
-    """Give what the virtual bench of the shipped campaign is.
+    """Return what the virtual bench of the shipped campaign is.
 
     Examples
     --------
@@ -125,7 +125,7 @@ def virtual_bench(
     DescriptionError
         For a truth that cannot be understood, and a duration in which not every obstacle is passed.
     OutputError
-        When one of the files exists, without ``force``; then nothing is written.
+        If one of the files exists, without ``force``; then nothing is written.
 
     Examples
     --------
@@ -173,7 +173,7 @@ def make_measurements(
 def measurement_texts(
     plan: BenchPlan, truth: jn.BenchTruth | None = None, *, progress: Progress = no_progress
 ) -> dict[str, str]:
-    """Give the measurement files of a plan: name below the campaign's folder to text."""
+    """Return the measurement files of a plan: name below the campaign's folder to text."""
     truth = truth or shipped_truth()
     progress("virtual bench: spring and tyre on the test machine")
     texts = _springs(plan, truth) | _tyres(plan, truth)
@@ -305,7 +305,7 @@ def _time_at(distance: Array, road: jn.Road, speed: float, belt: Any) -> Array:
 
 
 def course(row: Table2Row, truth: jn.BenchTruth | None = None, *, shift: float = 0.0) -> jn.Road:
-    """Give the obstacle course of a trial, ``shift`` (m) later than planned."""
+    """Return the obstacle course of a trial, ``shift`` (m) later than planned."""
     given = (truth or shipped_truth()).obstacle
     obstacle = given.model_copy(update={"start": given.start + shift})
     if row.pitch is None:
@@ -314,7 +314,7 @@ def course(row: Table2Row, truth: jn.BenchTruth | None = None, *, shift: float =
 
 
 def true_pass(row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None) -> TruePass:
-    """Give what the bench hides: the speed that rounds to the printed one, and the lag of the recording."""
+    """Return what the bench hides: the speed that rounds to the printed one, and the lag of the recording."""
     truth = truth or shipped_truth()
     told = truth.passes.get(str(row.number))
     if told is not None:
@@ -407,7 +407,7 @@ def _generator(seed: int, name: str) -> np.random.Generator:
 
 
 def truth_text(plan: BenchPlan, truth: jn.BenchTruth) -> str:
-    """Give the truth behind a plan's files as a truth file, SI, with what the seed made of each pass."""
+    """Return the truth behind a plan's files as a truth file, SI, with what the seed made of each pass."""
     import tomlkit
 
     passes = {row.number: true_pass(row, plan.seed, truth) for row in plan.trials}

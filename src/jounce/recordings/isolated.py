@@ -91,7 +91,7 @@ class _Child:
         self.is_ready = False
 
     def ask(self, reader: str, path: Path, options: ReaderOptions) -> tuple[dict[str, Any], list[Any]]:
-        """Give what the child answers about a file."""
+        """Return what the child answers about a file."""
         size = path.stat().st_size
         seconds, memory = TIME + size * TIME_A_BYTE, MEMORY + size * MEMORY_A_BYTE
         told = {

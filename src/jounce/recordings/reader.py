@@ -66,7 +66,7 @@ class Reader:
     Description, for lists.
         File suffixes in lower case, with the dot.
     read : callable
-        Gives the file's columns.
+        Returns the file's columns.
     Returns the file's columns.
         Definition of the format.
     example : str

@@ -33,7 +33,7 @@ class ModalAnalysis(Plain):
     findings: tuple[Finding, ...]
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give each mode as a row: frequencies (Hz), damping ratio (1), and the amplitudes of its shape."""
+        """Return each mode as a row: frequencies (Hz), damping ratio (1), and the amplitudes of its shape."""
         return [
             {
                 "mode": number,

@@ -18,7 +18,7 @@ _SUFFIXES = (".toml", ".crg", ".csv", ".txt", ".tsv")
 
 
 def road_library() -> dict[str, Path]:
-    """Give the shipped measured courses: name to file.
+    """Return the shipped measured courses: name to file.
 
     Examples
     --------
@@ -29,7 +29,7 @@ def road_library() -> dict[str, Path]:
 
 
 def source_of_course(file: Path) -> str:
-    """Give what the list of sources beside a shipped course (``SOURCE.md``) says about it; empty where it says nothing.
+    """Return the entry of a shipped course in its list of sources (``SOURCE.md``); empty without one.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
     DescriptionError
         With file, line and path when the description is wrong or the kind of file unknown.
     RecordingError
-        When a measured file is damaged or missing.
+        If a measured file is damaged or missing.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def class_and_seed(text: str) -> tuple[str, int | None]:
 
 
 def is_class(text: object) -> bool:
-    """Tell whether a road is given as ``iso:CLASS``, with or without a seed."""
+    """Whether a road is given as ``iso:CLASS``, with or without a seed."""
     return isinstance(text, str) and text.lower().startswith("iso:")
 
 
@@ -196,7 +196,7 @@ class _Reader:
         return kind.from_table(resolved, where=self.where, text=self.text, path=path)
 
     def _resolved(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:
-        """Give the table with its kind checked, ``of`` built where it is a name, ``file`` from the right folder."""
+        """Return the table with its kind checked, ``of`` built where it is a name, ``file`` from the right folder."""
         if not isinstance(table, dict):
             place = self._place(path)
             raise DescriptionError("not a road table", where=place, found=table, allowed='{kind = "...", ...}')

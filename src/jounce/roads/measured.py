@@ -113,12 +113,12 @@ class Crg(SampledRoad):
         return self._course().profile
 
     def segments(self, distance: float, behind: float = 0.0) -> Segments:
-        """Give the road over [0, ``distance``] (m) for a wheel that follows ``behind`` metres, as closed-form pieces.
+        """Return the road over [0, ``distance``] (m) for a wheel that follows ``behind`` metres, as closed-form pieces.
 
         Raises
         ------
         DescriptionError
-            When the file says that there is no road beyond its ends and the run goes there.
+            If the file says that there is no road beyond its ends and the run goes there.
         """
         if self._course().beyond == "nothing" and not self.start <= -behind <= distance - behind <= self.end():
             raise DescriptionError(
@@ -316,8 +316,8 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
     corners of the path at an offset lie on the bisectors. Modifiers that OpenCRG tools would assume in a file without
     any (gaps filled, start moved to the origin) are not applied.
     """
-    found = read_course(path, lateral_offset)
-    return found.s.copy(), found.height.copy()
+    profile = read_course(path, lateral_offset)
+    return profile.s.copy(), profile.height.copy()
 
 
 def read_course(path: Path | str, lateral_offset: float = 0.0) -> Course:

@@ -58,7 +58,7 @@ class Road(Description, ABC):
         return self
 
     def segments(self, distance: float, behind: float = 0.0) -> Segments:
-        """Give the road over [0, ``distance``] as closed-form pieces.
+        """Return the road over [0, ``distance``] as closed-form pieces.
 
         Parameters
         ----------
@@ -134,7 +134,7 @@ class Road(Description, ABC):
         return self.start + float(self.profile().edges[-1])
 
     def is_course(self) -> bool:
-        """Tell whether it is a course, measured or random, and no obstacle on a level road."""
+        """Whether it is a course, measured or random, and no obstacle on a level road."""
         return False
 
     def known_length(self) -> float:
@@ -181,7 +181,7 @@ class Road(Description, ABC):
         Raises
         ------
         DescriptionError
-            When the road ends before the run does, or lies entirely before the start.
+            If the road ends before the run does, or lies entirely before the start.
 
         Examples
         --------

@@ -248,7 +248,7 @@ class Iso8608(SampledRoad):
         return min(10.0, 0.1 * self.length) if self.run_in is None else self.run_in
 
     def other_track(self) -> Iso8608:
-        """Give the track of the other side of the same road."""
+        """Return the track of the other side of the same road."""
         return self.model_copy(update={"side": "left" if self.side == "right" else "right"})
 
     def points(self) -> tuple[Array, Array]:

@@ -83,7 +83,7 @@ class Load(Description):
         return self
 
     def segments(self, duration: float) -> Segments:
-        """Give the load over [0, ``duration``] (s) as pieces, in its unit."""
+        """Return the load over [0, ``duration``] (s) as pieces, in its unit."""
         if self.value is not None:
             points = [(0.0, 0.0), (self.start, 0.0), (self.start + self.ramp, self.value)]
         else:
@@ -181,12 +181,12 @@ class Excitation(RecordingFormat):
 
     def profile(self) -> Profile:
         """Pieces through the samples: coordinate in s, heights in m from the datum."""
-        found = self._as_written()
+        result = self._as_written()
         if self.datum == "undeformed":
-            return found
-        begin, levels = found.before, found.coefficients.copy()
+            return result
+        begin, levels = result.before, result.coefficients.copy()
         levels[:, 0] -= begin
-        return replace(found, coefficients=levels, before=0.0, after=found.after - begin)
+        return replace(result, coefficients=levels, before=0.0, after=result.after - begin)
 
     def _as_written(self) -> Profile:
         if self.file is None:
@@ -199,16 +199,16 @@ class Excitation(RecordingFormat):
         """What the reader of its file found, and a start so far from zero that zero is likely elsewhere."""
         if self.file is None:
             return []
-        found = [] if self._is_plain() else list(self._recorded(self.file)[1])
+        result = [] if self._is_plain() else list(self._recorded(self.file)[1])
         profile = self.profile()
         heights = np.array([*profile.coefficients[:, 0], profile.after])
         if abs(profile.before) > np.ptp(heights):
-            found.append(
+            result.append(
                 finding(
                     "roads.datum", f"{self.file}: road.z", profile.before, start=profile.before, range=np.ptp(heights)
                 )
             )
-        return found
+        return result
 
     def _is_plain(self) -> bool:
         """Whether its file is text of which nothing but the name is said."""
@@ -270,7 +270,7 @@ class ActuatorForce(Description):
         return self
 
     def segments(self, duration: float) -> Segments:
-        """Give the force (N) over [0, ``duration``] (s) as pieces."""
+        """Return the force (N) over [0, ``duration``] (s) as pieces."""
         return laid_out(point_profile(self.time, self.force, self.interpolation), [(0.0, 0.0)], 0.0, duration)
 
 
@@ -336,7 +336,7 @@ class Trial(Description):
         return self
 
     def at_speed(self, factor: float) -> Trial:
-        """Give the same trial driven at a multiple of its speed; one without a speed stays as it is.
+        """Return the same trial driven at a multiple of its speed; one without a speed stays unchanged.
 
         Parameters
         ----------
@@ -362,7 +362,7 @@ class Trial(Description):
         return end
 
     def segments(self, behind: float = 0.0, side: int = 1) -> Segments:
-        """Give the height under a tyre over [0, ``duration``] as closed-form pieces.
+        """Return the height under a tyre over [0, ``duration``] as closed-form pieces.
 
         Parameters
         ----------
@@ -395,7 +395,7 @@ class Trial(Description):
         return laid_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
 
     def load(self, name: str) -> Segments:
-        """Give one of the manoeuvre loads over [0, ``duration``] (s), zero where the trial has none."""
+        """Return one of the manoeuvre loads over [0, ``duration``] (s), zero where the trial has none."""
         given: PitchMoment | DrivingAcceleration | None = getattr(self, name)
         return flat(self.duration) if given is None else given.segments(self.duration)
 
@@ -437,7 +437,7 @@ class HoldsTrial(Protocol):
 
 
 def as_trial(given: Trial | HoldsTrial) -> Trial:
-    """Give the trial itself, of what holds one."""
+    """Return the trial itself, of what holds one."""
     return given if isinstance(given, Trial) or not isinstance(given, HoldsTrial) else given.trial
 
 
@@ -493,24 +493,24 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
     ['the road ends after 0.02 m and the run drives 5 m; the rest of it is level. Shorten the run.']
     """
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
-    found = [
+    result = [
         *_loads(trial),
         *_left_out_in_bends(trial, rig),
         *(trial.excitation.findings() if trial.excitation is not None else ()),
     ]
     if trial.speed is not None:
-        found += unit_question("trial: speed", Unit("m/s"), trial.speed)
+        result += unit_question("trial: speed", Unit("m/s"), trial.speed)
         for name, road in (("road", trial.road), ("right", trial.right)):
             if road is not None:
-                found += _road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
-        found += _rear(trial, behind)
+                result += _road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
+        result += _rear(trial, behind)
         if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
-            found.append(finding("roads.jump_through_dampers", "trial: road"))
-        found += _blows(trial, rig)
+            result.append(finding("roads.jump_through_dampers", "trial: road"))
+        result += _blows(trial, rig)
         if isinstance(trial.road, Iso8608) and trial.right is None and _has_sides(rig):
-            found.append(finding("roads.same_track", "trial: road"))
-        found += _apart(trial, rig)
-    return found
+            result.append(finding("roads.same_track", "trial: road"))
+        result += _apart(trial, rig)
+    return result
 
 
 def _apart(trial: Trial, rig: Rig | None) -> Iterator[Finding]:

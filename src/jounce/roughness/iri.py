@@ -181,10 +181,10 @@ def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Ar
     shown = vectors[0] - vectors[2]
     rest = inverse @ np.array([ahead, 0.0, ahead, 0.0])
     upper = [i for i, value in enumerate(values) if value.imag > 0.0]  # the other two are their conjugates
-    found = sum(
+    result = sum(
         2.0 * (shown[i] * first_order(slope * drive[i], complex(factors[i]), complex(rest[i]))).real for i in upper
     )
-    return np.asarray(abs(found), dtype=float)
+    return np.asarray(abs(result), dtype=float)
 
 
 def state_transition(spacing: float) -> tuple[Array, Array]:
@@ -252,7 +252,7 @@ def _segments(
 
 
 def _checked_spacing(x: Array, z: Array, place: str) -> float:
-    """Refuse distances and heights that are not a profile; give the sample spacing, m."""
+    """Refuse distances and heights that are not a profile; return the sample spacing, m."""
     if x.ndim != 1 or x.shape != z.shape:
         problem = "distance and height are not two columns of the same length"
         raise RecordingError(problem, where=place, found=f"shapes {x.shape} and {z.shape}")
@@ -325,14 +325,14 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
             allowed=f"at most {NO_ROAD:g} m/km; the roughest tracks have some {ROUGHEST:g}",
             hint="Are heights and distances in the units that their headers say?",
         )
-    found = []
+    findings = []
     if whole > ROUGHEST:
-        found.append(finding("roughness.rougher", place, whole, iri=whole))
+        findings.append(finding("roughness.rougher", place, whole, iri=whole))
     if 0.0 < whole < SMOOTHEST:
-        found.append(finding("roughness.smoother", place, whole, iri=whole))
+        findings.append(finding("roughness.smoother", place, whole, iri=whole))
     if spacing > COARSE:
-        found.append(finding("roughness.spacing", place, spacing, spacing=spacing))
-    return tuple(found)
+        findings.append(finding("roughness.spacing", place, spacing, spacing=spacing))
+    return tuple(findings)
 
 
 def read_profile(
@@ -392,12 +392,12 @@ class ProfileRoughness(Plain):
     findings: tuple[Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
-        found = to_plain(self.roughness)
-        return {"profile": self.profile, "offset": self.offset, **found, "findings": to_plain(self.findings)}
+        """Return plain values, SI."""
+        result = to_plain(self.roughness)
+        return {"profile": self.profile, "offset": self.offset, **result, "findings": to_plain(self.findings)}
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give the segments as rows of a table, SI."""
+        """Return the segments as rows of a table, SI."""
         return list(to_plain(self.roughness.segments))
 
 
@@ -419,7 +419,7 @@ def profile_roughness(
     offset: Annotated[float | str, Number("Lateral offset of the profile in a .crg road.", "LENGTH", "m")] = 0.0,
     columns: Annotated[Mapping[str, str] | None, COLUMNS] = None,
 ) -> ProfileRoughness:
-    r"""Give the international roughness index (IRI) of a profile and of its segments.
+    r"""Return the international roughness index (IRI) of a profile and of its segments.
 
     Parameters
     ----------
@@ -453,8 +453,8 @@ def profile_roughness(
     """
     lateral = to_si(offset, "m", where="offset")
     x, z, notes = read_profile(profile, columns=columns, lateral_offset=lateral)
-    found = iri(x, z, segment=segment, place=str(profile))
-    return ProfileRoughness(str(profile), lateral, found, x, z, (*notes, *found.findings))
+    result = iri(x, z, segment=segment, place=str(profile))
+    return ProfileRoughness(str(profile), lateral, result, x, z, (*notes, *result.findings))
 
 
 def _rows(file: Path) -> list[tuple[int, list[str]]]:

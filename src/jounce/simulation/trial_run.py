@@ -45,7 +45,7 @@ class TrialRun(Plain):
     findings: tuple[Finding, ...]
 
     def recording(self) -> xr.Dataset:
-        """Give the run as :func:`jounce.simulate` does."""
+        """Return the run as :func:`jounce.simulate` does."""
         return self.run.recording()
 
     @property
@@ -54,11 +54,11 @@ class TrialRun(Plain):
         return "" if self.trial.speed is None else f" at {size(self.trial.speed, 'm/s', 'speed')}"
 
     def extremes(self) -> dict[str, dict[str, Any]]:
-        """Give unit, static value, minimum and maximum (SI) with their times (s) of every channel."""
+        """Return unit, static value, minimum and maximum (SI) with their times (s) of every channel."""
         return extremes(self.run.time, self.run.channels)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI: how the run went, and the extremes of every channel."""
+        """Return plain values, SI: how the run went, and the extremes of every channel."""
         went = {name: self.run.attributes[name] for name in ("status", "method", "steps", "events")}
         return {
             "speed": self.trial.speed,

@@ -136,7 +136,7 @@ def _front_view(rig: Rig, form: PlateForm) -> System:
 
 
 def _add_wheel(system: System, side: Side, height: ca.SX, plate: Plate, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Wheel of one side under the body; give its height (m) and contact force (N)."""
+    """Wheel of one side under the body; return its height (m) and contact force (N)."""
     if isinstance(side.wheel, QuarterCar):
         return add_quarter_car(system, side.wheel, plate.height, sprung=height)
     return add_wheel(system, side.wheel, height, gravity, plate=plate.height)

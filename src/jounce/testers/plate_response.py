@@ -47,8 +47,8 @@ class LinearTesterRig:
         """Complex amplitudes of all states for 1 rad of an eccentric exciter's angle."""
         first, last = self._inputs(place)
         s = 2j * np.pi * frequency
-        found = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B[:, first:last] @ s ** np.arange(last - first))
-        return np.asarray(self.on.rest.lift @ found)
+        result = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B[:, first:last] @ s ** np.arange(last - first))
+        return np.asarray(self.on.rest.lift @ result)
 
     def _row(self, output: str) -> int:
         names = self.on.compiled.output_names
@@ -203,8 +203,8 @@ _HEIGHTS = "unsprung.z", "sprung.z", "plate.z"
 def _shapes(linear: LinearTesterRig, output: str, vectors: Complex) -> Complex:
     """Output in each mode; zero where there is no such output, as for a body that is held."""
     names = linear.on.compiled.output_names
-    found = linear.C[names.index(output)] @ vectors if output in names else np.zeros(len(linear.A))
-    return np.asarray(found, dtype=np.complex128)
+    shapes = linear.C[names.index(output)] @ vectors if output in names else np.zeros(len(linear.A))
+    return np.asarray(shapes, dtype=np.complex128)
 
 
 def road_damping_ratio(

@@ -58,7 +58,7 @@ class SteadyResponse(Shown):
 
 
 def wrapped(angle: ArrayLike) -> Array:
-    """Give angles (rad) between -pi/2 and 3/2 pi, where phase angles of testers are."""
+    """Return angles (rad) between -pi/2 and 3/2 pi, where phase angles of testers are."""
     return np.asarray(1.5 * np.pi - np.mod(1.5 * np.pi - np.asarray(angle), 2.0 * np.pi))
 
 
@@ -71,8 +71,8 @@ def least_adhesion(at: Callable[[Array], SteadyResponse], highest: float) -> tup
     """Least adhesion (1, negative where the linear force is) up to a frequency (Hz), and where: Hz, to 0.01 Hz."""
 
     def value(frequency: Array) -> Array:
-        found = at(frequency)
-        return 1.0 - found.force_amplitude / found.static_load
+        result = at(frequency)
+        return 1.0 - result.force_amplitude / result.static_load
 
     return least(value, _COARSE, highest)
 

@@ -38,7 +38,7 @@ class SweptAngle:
 
 
 def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0) -> SweptAngle:
-    """Give the exciter's angle over a programme, exact: a quadratic in time where the frequency changes.
+    """Return the exciter's angle over a programme, exact: a quadratic in time where the frequency changes.
 
     The hold depends on the static load (N); it starts to turn at ``begin`` (s) from an angle in rad.
 
@@ -169,13 +169,13 @@ def _track(kind: str, angle: float, rate: float, begin: float) -> Segments:
 
 def _state(on: TesterRig, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:
     """States at the end of a part by name, the angles of driven exciters among them."""
-    found = dict(zip(on.compiled.facts.states, map(float, x), strict=True))
+    state = dict(zip(on.compiled.facts.states, map(float, x), strict=True))
     for place, segments in tracks.items():
         name = channel(place, ANGLE)
-        if name not in found:
+        if name not in state:
             angle, rate = segments.evaluate(at)
-            found[name], found[f"{name} rate"] = float(angle[0]), float(rate[0])
-    return found
+            state[name], state[f"{name} rate"] = float(angle[0]), float(rate[0])
+    return state
 
 
 def _fastest(programme: Programme) -> float:

@@ -157,14 +157,14 @@ def _measured(
     if sensors.force_limit is not None:
         force = np.clip(force, -sensors.force_limit, sensors.force_limit)
     height = _noisy(height, sensors.displacement_noise, generator)
-    found = {
+    result = {
         f"{side}.plate.z": (height, "m", f"{side} plate, height over rest"),
         f"{side}.plate.force": (force, "N", f"{side} plate, force, compression positive"),
     }
     if sensors.tacho:
         turns = run.values[channel(place, "excenter.frequency")]
-        found[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the exciter per second"
-    return found
+        result[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the exciter per second"
+    return result
 
 
 def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
@@ -230,11 +230,11 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
     Wheel loads (N) out of range, sweeps that are too fast or short, samples that are too rare.
     """
     on, limits, programme = rig_on_tester(rig, tester), tester.limits, tester.programme
-    found = []
+    findings = []
     for place in on.places:
         load = on.static_load(place)
         if not limits.wheel_load_min <= load <= limits.wheel_load_max:
-            found.append(
+            findings.append(
                 finding(
                     "testers.wheel_load",
                     channel(place, "static_load"),
@@ -246,7 +246,7 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
             )
     if programme.run_down == "controlled":
         if programme.sweep_rate > limits.sweep_rate_max:
-            found.append(
+            findings.append(
                 finding(
                     "testers.sweep_fast",
                     "programme.sweep_rate",
@@ -257,7 +257,7 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
             )
         swept = abs(programme.start_frequency - programme.end_frequency) / programme.sweep_rate
         if swept < limits.sweep_time_min:
-            found.append(
+            findings.append(
                 finding(
                     "testers.sweep_short",
                     "programme.sweep_rate",
@@ -267,7 +267,7 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
                 )
             )
     if tester.sampling_frequency < limits.sampling_frequency_min:
-        found.append(
+        findings.append(
             finding(
                 "testers.sampling_slow",
                 "sampling_frequency",
@@ -276,4 +276,4 @@ def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
                 sampling_frequency_min=limits.sampling_frequency_min,
             )
         )
-    return found
+    return findings

@@ -54,7 +54,7 @@ class Design(Shown):
         whole: Callable[[str], bool] | None = None,
         limit: Callable[[str], Unit] | None = None,
     ) -> dict[str, Array]:
-        """Give the values (SI) of every variant by path.
+        """Return the values (SI) of every variant by path.
 
         ``number`` gives value and SI unit of the number at a path, ``whole`` whether it is whole (without it none is).
         With ``limit`` a range that reaches beyond it is refused before (see :meth:`refuse_outside`).
@@ -337,21 +337,21 @@ def _count(count: int) -> int:
 def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
     """Points in the unit cube, one row each, none on its faces."""
     if kind == "monte-carlo":
-        found = np.random.default_rng(seed).random((count, numbers))
+        points = np.random.default_rng(seed).random((count, numbers))
     elif kind == "morris":
-        found = _trajectories(numbers, count // (numbers + 1), np.random.default_rng(seed))
+        points = _trajectories(numbers, count // (numbers + 1), np.random.default_rng(seed))
     elif kind == "saltelli":
         pairs = _points("sobol", 2 * numbers, count // (numbers + 2), seed)
         first, second = pairs[:, None, :numbers], pairs[:, None, numbers:]
         exchanged = np.where(np.eye(numbers, dtype=bool), second, first)
-        found = np.concatenate([first, exchanged, second], axis=1).reshape(-1, numbers)
+        points = np.concatenate([first, exchanged, second], axis=1).reshape(-1, numbers)
     elif kind == "sobol":
-        found = _sobol(numbers, count, seed)
+        points = _sobol(numbers, count, seed)
     else:
         from scipy.stats import qmc
 
-        found = qmc.LatinHypercube(numbers, seed=seed).random(count)
-    return np.asarray(np.minimum(np.maximum(found, 1e-12), 1.0 - 1e-12), dtype=float)
+        points = qmc.LatinHypercube(numbers, seed=seed).random(count)
+    return np.asarray(np.minimum(np.maximum(points, 1e-12), 1.0 - 1e-12), dtype=float)
 
 
 _BITS = 30
@@ -375,16 +375,16 @@ def _sobol(numbers: int, count: int, seed: int) -> Array:
     mix = random.integers(0, 2, (numbers, _BITS, _BITS), dtype=np.uint32) * _BELOW + _DIAGONAL
     mixed = (mix @ _directions(numbers, doublings)).astype(np.int64) & 1
     along = (_PLACES @ mixed).astype(np.uint32)
-    found = np.empty((numbers, count), dtype=np.uint32)
-    found[:, 0] = shift
+    result = np.empty((numbers, count), dtype=np.uint32)
+    result[:, 0] = shift
     first = min(count, _FIRST)
-    np.take(along, _TURNS[: first - 1], axis=1, out=found[:, 1:first])
-    np.bitwise_xor.accumulate(found[:, :first], axis=1, out=found[:, :first])
+    np.take(along, _TURNS[: first - 1], axis=1, out=result[:, 1:first])
+    np.bitwise_xor.accumulate(result[:, :first], axis=1, out=result[:, :first])
     for i in range(_FIRST.bit_length() - 1, doublings):
         old = 2**i
-        new = found[:, old : 2 * old]
-        np.bitwise_xor(found[:, old - new.shape[1] : old][:, ::-1], along[:, i, None], out=new)
-    return np.asarray((found * 2.0**-_BITS).T, dtype=float)
+        new = result[:, old : 2 * old]
+        np.bitwise_xor(result[:, old - new.shape[1] : old][:, ::-1], along[:, i, None], out=new)
+    return np.asarray((result * 2.0**-_BITS).T, dtype=float)
 
 
 @lru_cache(64)
@@ -392,14 +392,14 @@ def _directions(numbers: int, count: int) -> Array:
     """Bits of the first directions of Sobol's sequence, (numbers, bits, directions), the highest bit first."""
     from scipy.stats import qmc
 
-    found = []
+    directions = []
     for i in range(count):
         sequence = qmc.Sobol(numbers, scramble=False)
         if i:
             sequence.fast_forward(2**i - 1)
         before, after = (sequence.random(2) * 2.0**_BITS).astype(np.int64)
-        found.append(before ^ after)
-    return np.asarray(np.array(found).T[:, None] >> np.arange(_BITS - 1, -1, -1)[:, None] & 1, dtype=float)
+        directions.append(before ^ after)
+    return np.asarray(np.array(directions).T[:, None] >> np.arange(_BITS - 1, -1, -1)[:, None] & 1, dtype=float)
 
 
 LEVELS = 8
@@ -474,12 +474,12 @@ def _in_whole(law: Callable[[Array], Array], spread: object, path: str) -> Calla
 def _percent(text: str, path: str) -> float:
     try:
         share = text.strip().removeprefix("±")
-        found = float(share.removesuffix("%")) / 100.0 if share.endswith("%") else math.nan
+        percent = float(share.removesuffix("%")) / 100.0 if share.endswith("%") else math.nan
     except ValueError:
-        found = math.nan
-    if not 0.0 < found < math.inf:
+        percent = math.nan
+    if not 0.0 < percent < math.inf:
         raise DescriptionError("not a share", where=path, found=text, allowed=_FORMS)
-    return found
+    return percent
 
 
 def _ends(values: Sequence[float], path: str, given: object) -> tuple[float, float]:
@@ -489,10 +489,10 @@ def _ends(values: Sequence[float], path: str, given: object) -> tuple[float, flo
 
 
 def _list(given: Sequence[float | str], unit: str, path: str) -> list[float]:
-    found: list[float] = as_values(given, unit, where=path).tolist()
-    if not np.all(np.isfinite(found)):
+    result: list[float] = as_values(given, unit, where=path).tolist()
+    if not np.all(np.isfinite(result)):
         raise DescriptionError("not finite numbers", where=path, found=str(list(given))[:60])
-    return found
+    return result
 
 
 DESIGNS: Mapping[str, Callable[..., Design]] = {

@@ -65,11 +65,11 @@ class FewChannels:
         problem, at = prepared.problem, prepared.equilibrium
         assert at is not None
         prepared = replace(prepared, problem=problem._replace(engine=problem.engine._replace(output=self._address)))
-        found = prepared.run()
-        lost = found.status is not Status.COMPLETED or flipped_at(self.names, found.outputs) is not None
-        if lost or ran_away_at(self.names, found.outputs) is not None:
+        result = prepared.run()
+        lost = result.status is not Status.COMPLETED or flipped_at(self.names, result.outputs) is not None
+        if lost or ran_away_at(self.names, result.outputs) is not None:
             return None
-        return found.outputs, self.compiled.evaluate("output", at.x, prepared.still, p, at.modes)[self._rows]
+        return result.outputs, self.compiled.evaluate("output", at.x, prepared.still, p, at.modes)[self._rows]
 
     def _samples(self, times: Array) -> Samples:
         """The arrays of this thread."""

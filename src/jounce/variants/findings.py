@@ -36,7 +36,7 @@ class Tally:
         self._found[kind] = first, before + count
 
     def attributes(self) -> dict[str, Any]:
-        """Give the attributes; none where nothing was found."""
+        """Return the attributes; none where nothing was found."""
         if not self._found:
             return {}
         texts, counts = zip(*self._found.values(), strict=True)

@@ -194,9 +194,9 @@ class _Results:
         import xarray as xr
 
         study, axes = self.frame.study, self.frame.axes
-        found: dict[str, xr.Variable] = {}
+        result: dict[str, xr.Variable] = {}
         for i, metric in enumerate(self.metrics):
-            found[metric.text] = _along_variants(self.numbers[:, i].copy(), metric.unit, metric.long_name)
+            result[metric.text] = _along_variants(self.numbers[:, i].copy(), metric.unit, metric.long_name)
         if self.channels:
             given = self.frame.columns.get("trial.duration", [study.trial.duration])
             times = study.settings.times(float(given[0]))
@@ -207,9 +207,9 @@ class _Results:
                 if course is not None:
                     row[: course.shape[1]] = course[i]
             about = {"units": study.units[name], "long_name": study.long_names[name]}
-            found[name] = xr.Variable(("variant", "time"), values, about, fastpath=True)
+            result[name] = xr.Variable(("variant", "time"), values, about, fastpath=True)
         about = {"long_name": "why it has no run"}
-        found["reason"] = xr.Variable(("variant",), self.reasons, about, fastpath=True)
+        result["reason"] = xr.Variable(("variant",), self.reasons, about, fastpath=True)
         attributes = {
             "rig": str(getattr(study.rig, "model", "")),
             **self.tally,
@@ -217,7 +217,7 @@ class _Results:
             **design,
         }
         attributes |= self.found.attributes()
-        return dataset(found, axes, attributes, self.frame.beside)
+        return dataset(result, axes, attributes, self.frame.beside)
 
 
 @lru_cache(2)
@@ -273,18 +273,18 @@ class Study:
 
     @cached_property
     def base(self) -> Array:
-        """Parameters (SI) of the rig as it is."""
+        """Parameters (SI) of the rig unchanged."""
         return self.compiled.parameter_values(self.rig.parameters())
 
     def channels(self, given: Sequence[str] | str | None) -> list[str]:
         """Names of the channels meant; one that every corner has is that of all of them."""
-        found: list[str] = []
+        result: list[str] = []
         for name in [given] if isinstance(given, str) else given or []:
             channels = channels_of(name, list(self.units))
             if not channels:
                 raise unknown(name, self.units, what="channel", where="outputs")
-            found += channels
-        return list(dict.fromkeys(found))
+            result += channels
+        return list(dict.fromkeys(result))
 
     def few_of(self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int) -> FewChannels | None:
         """How so many runs one by one may make no more channels than are wanted; None where that is not worth it."""
@@ -329,7 +329,7 @@ class Study:
 
     def outside(self, columns: Mapping[str, Array]) -> int:
         """How many variants have a number outside what its description allows."""
-        found: NDArray[np.bool_] | None = None
+        result: NDArray[np.bool_] | None = None
         for path, column in columns.items():
             limit = self.limit(path)
             least, most = limit.limits
@@ -337,28 +337,28 @@ class Study:
             if high <= most and (low > least if limit.above is not None else low >= least):
                 continue
             beyond = (column < least) | (column > most) | (limit.above is not None and column == least)
-            found = beyond if found is None else found | beyond
-        return 0 if found is None else int(np.sum(found))
+            result = beyond if result is None else result | beyond
+        return 0 if result is None else int(np.sum(result))
 
     def columns(self, variants: Variants) -> dict[str, Array]:
         """Values of every variant, SI."""
         if isinstance(variants, Design):
-            found = variants.values(self.number, self.whole, self.limit)
+            result = variants.values(self.number, self.whole, self.limit)
         elif not variants or not hasattr(variants, "items") or not all(isinstance(path, str) for path in variants):
             allowed = "path of a number to its values, or a design such as jn.sobol(...)"
             raise DescriptionError("nothing to vary", where="variants", found=variants, allowed=allowed)
         else:
-            found = {path: _column(given, self.number(path)[1], path) for path, given in variants.items()}
-        lengths = {path: len(column) for path, column in found.items()}
+            result = {path: _column(given, self.number(path)[1], path) for path, given in variants.items()}
+        lengths = {path: len(column) for path, column in result.items()}
         if len(set(lengths.values())) > 1:
             raise DescriptionError("the values have different lengths", where="variants", found=lengths)
         if not 1 <= max(lengths.values()) <= MOST:
             raise DescriptionError("not a number of variants", where="variants", found=max(lengths.values()))
-        for path in found:
+        for path in result:
             of, rest = self.owner(path)
             if of is self.rig and rest not in self.compiled.facts.parameters:
                 raise DescriptionError("does not enter the model", where=f"variants: {path}", hint="Leave it out.")
-        return found
+        return result
 
     def variant(self, changes: Mapping[str, float]) -> tuple[Rig, Trial, Controller | None]:
         """Rig, trial and controller with the numbers (SI) of one variant."""
@@ -465,11 +465,11 @@ class _Group:
 
     def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
         """Values (SI) of all parameters of the model, one row a variant."""
-        found = np.empty((count, len(self.study.base)))
-        found[:] = self.study.base
+        parameters = np.empty((count, len(self.study.base)))
+        parameters[:] = self.study.base
         for path, column in own.items():
-            found[:, self.study.compiled.facts.parameters.index(path)] = column
-        return found
+            parameters[:, self.study.compiled.facts.parameters.index(path)] = column
+        return parameters
 
     def _described(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
         """Which variants need a description of their own, None for none: those that it forbids are to say why."""
@@ -523,12 +523,12 @@ class _Group:
         key = study.compiled.identity, study.base.tobytes(), wheels, study.settings, tuple(channels)
         if kept is None or key not in kept:
             times = study.settings.times(self.trial.duration)
-            found = lay_out(study.compiled, study.base, self._signals, times, channels)
+            layout = lay_out(study.compiled, study.base, self._signals, times, channels)
             if kept is None:
-                return found
+                return layout
             if len(kept) >= _MOST_LAYOUTS:
                 kept.clear()
-            kept[key] = found
+            kept[key] = layout
         return kept[key]
 
     def _stepped(
@@ -622,7 +622,7 @@ class _Group:
             except SimulationError:
                 return None
             every = np.ones(len(parameters), dtype=bool)
-            found = _LaidOut(base, parameters, every, None, tolerance)
+            laid_out = _LaidOut(base, parameters, every, None, tolerance)
         else:
             names = study.compiled.facts.parameters
             values = dict(zip(names, study.base.tolist(), strict=True))
@@ -632,10 +632,10 @@ class _Group:
                 return None
             whole = np.concatenate([study.base[None, :], parameters])
             numbers, sound = study.reduction.alike(one.table, one.degree, names, whole, corner.limit)
-            found = _LaidOut(one.prepared, numbers[1:], sound[1:], one, STEPS_SHARE * tolerance)
-        base = found.base
+            laid_out = _LaidOut(one.prepared, numbers[1:], sound[1:], one, STEPS_SHARE * tolerance)
+        base = laid_out.base
         steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
-        return found if steps else None
+        return laid_out if steps else None
 
     def _alone(self, results: _Results, row: int, run: Callable[[], _Found]) -> None:
         """Fill in what a run gives, or why there is none."""
@@ -775,14 +775,14 @@ def _layouts_of(trial: Trial) -> dict[object, Layout | None] | None:
 
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
     """Numbers of a trial or a controller by path, whole ones (a seed) included; or these alone."""
-    found = {} if whole else parameters_of(description)
+    numbers = {} if whole else parameters_of(description)
     for name in type(description).model_fields:
         value = getattr(description, name)
         if isinstance(value, int) and not isinstance(value, bool):
-            found[name] = float(value)
+            numbers[name] = float(value)
         elif hasattr(type(value), "model_fields"):
-            found |= {f"{name}.{path}": number for path, number in _numbers_of(value, whole=whole).items()}
-    return found
+            numbers |= {f"{name}.{path}": number for path, number in _numbers_of(value, whole=whole).items()}
+    return numbers
 
 
 def _of_the_rig(columns: Mapping[str, Array]) -> dict[str, Array]:
@@ -803,7 +803,7 @@ def _changed(description: Any, changes: Mapping[str, float], prefix: str) -> Any
 def _column(given: object, unit: str, path: str) -> Array:
     if not is_list(given):
         raise DescriptionError("not a list of values", where=f"variants: {path}", found=given, allowed="one a variant")
-    found = np.array(as_values(given, unit, where=f"variants: {path}"))  # of our own: results keep it
-    if found.ndim != 1 or not len(found) or not np.all(np.isfinite(found)):
+    column = np.array(as_values(given, unit, where=f"variants: {path}"))  # of our own: results keep it
+    if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
         raise DescriptionError("not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60])
-    return found
+    return column

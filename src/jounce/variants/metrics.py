@@ -65,7 +65,7 @@ class RunMetric:
 
 def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[RunMetric]:
     """Read metrics; ``units`` has the SI unit of every channel. One of all corners becomes one for each of them."""
-    found: list[RunMetric] = []
+    metrics: list[RunMetric] = []
     for text in [texts] if isinstance(texts, str) else texts:
         words = str(text).split()
         if len(words) != 2:
@@ -82,8 +82,8 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
         channels = channels_of(words[1], list(units))
         if not channels:
             raise _unknown_channel(words[1], units)
-        found += [RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels]
-    return list({metric.text: metric for metric in found}.values())
+        metrics += [RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels]
+    return list({metric.text: metric for metric in metrics}.values())
 
 
 def check_durations(metrics: Iterable[RunMetric], durations: Iterable[float]) -> None:
@@ -110,8 +110,8 @@ def of_sums(word: str, sums: Sums, channel: int) -> Array:
         return np.asarray(np.sqrt(sums.square[:, channel]))
     if word == "range":
         return np.asarray(sums.most[:, channel] - sums.least[:, channel])
-    found = {"mean": "mean", "min": "least", "max": "most"}[word]
-    return np.asarray(sums.rest[:, channel] + getattr(sums, found)[:, channel])
+    result = {"mean": "mean", "min": "least", "max": "most"}[word]
+    return np.asarray(sums.rest[:, channel] + getattr(sums, result)[:, channel])
 
 
 def of_course(metric: RunMetric, values: Array, rest: float, output_step: float) -> float:

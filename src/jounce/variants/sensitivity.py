@@ -32,8 +32,8 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     """Tell which of the varied numbers a metric depends on, and how surely.
 
     What can be told follows from how the variants were laid out: Sobol's indices from :func:`saltelli`, mean and spread
-    of elementary effects from :func:`morris`, regression from all others. It is not the derivative at the rig as it is,
-    which :func:`sensitivities` gives exactly.
+    of elementary effects from :func:`morris`, regression from all others. It is not the derivative at the rig
+    unchanged, which :func:`sensitivities` gives exactly.
 
     Parameters
     ----------
@@ -100,8 +100,8 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
         if design != "morris":  # whose few places would mix the effects of the numbers
             results |= _ends(values[good], y[good])
         left_out = max(left_out, int(np.sum(~good)))
-        for key, one in results.items():
-            found.setdefault(key, np.full((len(names), *one.shape), np.nan))[i] = one
+        for key, result in results.items():
+            found.setdefault(key, np.full((len(names), *result.shape), np.nan))[i] = result
     variables = {
         key: (
             ("metric", "number")[: one.ndim],
@@ -133,7 +133,11 @@ _WORDS = {
 
 def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> list[str]:
     """Names of the metrics of many runs, or those chosen."""
-    known = [str(name) for name, one in many.data_vars.items() if one.dims == ("variant",) and one.dtype.kind in "fi"]
+    known = [
+        str(name)
+        for name, column in many.data_vars.items()
+        if column.dims == ("variant",) and column.dtype.kind in "fi"
+    ]
     wanted = known if chosen is None else [chosen] if isinstance(chosen, str) else list(chosen)
     for name in wanted:
         if name not in known:
@@ -147,8 +151,8 @@ def numbers_of(many: xr.Dataset) -> list[str]:
     """Paths of what varies among many runs."""
     return [
         str(name)
-        for name, one in many.coords.items()
-        if one.dims == ("variant",) and name != "variant" and np.ptp(one.to_numpy()) > 0.0
+        for name, coord in many.coords.items()
+        if coord.dims == ("variant",) and name != "variant" and np.ptp(coord.to_numpy()) > 0.0
     ]
 
 

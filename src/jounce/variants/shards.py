@@ -97,21 +97,21 @@ class Kept:
 
     def names(self) -> dict[int, list[Path]]:
         """Files of each shard: one, or more where a damaged one lies beside."""
-        found: dict[int, list[Path]] = {}
+        result: dict[int, list[Path]] = {}
         for file in sorted((self.folder / SHARDS).glob(f"*{self._suffix}")):
             match = _NAME.fullmatch(file.name)
             if match is not None and file.is_file() and int(match[1]) < len(self.spans):
-                found.setdefault(int(match[1]), []).append(file)
-        return found
+                result.setdefault(int(match[1]), []).append(file)
+        return result
 
     def whole(self) -> dict[int, Path]:
         """Shards whose content is what it was written as."""
-        found = {}
+        result = {}
         for number, files in self.names().items():
             good = [file for file in files if self._is_whole(file)]
             if good:
-                found[number] = good[0]
-        return found
+                result[number] = good[0]
+        return result
 
     def write(self, number: int, content: bytes) -> None:
         """Put a shard, which comes as a netCDF file, in its place; damaged ones of its number go."""
@@ -170,7 +170,7 @@ def keep_in_shards(
 ) -> xr.Dataset:
     """Run variants into a folder, shard by shard; give what :func:`load_sweep` reads of it.
 
-    ``say`` is told how many variants are done, and of how many; ``command`` is what was typed. Without a number of
+    ``say`` is reported how many variants are done, and of how many; ``command`` is what was typed. Without a number of
     ``workers`` there is one a processor where variants run alone, and for long.
     """
     folder = resolved(out, home=True)
@@ -214,10 +214,10 @@ def keep_in_shards(
                 _write(kept, number, content)
                 finished += kept.spans[number][1] - kept.spans[number][0]
                 say(finished, kept.count)
-    found = load_sweep(folder)
+    result = load_sweep(folder)
     if kept.is_zarr:
-        zarr_shards.describe(folder, found.attrs)
-    return found
+        zarr_shards.describe(folder, result.attrs)
+    return result
 
 
 def _refuse_taken(folder: Path, *, force: bool) -> None:
@@ -286,16 +286,18 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
         if shard is None:
             continue
         if channels is None:
-            over_time = [one for one in shard.data_vars.values() if "time" in one.dims]
+            over_time = [variable for variable in shard.data_vars.values() if "time" in variable.dims]
             channels = count * sum(one[0].size for one in over_time) <= _MOST_NUMBERS
         if not channels:
             shard = shard.drop_dims("time", errors="ignore")
         if first_shard is None:
             first_shard = shard
             found = {
-                str(name): np.empty((count, *one.shape[1:]), dtype=one.dtype if one.dtype.kind in "fi" else object)
-                for name, one in shard.variables.items()
-                if "variant" in one.dims
+                str(name): np.empty(
+                    (count, *variable.shape[1:]), dtype=variable.dtype if variable.dtype.kind in "fi" else object
+                )
+                for name, variable in shard.variables.items()
+                if "variant" in variable.dims
             }
         size = shard.sizes["variant"]
         for name, values in found.items():
@@ -307,11 +309,13 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
     if first_shard is None:
         return xr.Dataset(attrs={"variants": kept.count})
     variables = {
-        str(name): xr.Variable(one.dims, found[str(name)][:row] if str(name) in found else one.to_numpy(), one.attrs)
-        for name, one in first_shard.variables.items()
+        str(name): xr.Variable(
+            variable.dims, found[str(name)][:row] if str(name) in found else variable.to_numpy(), variable.attrs
+        )
+        for name, variable in first_shard.variables.items()
     }
     coordinates = {name: variables[str(name)] for name in map(str, first_shard.coords)}
-    data = {name: one for name, one in variables.items() if name not in coordinates}
+    data = {name: variable for name, variable in variables.items() if name not in coordinates}
     attributes = {**to_plain(first_shard.attrs), **tally, **findings.attributes(), "variants": kept.count}
     return xr.Dataset(data, coordinates, attributes)
 
@@ -412,11 +416,11 @@ def _check_same(kept: Kept, study: Mapping[str, Any]) -> None:
 
 
 def _told(path: str, before: Any, now: Any, *, drawn_anew: bool) -> str:
-    """What changed at a path; nothing where the values of a variant follow from what is told already."""
+    """What changed at a path; nothing where the values of a variant follow from what is reported already."""
     columns = [_COLUMN.fullmatch(str(value)) for value in (before, now)]
     if columns[0] is None or columns[1] is None:
         return f"{path}: {_short(before)} before, {_short(now)} now"
-    (count, *ends), (others, *other_ends) = (one.groups()[:3] for one in columns if one is not None)
+    (count, *ends), (others, *other_ends) = (column.groups()[:3] for column in columns if column is not None)
     low, high, other_low, other_high = map(float, (*ends, *other_ends))
     near = _NEAR * max(high - low, other_high - other_low)
     if count == others and abs(low - other_low) <= near and abs(high - other_high) <= near:

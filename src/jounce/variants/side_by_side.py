@@ -224,12 +224,12 @@ def lay_out(
 
 def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:
     """From where to where variants are handed out, in whole blocks: ever fewer, so that all workers end together."""
-    found, first, left = [], 0, -(-count // wide)
+    spans, first, left = [], 0, -(-count // wide)
     while left:
         blocks = max(left // (_TURNS * workers), 1) if workers > 1 else left
-        found.append((first, min(first + wide * blocks, count)))
+        spans.append((first, min(first + wide * blocks, count)))
         first, left = first + wide * blocks, left - blocks
-    return found
+    return spans
 
 
 def _apart(work: lanes.Work) -> lanes.Work:
@@ -248,9 +248,9 @@ def _apart(work: lanes.Work) -> lanes.Work:
 def _in_line(array: Array) -> Array:
     """A copy that begins with a line of the cache: steps take half as long again where vectors lie across two."""
     room = np.empty(array.nbytes + _LINE, dtype=np.uint8)
-    found: Array = np.ndarray(array.shape, array.dtype, room.data, -room.ctypes.data % _LINE)
-    found[...] = array
-    return found
+    in_line: Array = np.ndarray(array.shape, array.dtype, room.data, -room.ctypes.data % _LINE)
+    in_line[...] = array
+    return in_line
 
 
 def _outputs_are_linear(

@@ -107,7 +107,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     RecordingError
         For a weighting of runs that are too short for it, as :func:`ride_metrics` has it.
     SimulationError
-        When the rig as it is does not run on the trial.
+        If the rig as it is does not run on the trial.
 
     Examples
     --------

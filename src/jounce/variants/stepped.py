@@ -67,7 +67,7 @@ class Rest:
 
 
 def can_step(compiled: Compiled, count: int) -> bool:
-    """Tell whether so many variants of a model are for this, which must have nothing but coordinates and speeds."""
+    """Whether so many variants of a model are for this, which must have nothing but coordinates and speeds."""
     facts = compiled.facts
     if facts.projects:
         worth = count >= LEAST_WITH_LOOPS and len(facts.states) <= _MOST_STATES
@@ -141,8 +141,10 @@ class Blocks:
         """A function of all blocks: (blocks, rows, lanes)."""
         wide, still, native = self.numbers.shape[2], self.base.still, self.native[0]
         blocks = zip(x, self.numbers, modes, strict=True)
-        found = [native.evaluate(name, (rows * wide,), a.ravel(), still, p.ravel(), m.ravel()) for a, p, m in blocks]
-        return np.array(found).reshape(len(x), rows, wide)
+        blocks_of_results = [
+            native.evaluate(name, (rows * wide,), a.ravel(), still, p.ravel(), m.ravel()) for a, p, m in blocks
+        ]
+        return np.array(blocks_of_results).reshape(len(x), rows, wide)
 
     def rest(self) -> Rest:
         """Find where all variants rest, beginning with the base: Newton's method, modes following their switches.
@@ -222,10 +224,10 @@ class Blocks:
         """The outputs wanted, (rows, lanes)."""
         numbers, compiled, still = self.numbers[block], self.compiled, self.base.still
         x, modes = rest.x[block].T.copy(), rest.modes[block].T.copy()
-        found = [
+        result = [
             compiled.evaluate("output", a, still, p, m) for a, p, m in zip(x, numbers.T.copy(), modes, strict=True)
         ]
-        return np.array(found)[:, list(self.channels)].T
+        return np.array(result)[:, list(self.channels)].T
 
     def run(self, rest: Rest, take: Take, threads: int | None = None) -> NDArray[np.bool_]:
         """Run all blocks and hand on what each gives; tell which reached their end."""

@@ -205,7 +205,7 @@ def run_sweep(
 
 
 def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
-    """Run the rig as it is, and the variants with the least and the greatest first metric; by what they are.
+    """Run the rig unchanged, and the variants with the least and the greatest first metric; by what they are.
 
     Empty where nothing is a metric, or none of them runs.
     """
@@ -220,11 +220,11 @@ def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
         for words, row in (("least", np.nanargmin(values)), ("greatest", np.nanargmax(values))):
             changes = {path: float(data[path][row]) for path in sweep.columns}
             chosen[f"{words} {name} (variant {int(data['variant'][row])})"] = changes
-    found = {}
+    result = {}
     for words, changes in chosen.items():
         rig, trial, control = study.variant(changes)
         with contextlib.suppress(JounceError):  # a rig that does not run may have variants that do
-            found[words] = simulate(
+            result[words] = simulate(
                 rig,
                 trial,
                 control=control,
@@ -232,7 +232,7 @@ def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
                 tolerance=study.settings.tolerance,
                 method=study.settings.method,
             )
-    return found
+    return result
 
 
 def read_sweep(path: Path | str) -> ReadSweep:
@@ -262,27 +262,27 @@ def _variants(study: SweepStudy) -> Variants:
 
 def read_trial(table: dict[str, Any], file: Path, text: str, place: tuple[str, ...] = ("trial",)) -> Trial:
     """A trial whose roads may be tables, files beside the study, names or classes."""
-    found = dict(table)
+    trial = dict(table)
     for side in ("road", "right"):
         given = table.get(side)
         if isinstance(given, str):
             beside = file.parent / given
             driven = _metres(table) if given.lower().startswith("iso:") else None
             try:
-                found[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
+                trial[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
             except JounceError as error:
                 raise _told(
                     error, file, line_of(text, (*place, side)), f"{'.'.join(place)}.{side}: {error.where}"
                 ) from None
         elif isinstance(given, dict):
             read = read_roads({side: given}, where=str(file), text=text, folder=file.parent, path=place)
-            found[side] = read[side]
+            trial[side] = read[side]
     given = table.get("excitation")
     if isinstance(given, str):
-        found["excitation"] = file.parent / given
+        trial["excitation"] = file.parent / given
     elif isinstance(given, dict) and isinstance(given.get("file"), str):
-        found["excitation"] = {**given, "file": file.parent / given["file"]}
-    return Trial.from_table(found, where=str(file), text=text, path=place)
+        trial["excitation"] = {**given, "file": file.parent / given["file"]}
+    return Trial.from_table(trial, where=str(file), text=text, path=place)
 
 
 def _metres(table: dict[str, Any]) -> float | None:

@@ -115,7 +115,8 @@ def summarise(many: xr.Dataset) -> Summary:
     for path in numbers_of(many):
         ends = {"least": float(many[path].min()), "greatest": float(many[path].max())}
         numbers[path] = {**ends, "unit": str(many[path].attrs["units"])}
-    has_metrics = any(one.dims == ("variant",) and one.dtype.kind in "fi" for one in many.data_vars.values())
+    columns = many.data_vars.values()
+    has_metrics = any(column.dims == ("variant",) and column.dtype.kind in "fi" for column in columns)
     names = metrics_of(many) if has_metrics and ran else []
     influences, findings = _influences(many, names) if numbers and names else ((), list[Finding]())
     if names and many.attrs.get("design") == "morris":
@@ -137,13 +138,13 @@ def _metric(many: xr.Dataset, name: str) -> MetricSummary:
     values = many[name].to_numpy()
     variants = many["variant"].to_numpy()
     good = np.flatnonzero(np.isfinite(values))
-    found = values[good]
-    low, high = good[np.argmin(found)], good[np.argmax(found)]
-    percentiles = {f"{level:g}": _percentile(np.sort(found), level) for level in _PERCENTILES}
+    metric = values[good]
+    low, high = good[np.argmin(metric)], good[np.argmax(metric)]
+    percentiles = {f"{level:g}": _percentile(np.sort(metric), level) for level in _PERCENTILES}
     unit = str(many[name].attrs.get("units", "1"))
-    spread = float(np.std(found, ddof=1)) if len(found) > 1 else 0.0
+    spread = float(np.std(metric, ddof=1)) if len(metric) > 1 else 0.0
     return MetricSummary(
-        name, unit, float(np.mean(found)), spread, float(values[low]), int(variants[low]), float(values[high]),
+        name, unit, float(np.mean(metric)), spread, float(values[low]), int(variants[low]), float(values[high]),
         int(variants[high]), percentiles,
     )  # fmt: skip
 
@@ -164,14 +165,14 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
         indices = sensitivity_indices(many, names)
     except DescriptionError as error:
         return (), [finding("variants.dependencies_unknown", "sensitivity", error=error.what)]
-    found, findings = [], []
+    influences, findings = [], []
     measures = [str(name) for name in indices.data_vars if not str(name).endswith(("_low", "_high"))]
     for metric in names:
         for number in map(str, indices["number"].to_numpy()):
             at = indices.sel(metric=metric, number=number)
             told = {name: _measured(at, name) for name in measures if name != "explained"}
             ends = {name: float(at[name]) for name in ("at_low", "at_high") if name in at}
-            found.append(Influence(metric, number, {**told, **ends}))
+            influences.append(Influence(metric, number, {**told, **ends}))
         explained = float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
         if explained < _LITTLE:
             findings.append(finding("variants.lines_explain_little", metric, explained, explained=explained))
@@ -181,7 +182,7 @@ def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence
                 "variants.variants_left_out", "sensitivity", indices.attrs["left_out"], count=indices.attrs["left_out"]
             )
         )
-    return tuple(found), findings
+    return tuple(influences), findings
 
 
 def _measured(at: xr.Dataset, name: str) -> dict[str, Any]:
@@ -190,7 +191,7 @@ def _measured(at: xr.Dataset, name: str) -> dict[str, Any]:
 
 
 def bands(many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCENTILES) -> xr.DataArray:
-    """Give percentiles of a channel over the variants at every time: how far apart runs lie.
+    """Return percentiles of a channel over the variants at every time: how far apart runs lie.
 
     A band between two of them is where that share of the variants lies at each time; no single run need follow it.
 
@@ -225,7 +226,7 @@ def bands(many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCEN
     """
     import xarray as xr
 
-    known = [str(name) for name, one in many.data_vars.items() if one.dims == ("variant", "time")]
+    known = [str(name) for name, variable in many.data_vars.items() if variable.dims == ("variant", "time")]
     if channel not in known:
         raise unknown(channel, known, what="channel over time", where="channel")
     levels = np.asarray(percentiles, dtype=float)

@@ -100,7 +100,7 @@ def share(
 
 
 def _hand_over(job: _Job) -> None:
-    """Give a job to a thread that waits for one, or to a new one."""
+    """Return a job to a thread that waits for one, or to a new one."""
     try:
         jobs = _free.pop()
     except IndexError:

@@ -59,10 +59,10 @@ class Task:
 
 
 def shard_of(work: Work, task: Task, threads: int | None) -> bytes:
-    """Run the variants of a task; give the content of their shard."""
-    found = work.run(task.columns, first=task.first, threads=threads)
+    """Run the variants of a task; return the content of their shard."""
+    shard = work.run(task.columns, first=task.first, threads=threads)
     with own_locks():
-        return netcdf_of(found)
+        return netcdf_of(shard)
 
 
 @contextmanager
@@ -78,13 +78,13 @@ def own_locks() -> Iterator[None]:
 
 
 def here(work: Work, tasks: Sequence[Task], threads: int | None) -> Results:
-    """Give number and content of every shard, worked on in this process."""
+    """Return number and content of every shard, worked on in this process."""
     for task in tasks:
         yield task.number, shard_of(work, task, threads)
 
 
 def on_processes(workers: int, work: Work, tasks: Sequence[Task]) -> Results:
-    """Give number and content of shards as processes finish them; one that is ended from outside is replaced."""
+    """Return number and content of shards as processes finish them; one that is ended from outside is replaced."""
     packed, left, ends = _packed(work), {task.number: task for task in tasks}, 0
     while left:
         try:
@@ -169,13 +169,13 @@ def _packed(work: Work) -> bytes:
 
 @lru_cache(maxsize=2)
 def _unpacked(packed: bytes) -> tuple[bool | None, Work]:
-    found: tuple[bool | None, Work] = pickle.loads(packed)
-    return found
+    result: tuple[bool | None, Work] = pickle.loads(packed)
+    return result
 
 
 @contextmanager
 def cluster_at(address: str) -> Iterator[Any]:
-    """Give a client of the Dask scheduler at an address; refuse one that is not there, or of other versions."""
+    """Return a client of the Dask scheduler at an address; refuse one that is not there, or of other versions."""
     distributed = require("distributed", "cluster")
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is said once, by us
     hint = "Start one with: dask scheduler, and on each machine: dask worker ADDRESS --nworkers auto --nthreads 1"
@@ -225,7 +225,7 @@ def _not_there(error: ModuleNotFoundError) -> JounceError:
 
 
 def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
-    """Give number and content of shards as the workers of a Dask cluster finish them; who vanishes is replaced."""
+    """Return number and content of shards as the workers of a Dask cluster finish them; who vanishes is replaced."""
     distributed = require("distributed", "cluster")
     check_cluster(client)
     packed, pending = _packed(work), iter(tasks)
@@ -233,7 +233,7 @@ def on_cluster(client: Any, work: Work, tasks: Sequence[Task]) -> Results:
     waiting: set[Any] = set()
 
     def submit() -> None:
-        """Give every worker there is now enough to do."""
+        """Give every available worker enough tasks."""
         most = max(_WAITING * len(client.scheduler_info(n_workers=-1)["workers"]), 1)
         for task in itertools.islice(pending, max(most - len(waiting), 0)):
             future = client.submit(work_on, packed, task, pure=False)

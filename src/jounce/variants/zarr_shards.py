@@ -36,17 +36,17 @@ def checksum(content: bytes) -> str:
 
 
 def put(folder: Path, number: int, shard: xr.Dataset, count: int, size: int) -> bytes:
-    """Write the chunks of a shard, and what the group is with the first; give the record that makes them count.
+    """Write the chunks of a shard, and what the group is with the first; return the record that makes them count.
 
     ``count`` is that of all variants, ``size`` that of a shard.
     """
     if not (folder / _ALL).is_file():
         _begin(folder, shard, count, size)
     chunks = {}
-    for name, one in shard.variables.items():
-        along = "variant" in one.dims
-        key = f"{name}/{'.'.join([str(number if along else 0), *['0'] * (one.ndim - 1)])}"
-        content = _packed(one.to_numpy(), size if along else None)
+    for name, variable in shard.variables.items():
+        along = "variant" in variable.dims
+        key = f"{name}/{'.'.join([str(number if along else 0), *['0'] * (variable.ndim - 1)])}"
+        content = _packed(variable.to_numpy(), size if along else None)
         write_atomically(folder / key, content, force=True)
         chunks[key] = checksum(content)
     record = {
@@ -107,22 +107,22 @@ def clear(folder: Path) -> None:
 
 
 def _begin(folder: Path, shard: xr.Dataset, count: int, size: int) -> None:
-    for name, one in shard.variables.items():
-        along = "variant" in one.dims
-        is_text = one.dtype.kind not in "fiub"
+    for name, variable in shard.variables.items():
+        along = "variant" in variable.dims
+        is_text = variable.dtype.kind not in "fiub"
         array = {
             "zarr_format": 2,
-            "shape": [count, *one.shape[1:]] if along else list(one.shape),
-            "chunks": [size, *one.shape[1:]] if along else list(one.shape),
-            "dtype": "|O" if is_text else one.dtype.newbyteorder("<").str,
-            "fill_value": "NaN" if one.dtype.kind == "f" else None,
+            "shape": [count, *variable.shape[1:]] if along else list(variable.shape),
+            "chunks": [size, *variable.shape[1:]] if along else list(variable.shape),
+            "dtype": "|O" if is_text else variable.dtype.newbyteorder("<").str,
+            "fill_value": "NaN" if variable.dtype.kind == "f" else None,
             "filters": _TEXTS if is_text else None,
             "compressor": None,
             "order": "C",
         }
         (folder / str(name)).mkdir(exist_ok=True)
         write_atomically(folder / str(name) / _ARRAY, to_json(array), force=True)
-        attributes = {**to_plain(one.attrs), _DIMENSIONS: list(one.dims)}
+        attributes = {**to_plain(variable.attrs), _DIMENSIONS: list(variable.dims)}
         write_atomically(folder / str(name) / _ATTRIBUTES, to_json(attributes), force=True)
     write_atomically(folder / _GROUP, to_json({"zarr_format": 2}), force=True)
     # xarray takes these variables for coordinates, whatever they are the coordinates of
@@ -141,8 +141,8 @@ def _whole_chunks(folder: Path, about: Mapping[str, Any]) -> Iterator[tuple[str,
 
 
 def _read(file: Path) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
-    return found
+    result: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+    return result
 
 
 def _packed(values: Array, size: int | None) -> bytes:

@@ -32,14 +32,14 @@ def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
         return "zig", [sys.executable, "-P", "-m", "ziglang", "cc"]
     if list(platforms) == [this_platform()]:
         for name in ("cc", "gcc", "clang"):
-            found = program_on_path(name)
-            if found is not None:
-                return "cc", [found]
+            result = program_on_path(name)
+            if result is not None:
+                return "cc", [result]
     return None
 
 
 def compile_library(folder: Path, version: int, platform: str, compiler: tuple[str, list[str]]) -> bytes:
-    """Compile ``model.c`` in ``folder`` with the face of an FMI version; give the shared library."""
+    """Compile ``model.c`` in ``folder`` with the face of an FMI version; return the shared library."""
     name, command = compiler
     out, target = folder / f"{platform}{PLATFORMS[platform].suffix}", PLATFORMS[platform].target
     words = [

@@ -72,7 +72,7 @@ class _Statements:
         """The statements; what divides several numbers is inverted once: a division takes as long as ten products."""
         divisors = Counter(values[1] for _, _, operation, values in self._made if operation == "DIV")
         inverted: dict[str, str] = {}
-        found = []
+        result = []
         for kind, name, operation, values in self._made:
             forms = _NUMBERS if kind == "double" else _PAIRS
             text = forms[operation].format(*values)
@@ -80,10 +80,10 @@ class _Statements:
                 above, below = values
                 if below not in inverted:
                     inverted[below] = f"i{len(inverted)}"
-                    found.append(f"const {kind} {inverted[below]} = {forms['INV'].format(below)};")
+                    result.append(f"const {kind} {inverted[below]} = {forms['INV'].format(below)};")
                 text = forms["MUL"].format(above, inverted[below])
-            found.append(f"const {kind} {name} = {text};")
-        return found
+            result.append(f"const {kind} {name} = {text};")
+        return result
 
 
 def function_text(name: str, packed: Packed, takes: Sequence[str], gives: Mapping[str, int]) -> str:

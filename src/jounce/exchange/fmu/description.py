@@ -33,27 +33,27 @@ def _text(value: float | bool) -> str:
 
 def _attributes(variable: Variable) -> dict[str, str]:
     """What both versions write alike."""
-    found = {"name": variable.name, "valueReference": str(variable.reference)}
+    attributes = {"name": variable.name, "valueReference": str(variable.reference)}
     if variable.text:
-        found["description"] = variable.text
-    found |= {"causality": variable.causality, "variability": variable.variability}
+        attributes["description"] = variable.text
+    attributes |= {"causality": variable.causality, "variability": variable.variability}
     if variable.initial:
-        found["initial"] = variable.initial
-    return found
+        attributes["initial"] = variable.initial
+    return attributes
 
 
 def _number(variable: Variable) -> dict[str, str]:
     """Unit, range and start."""
-    found = {} if variable.is_boolean or not variable.unit else {"unit": variable.unit}
+    number = {} if variable.is_boolean or not variable.unit else {"unit": variable.unit}
     for name, value in (("min", variable.least), ("max", variable.most), ("start", variable.start)):
         if value is not None:
-            found[name] = _text(value)
-    return found
+            number[name] = _text(value)
+    return number
 
 
 def _units(variables: Variables) -> list[ET.Element]:
     """Units with their powers; metres are shown in mm, angles in degrees."""
-    found = []
+    units = []
     for name in sorted({v.unit for v in variables.everything if v.unit and not v.is_boolean}):
         element = ET.Element("Unit", name=name)
         ET.SubElement(element, "BaseUnit", {base: str(power) for base, power in base_units(name).items()})
@@ -61,12 +61,12 @@ def _units(variables: Variables) -> list[ET.Element]:
             ET.SubElement(element, "DisplayUnit", name="mm", factor="1000.0")
         if name == "rad":
             ET.SubElement(element, "DisplayUnit", name="deg", factor=repr(180.0 / math.pi))
-        found.append(element)
-    return found
+        units.append(element)
+    return units
 
 
 def _common(root: ET.Element, variables: Variables) -> ET.Element:
-    """Units, categories of messages, default experiment; give the table of the variables."""
+    """Units, categories of messages, default experiment; return the table of the variables."""
     ET.SubElement(root, "UnitDefinitions").extend(_units(variables))
     categories = ET.SubElement(root, "LogCategories")
     for name in ("logStatusWarning", "logStatusError"):

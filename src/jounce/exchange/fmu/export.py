@@ -120,9 +120,9 @@ def export_fmu(
     Raises
     ------
     OutputError
-        When the file exists, when no compiler makes a platform that was asked for, and for names that collide.
+        If the file exists, when no compiler makes a platform that was asked for, and for names that collide.
     SimulationError
-        When there is no equilibrium, for a controller that is a Python function, and what does not stand on a tester.
+        If there is no equilibrium, for a controller that is a Python function, and what does not stand on a tester.
     DescriptionError
         For a mechanism or a rig on a tester with a controller.
 

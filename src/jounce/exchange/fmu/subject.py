@@ -111,7 +111,7 @@ def subject_of(
     *,
     controller_only: bool = False,
 ) -> Subject:
-    """Give what an FMU is written of, and refuse what does not go together."""
+    """Return the content of an FMU; refuse choices that exclude each other."""
     if isinstance(model, Mechanism):
         for word, given in (("control", control), ("tester", tester), ("controller", controller_only or None)):
             if given is not None:

@@ -245,13 +245,13 @@ def _dependencies(model: Model, first: Mapping[str, int]) -> dict[str, list[tupl
     """References of the states and inputs that each rate, output and indicator depends on."""
     known = [first["x"] + i for i in range(model.x.shape[0])] + [first["u"] + i for i in range(model.u.shape[0])]
     rate = model.rate + model.projection[: model.x.shape[0]] if model.projection.shape[0] else model.rate
-    found = {}
+    dependencies = {}
     for name, part in (("dx", rate), ("y", model.output), ("z", model.switch)):
         rows: list[set[int]] = [set() for _ in range(part.shape[0])]
         for row, column in zip(*ca.jacobian_sparsity(part, ca.vertcat(model.x, model.u)).get_triplet(), strict=True):
             rows[row].add(known[column])
-        found[name] = [tuple(sorted(row)) for row in rows]
-    return found
+        dependencies[name] = [tuple(sorted(row)) for row in rows]
+    return dependencies
 
 
 def _refuse_collisions(everything: Sequence[Variable], names: Sequence[str]) -> None:
